@@ -7,7 +7,12 @@
 #include <string.h>
 
 /* What settled an axis. */
-typedef enum { CHOSEN_default, CHOSEN_by_name, CHOSEN_by_precision, CHOSEN_by_measuring } ChoiceSource;
+typedef enum {
+    CHOSEN_default,
+    CHOSEN_by_name,
+    CHOSEN_by_precision,
+    CHOSEN_by_measuring
+} ChoiceSource;
 
 static const char *target_name(const void *user, int i)
 {
@@ -88,16 +93,15 @@ typedef struct {
     size_t member;
 } TextOption;
 
-#define TEXT_OPTION(name)                                                                                              \
-    {                                                                                                                  \
-#name, offsetof(MatcOptions, name)                                                                             \
+#define TEXT_OPTION(name)                                                                          \
+    {                                                                                              \
+#name, offsetof(MatcOptions, name)                                                         \
     }
 static const TextOption text_options[] = {
 #define AXIS(name, chunks, doc) TEXT_OPTION(name),
 #include "grammar/variants.def"
     TEXT_OPTION(target),    TEXT_OPTION(pass),      TEXT_OPTION(slot),     TEXT_OPTION(layout),
-    TEXT_OPTION(precision), TEXT_OPTION(constants), TEXT_OPTION(warnings),
-    TEXT_OPTION(normals),
+    TEXT_OPTION(precision), TEXT_OPTION(constants), TEXT_OPTION(warnings), TEXT_OPTION(normals),
 };
 
 static const TextOption *text_option(const char *name)
@@ -147,10 +151,12 @@ static bool is_value(const char *option, const char *value)
 {
     if (!value)
         return true; /* its default */
-    return strcmp(option, "warnings") ? index_of(value, option) >= 0 : !warnings_fault(value, &(size_t){0});
+    return strcmp(option, "warnings") ? index_of(value, option) >= 0
+                                      : !warnings_fault(value, &(size_t){0});
 }
 
-/* A list of warnings is no name of a table: the options hold a copy, so that they can themselves be copied. */
+/* A list of warnings is no name of a table: the options hold a copy, so that they can themselves be
+ * copied. */
 static bool set_warnings(MatcOptions *options, const char *value)
 {
     const size_t size = value ? strlen(value) + 1 : 0;
@@ -188,7 +194,8 @@ static int precision_of(const MatcOptions *o) { return index_or(o, "precision", 
 static int choose(const MatcOptions *o, Axis axis, ChoiceSource *source)
 {
     const char *name = choice_value(o, axis_table[axis].name);
-    int precision = precision_of(o), first = axis_table[axis].first, row = precision_table[precision].choice[axis];
+    int precision = precision_of(o), first = axis_table[axis].first,
+        row = precision_table[precision].choice[axis];
     if (!name) {
         *source = o->precision && row >= 0 ? CHOSEN_by_precision : CHOSEN_default;
         return row >= 0 ? row : first;
@@ -206,7 +213,10 @@ const TargetRow *choice_target(const MatcOptions *options)
 }
 
 /* A caller of an older library may know fewer options, but all that have a name. */
-bool choice_is_set(const MatcOptions *options) { return options->size >= offsetof(MatcOptions, optimize); }
+bool choice_is_set(const MatcOptions *options)
+{
+    return options->size >= offsetof(MatcOptions, optimize);
+}
 
 /* The first option whose value does not exist; NULL: there is none. */
 static const char *fault_of(const MatcOptions *o)
@@ -236,9 +246,11 @@ const char *choice_job(const MatcOptions *o, Job *job)
     job->moved = o->moved;
     job->computed = o->compute;
     job->origin = o->origin && job->pass != PASS_sky; /* the sky's position is a direction */
-    job->instances = o->instances && target_table[target].storage && job->pass != PASS_plane && job->pass != PASS_sky;
+    job->instances = o->instances && target_table[target].storage && job->pass != PASS_plane &&
+                     job->pass != PASS_sky;
     job->cases = o->cases;
-    job->layout = o->custom ? o->custom->row : &layout_table[index_or(o, "layout", target_table[target].layout)];
+    job->layout = o->custom ? o->custom->row
+                            : &layout_table[index_or(o, "layout", target_table[target].layout)];
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         job->choice[axis] = (Choice)choose(o, (Axis)axis, &(ChoiceSource){0});
     return NULL;
@@ -287,14 +299,16 @@ MatcOptions choice_whole_options(const MatcOptions *given)
         memcpy(&options, given, given->size < sizeof options ? given->size : sizeof options);
     options.size = choice_is_set(given) ? sizeof options : given->size;
     options.member_count = options.members && options.member_count > 0 ? options.member_count : 0;
-    options.include_count = options.include && options.include_count > 0 ? options.include_count : 0;
+    options.include_count =
+        options.include && options.include_count > 0 ? options.include_count : 0;
     return options;
 }
 
 bool choice_check(Session *session)
 {
     const MatcOptions *options = session->options;
-    return choice_is_set(options) || diag_add(session, NO_SPAN, DIAG_unset_options, (int)options->size);
+    return choice_is_set(options) ||
+           diag_add(session, NO_SPAN, DIAG_unset_options, (int)options->size);
 }
 
 void choice_store_options(Bytes *to, const MatcOptions *options)
@@ -317,7 +331,10 @@ const char *matc_options_fault(const MatcOptions *options)
     return choice_is_set(&whole) ? fault_of(&whole) : "size";
 }
 
-static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }
+static const char *choice_name(const Job *job, int axis)
+{
+    return choice_table[job->choice[axis]].name;
+}
 
 void choice_explain(Text *out, const MatcOptions *options, const Job *job)
 {
@@ -335,7 +352,7 @@ void choice_explain(Text *out, const MatcOptions *options, const Job *job)
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         ChoiceSource source;
         choose(options, (Axis)axis, &source);
-        text_format(out, "  %-12s %-12s %s%s\n", axis_table[axis].name, choice_name(job, axis), by[source],
-                    source == CHOSEN_by_precision ? options->precision : "");
+        text_format(out, "  %-12s %-12s %s%s\n", axis_table[axis].name, choice_name(job, axis),
+                    by[source], source == CHOSEN_by_precision ? options->precision : "");
     }
 }

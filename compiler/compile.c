@@ -40,7 +40,8 @@ static Ir *place_members(Session *session, Ir *ir, const Job *job)
         IrKey key = ir_key(session, ir, job);
         if (key.place_count != session->options->member_count) {
             ir_done(ir);
-            return diag_add(session, NO_SPAN, DIAG_wrong_members, session->options->member_count, key.place_count);
+            return diag_add(session, NO_SPAN, DIAG_wrong_members, session->options->member_count,
+                            key.place_count);
         }
         constants_place(ir, key.places, session->options->members, key.place_count);
         opt_dead(ir);
@@ -65,7 +66,8 @@ double compile_displacement_bound(const Ir *ir)
     for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
         const Interval x = range_of(&ranges, ir, output->value, lane);
         const double most = fmax(fabs(x.low), fabs(x.high));
-        size = ir_lanes(ir, output->value) == 4 ? fmax(size, most) : size + most; /* tangents and normal need not be at right angles */
+        /* tangents and normal need not be at right angles */
+        size = ir_lanes(ir, output->value) == 4 ? fmax(size, most) : size + most;
     }
     arena_free(&arena);
     const Value *bound = graph_displacement(ir->displaced).bound;
@@ -82,7 +84,9 @@ static void doubt_bound(Session *session, const Ir *ir)
     if (!ir->displaced || isfinite(compile_displacement_bound(ir)))
         return;
     const Displacement d = graph_displacement(ir->displaced);
-    const Node *map = d.volume->kind == VALUE_node ? d.volume->node : d.height->kind == VALUE_node ? d.height->node : d.vector->node;
+    const Node *map = d.volume->kind == VALUE_node   ? d.volume->node
+                      : d.height->kind == VALUE_node ? d.height->node
+                                                     : d.vector->node;
     diag_add(session, map->span, DIAG_unbounded_displacement);
 }
 
@@ -110,7 +114,8 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
     opt_dead(ir);
     if (ir->function_count && ir_written(ir, LIMIT_IR_NODES) > LIMIT_IR_NODES) {
         ir_done(ir);
-        return diag_add(session, material ? material->span : NO_SPAN, DIAG_graph_too_large, LIMIT_IR_NODES);
+        return diag_add(session, material ? material->span : NO_SPAN, DIAG_graph_too_large,
+                        LIMIT_IR_NODES);
     }
     return place_members(session, ir, job);
 }
@@ -118,10 +123,13 @@ Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const
 bool compile_back(Session *session, const Ir *ir, const Job *job, Products *products)
 {
     const char *log;
-    products->fragment = emit_fragment(session, ir, job, &products->interface, &products->fragment_size);
+    products->fragment =
+        emit_fragment(session, ir, job, &products->interface, &products->fragment_size);
     session_stage_done(session, "emit", 0, 0);
-    products->vertex = session->options->validate ? emit_vertex(session, job, &products->interface) : NULL;
-    const ProgramTexts texts = {products->vertex, products->fragment, products->interface.declarations};
+    products->vertex =
+        session->options->validate ? emit_vertex(session, job, &products->interface) : NULL;
+    const ProgramTexts texts = {products->vertex, products->fragment,
+                                products->interface.declarations};
     if (session->options->validate && !validate(session, job->target, &texts, &log)) {
         diag_add(session, NO_SPAN, DIAG_not_valid, target_table[job->target].name, log);
         return false;

@@ -41,10 +41,12 @@ char *matc_definitions(const MatcDocument *d)
     for (int i = 0; d && d->graph && i < d->graph->def_count; i++) {
         const Tree *defs = d->graph->defs[i];
         if (defs->count)
-            text_format(&out, "%s%s\n", out.size ? "\n" : "", d->session.sources[defs->span.file].name);
+            text_format(&out, "%s%s\n", out.size ? "\n" : "",
+                        d->session.sources[defs->span.file].name);
         for (uint32_t k = 0; k < defs->count; k++)
             if (definition_of(d, defs->members[k].key) == &defs->members[k])
-                text_format(&out, "  %-24s  %s\n", defs->members[k].key, doc_of(defs->members[k].value));
+                text_format(&out, "  %-24s  %s\n", defs->members[k].key,
+                            doc_of(defs->members[k].value));
     }
     return text_given(&arena, &out);
 }
@@ -56,7 +58,8 @@ static const char *range_of(Arena *arena, const Parameter *p)
     if (p->low && p->high)
         text_format(&out, "%s to %s", p->low->text, p->high->text);
     else if (p->low || p->high)
-        text_format(&out, p->low ? "from %s on" : "up to %s", p->low ? p->low->text : p->high->text);
+        text_format(&out, p->low ? "from %s on" : "up to %s",
+                    p->low ? p->low->text : p->high->text);
     return out.size ? out.at : "";
 }
 
@@ -97,7 +100,8 @@ char *matc_explain_definition(MatcDocument *d, const char *name)
     text_format(&out, "%s (definition)\n", name);
     if (*doc_of(tree))
         text_format(&out, "%s\n", doc_of(tree));
-    text_format(&out, "\nIn %s, line %d\n", source->name, source_position(source, definition->span.start).line);
+    text_format(&out, "\nIn %s, line %d\n", source->name,
+                source_position(source, definition->span.start).line);
     if (params && params->value->kind == TREE_object)
         put_parameters(&arena, &out, &d->session, params->value);
     text_put(&out, "\nUse\n");
@@ -145,7 +149,8 @@ char *matc_explain(const char *name)
     return both;
 }
 
-/* An argument: what its type takes, within its range, or a param of the definition that it stands in. */
+/* An argument: what its type takes, within its range, or a param of the definition that it stands
+ * in. */
 static void put_argument_schema(Text *out, const Member *member, const Parameter *p)
 {
     static const char *const types[PARAMETER_TYPES] = {
@@ -161,7 +166,8 @@ static void put_argument_schema(Text *out, const Member *member, const Parameter
     double bound;
     text_put(out, "{");
     json_member(out, "description", doc_of(member->value));
-    text_format(out, ", \"anyOf\": [%s, {\"type\": \"object\", \"required\": [\"param\"]}]", types[p->type]);
+    text_format(out, ", \"anyOf\": [%s, {\"type\": \"object\", \"required\": [\"param\"]}]",
+                types[p->type]);
     if (p->low && tree_number(p->low, &bound)) {
         text_put(out, ", \"minimum\": ");
         text_double(out, bound);
@@ -183,7 +189,8 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
     Text wanted = text_new(out->arena);
     text_put(out, "        {\n          ");
     json_member(out, "description", doc_of(tree));
-    text_put(out, ",\n          \"type\": \"object\", \"additionalProperties\": false, \"properties\": {\n            \"ref\": {\"const\": ");
+    text_put(out, ",\n          \"type\": \"object\", \"additionalProperties\": false, "
+                  "\"properties\": {\n            \"ref\": {\"const\": ");
     json_string(out, definition->key);
     text_put(out, "}");
     for (uint32_t i = 0; i < count; i++) {
@@ -212,7 +219,8 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
 static void put_uses_schema(Text *out, MatcDocument *d, bool outermost)
 {
     bool first = true;
-    text_put(out, "{\n      \"description\": \"A map or material of `defs:`, the document's own or of a file that it "
+    text_put(out, "{\n      \"description\": \"A map or material of `defs:`, the document's own or "
+                  "of a file that it "
                   "includes.\",\n"
                   "      \"type\": \"object\", \"required\": [\"ref\"], \"anyOf\": [\n");
     for (int i = 0; i < d->graph->def_count; i++)

@@ -10,7 +10,8 @@
 const char *matc_version(void) { return MATC_VERSION; }
 
 /* With its text, and nothing made of it. */
-static MatcDocument *make(const char *name, const char *text, size_t size, const MatcOptions *options)
+static MatcDocument *make(const char *name, const char *text, size_t size,
+                          const MatcOptions *options)
 {
     MatcDocument *d = calloc(1, sizeof *d);
     if (!d)
@@ -24,7 +25,8 @@ static MatcDocument *make(const char *name, const char *text, size_t size, const
     const Source source = {.name = arena_string(&d->arena, name, strlen(name)),
                            .text = arena_string(&d->arena, text ? text : "", size),
                            .size = size};
-    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room,
+               source);
     session_depend_on(&d->session, source.name);
     return d;
 }
@@ -39,7 +41,8 @@ MatcDocument *matc_read(const char *name, const char *text, size_t size, const M
     return d;
 }
 
-MatcDocument *document_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+MatcDocument *document_read(const char *name, const char *text, size_t size,
+                            const MatcOptions *options)
 {
     MatcDocument *d = make(name, text, size, options);
     if (!text)
@@ -49,7 +52,10 @@ MatcDocument *document_read(const char *name, const char *text, size_t size, con
     return d;
 }
 
-void document_resolve(MatcDocument *d, Tree *tree) { d->graph = tree ? resolve(&d->session, tree) : NULL; }
+void document_resolve(MatcDocument *d, Tree *tree)
+{
+    d->graph = tree ? resolve(&d->session, tree) : NULL;
+}
 
 void document_lend(const MatcDocument *d, Session *session)
 {
@@ -66,11 +72,15 @@ void matc_document_free(MatcDocument *d)
     free(d);
 }
 
-int matc_material_count(const MatcDocument *d) { return d && d->graph ? d->graph->material_count : 0; }
+int matc_material_count(const MatcDocument *d)
+{
+    return d && d->graph ? d->graph->material_count : 0;
+}
 
 const char *matc_material_name(const MatcDocument *d, int material)
 {
-    return material >= 0 && material < matc_material_count(d) ? d->graph->materials[material].name : NULL;
+    return material >= 0 && material < matc_material_count(d) ? d->graph->materials[material].name
+                                                              : NULL;
 }
 
 int matc_material_find(const MatcDocument *d, const char *name)
@@ -99,4 +109,7 @@ const char *matc_tree_text(MatcDocument *d)
     return out.at;
 }
 
-const char *matc_diagnostics(MatcDocument *d, MatcForm form) { return d ? diag_all(&d->session, form) : ""; }
+const char *matc_diagnostics(MatcDocument *d, MatcForm form)
+{
+    return d ? diag_all(&d->session, form) : "";
+}

@@ -22,19 +22,22 @@ static bool set_channel(const Graph *graph, Surface *surface, const char *name, 
 }
 
 /* "u=0.3 v=0.4 front=0 @wetness=1". NULL, or what is wrong with the word that is left. */
-static const char *read_point(const Graph *graph, Surface *surface, const char *point, const char **word)
+static const char *read_point(const Graph *graph, Surface *surface, const char *point,
+                              const char **word)
 {
     for (*word = point; *(*word += strspn(*word, " ,\t\n"));) {
         const char *at = *word;
         size_t size = strcspn(at, " ,\t\n"), name = strcspn(at, "=");
         char key[LONGEST_CHANNEL] = {0};
         double value;
-        if (name >= size || name >= sizeof key || !text_number(at + name + 1, size - name - 1, &value) ||
-            !isfinite(value))
+        if (name >= size || name >= sizeof key ||
+            !text_number(at + name + 1, size - name - 1, &value) || !isfinite(value))
             return "a point is a list of channel=number";
         memcpy(key, at, name);
         if (!set_channel(graph, surface, key, value))
-            return *key == ATTRIBUTE_MARK ? "the document has no attribute of that name, or that lane" : "no such channel; see --list";
+            return *key == ATTRIBUTE_MARK
+                       ? "the document has no attribute of that name, or that lane"
+                       : "no such channel; see --list";
         *word += size;
     }
     return NULL;
@@ -73,8 +76,8 @@ const char *evaluate_point_fault(Arena *arena, const char *point)
     return out.at;
 }
 
-bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *options, SurfacePoints points,
-                       SlotValues *values)
+bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *options,
+                       SurfacePoints points, SlotValues *values)
 {
     Job job;
     choice_job(options, &job);
@@ -84,7 +87,8 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     bool known = true;
     double work = 0;
     for (int i = 0; i < points.count && known; i++) {
-        known = oracle_material(oracle, d->graph->materials[material].node, &points.at[i], &values[i]);
+        known =
+            oracle_material(oracle, d->graph->materials[material].node, &points.at[i], &values[i]);
         work += oracle_work(oracle);
         known = known && work <= (double)LIMIT_WORK * LIMIT_WORK_POINTS;
     }
@@ -93,8 +97,8 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
 }
 
 /* The slots at a point that is written; what is at fault, or NULL. */
-static const char *evaluate(const MatcDocument *d, int material, const char *point, const MatcOptions *options,
-                            SlotValues *values)
+static const char *evaluate(const MatcDocument *d, int material, const char *point,
+                            const MatcOptions *options, SlotValues *values)
 {
     Job job;
     Surface surface;
@@ -112,11 +116,13 @@ static const char *evaluate(const MatcDocument *d, int material, const char *poi
     if (!d->graph || material < 0 || material >= d->graph->material_count)
         return "no such material";
     if (!evaluate_material(d, material, options, (SurfacePoints){&surface, 1}, values))
-        return "the value takes too many operations: filters within filters, over maps that cost much";
+        return "the value takes too many operations: filters within filters, over maps that cost "
+               "much";
     return NULL;
 }
 
-MatcNumbers matc_eval_slot(const MatcDocument *d, int material, const char *point, const MatcOptions *options)
+MatcNumbers matc_eval_slot(const MatcDocument *d, int material, const char *point,
+                           const MatcOptions *options)
 {
     Job job;
     SlotValues values;
@@ -130,7 +136,8 @@ MatcNumbers matc_eval_slot(const MatcDocument *d, int material, const char *poin
     return numbers;
 }
 
-char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options, const char **fault)
+char *matc_eval(const MatcDocument *d, int material, const char *point, const MatcOptions *options,
+                const char **fault)
 {
     SlotValues values;
     Arena arena = {0};
@@ -159,8 +166,10 @@ static bool reads_world(const Ir *ir)
     const uint8_t *live = ir_live(ir, &arena);
     bool reads = false;
     for (Ref ref = 1; ref < ir->count; ref++) {
-        const uint32_t input = live[ref] && ir_is(ir, ref, OP_input) ? ir_at(ir, ref)->payload : INPUT_COUNT;
-        reads |= input == INPUT_vertexP || input == INPUT_vertexN || input == INPUT_vertexDU || input == INPUT_vertexDV;
+        const uint32_t input =
+            live[ref] && ir_is(ir, ref, OP_input) ? ir_at(ir, ref)->payload : INPUT_COUNT;
+        reads |= input == INPUT_vertexP || input == INPUT_vertexN || input == INPUT_vertexDU ||
+                 input == INPUT_vertexDV;
     }
     arena_free(&arena);
     return reads;
@@ -237,18 +246,21 @@ static Oracle *oracle_for(const MatcDocument *d, int material, const MatcOptions
 
 bool matc_has_volume(const MatcDocument *d, int material)
 {
-    const Node *displaced = has_material(d, material) ? oracle_displaced(d->graph->materials[material].node) : NULL;
+    const Node *displaced =
+        has_material(d, material) ? oracle_displaced(d->graph->materials[material].node) : NULL;
     return displaced && graph_displaces_volume(displaced);
 }
 
-bool matc_solid(const MatcDocument *d, int material, const MatcOptions *given, MatcSolid *points, int count)
+bool matc_solid(const MatcDocument *d, int material, const MatcOptions *given, MatcSolid *points,
+                int count)
 {
     const MatcOptions options = choice_whole_options(given);
     Oracle *oracle = matc_has_volume(d, material) ? oracle_for(d, material, &options) : NULL;
     bool fine = oracle && is_list(points, count);
     for (int i = 0; fine && i < count; i++) {
         const Surface surface = surface_of(&points[i].at, options.time);
-        fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface, points[i].heights);
+        fine = oracle_displacement_at(oracle, d->graph->materials[material].node, &surface,
+                                      points[i].heights);
     }
     oracle_close(oracle);
     return fine;
@@ -263,7 +275,8 @@ static void to_top(double by[ORACLE_HEIGHTS])
     by[2] = top;
 }
 
-bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, MatcPoint *points, int count)
+bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, MatcPoint *points,
+               int count)
 {
     const MatcOptions options = choice_whole_options(given);
     const bool volume = matc_has_volume(d, material);
@@ -283,7 +296,8 @@ bool matc_move(const MatcDocument *d, int material, const MatcOptions *given, Ma
     return fine;
 }
 
-bool matc_set_default(MatcDocument *d, const char *param, const double *lanes, int count, double *before)
+bool matc_set_default(MatcDocument *d, const char *param, const double *lanes, int count,
+                      double *before)
 {
     for (int i = 0; d && d->graph && param && lanes && i < d->graph->uniform_count; i++) {
         Uniform *uniform = d->graph->uniforms[i];

@@ -9,11 +9,13 @@ typedef struct {
     int count;
 } SurfacePoints;
 
-/* The slots of a material at those points, in double, as the options compute them (their noise and derivatives). The material exists, and
- * the options name what exists. Pictures are 0.5 where the document was read without `pixels`. False: one
- * takes more than LIMIT_WORK, or all together LIMIT_WORK_POINTS times that; then none is known. */
-bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options, SurfacePoints points,
-                       SlotValues *values);
-/* What is wrong with a point as matc_eval takes it, in words of the command line, in the arena; NULL: nothing. */
+/* The slots of a material at those points, in double, as the options compute them (their noise and
+ * derivatives). The material exists, and the options name what exists. Pictures are 0.5 where the
+ * document was read without `pixels`. False: one takes more than LIMIT_WORK, or all together
+ * LIMIT_WORK_POINTS times that; then none is known. */
+bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options,
+                       SurfacePoints points, SlotValues *values);
+/* What is wrong with a point as matc_eval takes it, in words of the command line, in the arena;
+ * NULL: nothing. */
 const char *evaluate_point_fault(Arena *arena, const char *point);
 #endif

@@ -20,7 +20,8 @@ static void finish(MatcLayout *layout)
     layout->report = page.at;
 }
 
-MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, const MatcOptions *options)
+MatcLayout *matc_layout_read(const char *name, const char *text, size_t size,
+                             const MatcOptions *options)
 {
     MatcLayout *layout = calloc(1, sizeof *layout);
     if (!layout)
@@ -33,7 +34,8 @@ MatcLayout *matc_layout_read(const char *name, const char *text, size_t size, co
     const Source source = {.name = arena_string(session->arena, name, strlen(name)),
                            .text = arena_string(session->arena, text ? text : "", size),
                            .size = size};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+               source);
     if (!text)
         diag_add(session, NO_SPAN, DIAG_null_argument, "text");
     const Tree *tree = text && choice_check(session) ? read_document(session, 0) : NULL;
@@ -66,8 +68,8 @@ MatcLayout *matc_layout_for(const MatcRanges *ranges, double error, const MatcOp
     return layout;
 }
 
-bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material, const MatcOptions *options,
-                     char **fault)
+bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int material,
+                     const MatcOptions *options, char **fault)
 {
     Job job;
     Arena arena = {0};
@@ -86,7 +88,8 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
         diag_add(&session, NO_SPAN, DIAG_unknown_option, wrong);
     if (!ranges || !document)
         diag_add(&session, NO_SPAN, DIAG_null_argument, ranges ? "document" : "ranges");
-    bool fine = !wrong && ranges && !choice_job(&own, &job) && graph && material >= 0 && material < graph->material_count;
+    bool fine = !wrong && ranges && !choice_job(&own, &job) && graph && material >= 0 &&
+                material < graph->material_count;
     job.pass = PASS_value;
     job.all_slots = true;
     matc_ranges_init(&one);
@@ -99,7 +102,8 @@ bool matc_ranges_add(MatcRanges *ranges, const MatcDocument *document, int mater
     if (fine)
         matc_ranges_join(ranges, &one);
     else if (fault)
-        *fault = memory_checked(strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material"));
+        *fault = memory_checked(
+            strdup(session.diags.count ? diag_all(&session, MATC_TEXT) : "no such material"));
     arena_free(&arena);
     return fine;
 }
@@ -113,8 +117,17 @@ void matc_layout_free(MatcLayout *layout)
 }
 
 bool matc_layout_ok(const MatcLayout *layout) { return layout && layout->row; }
-const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form) { return layout ? diag_all(&layout->session, form) : ""; }
-const char *matc_layout_name(const MatcLayout *layout) { return layout && layout->row ? layout->row->name : NULL; }
-int matc_layout_bytes(const MatcLayout *layout) { return layout && layout->row ? layout_bytes(layout->row) : 0; }
+const char *matc_layout_diagnostics(MatcLayout *layout, MatcForm form)
+{
+    return layout ? diag_all(&layout->session, form) : "";
+}
+const char *matc_layout_name(const MatcLayout *layout)
+{
+    return layout && layout->row ? layout->row->name : NULL;
+}
+int matc_layout_bytes(const MatcLayout *layout)
+{
+    return layout && layout->row ? layout_bytes(layout->row) : 0;
+}
 const char *matc_layout_text(const MatcLayout *layout) { return layout ? layout->text : NULL; }
 const char *matc_layout_report(const MatcLayout *layout) { return layout ? layout->report : NULL; }

@@ -14,7 +14,8 @@ typedef struct {
 Graph *compile_front(Session *session, uint32_t source, Tree **tree);
 /* Graph -> Ir, lowered and optimised. */
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job);
-/* No vertex moves farther, by the intervals of an optimised IR; 0: none moves, INFINITY: they tell no bound. */
+/* No vertex moves farther, by the intervals of an optimised IR; 0: none moves, INFINITY: they tell
+ * no bound. */
 double compile_displacement_bound(const Ir *ir);
 /* Ir -> GLSL -> valid. */
 bool compile_back(Session *session, const Ir *ir, const Job *job, Products *products);

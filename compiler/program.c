@@ -31,8 +31,12 @@ static void list_constants(MatcProgram *p)
     p->constants = ARENA_ARRAY(&p->arena, MatcConstant, p->ir->constant_count + 1);
     for (size_t i = 0; i < p->ir->constant_count; i++) {
         const IrConstant *own = &p->ir->constants[i];
-        p->constants[i] = (MatcConstant){
-            own->name, type_table[own->type].name, type_table[own->type].lanes, own->offset, own->member, {0}};
+        p->constants[i] = (MatcConstant){own->name,
+                                         type_table[own->type].name,
+                                         type_table[own->type].lanes,
+                                         own->offset,
+                                         own->member,
+                                         {0}};
         memcpy(p->constants[i].values, own->numbers, sizeof own->numbers);
     }
 }
@@ -79,7 +83,8 @@ static bool open_job(MatcProgram *p)
     return !choice_job(&p->options, &p->job);
 }
 
-MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs, const MatcOptions *options)
+MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
+                          const MatcOptions *options)
 {
     MatcProgram *p = calloc(1, sizeof *p);
     if (!p)
@@ -93,8 +98,8 @@ MatcProgram *matc_compile(const MatcDocument *d, int material, unsigned outputs,
     if (d)
         document_lend(d, &p->session);
     p->session.stage_start = session_now();
-    p->ok = open_job(p) && compile_program(p) && (outputs == MATC_KEY || program_write(p, outputs)) &&
-            !p->session.diags.errors;
+    p->ok = open_job(p) && compile_program(p) &&
+            (outputs == MATC_KEY || program_write(p, outputs)) && !p->session.diags.errors;
     return p;
 }
 
@@ -105,7 +110,10 @@ bool matc_emit(MatcProgram *p, unsigned outputs)
     return p && p->ok;
 }
 
-const char *matc_program_diagnostics(MatcProgram *p, MatcForm form) { return p ? diag_all(&p->session, form) : ""; }
+const char *matc_program_diagnostics(MatcProgram *p, MatcForm form)
+{
+    return p ? diag_all(&p->session, form) : "";
+}
 
 bool matc_ok(const MatcProgram *p) { return p && p->ok; }
 
@@ -131,11 +139,15 @@ const MatcTexture *matc_texture(MatcProgram *p, int index)
 
 int matc_case(const MatcProgram *p) { return p && p->layout ? p->ir->layout_case : -1; }
 
-int matc_target_count(const MatcProgram *p) { return p && p->layout ? layout_targets(p->layout) : 0; }
+int matc_target_count(const MatcProgram *p)
+{
+    return p && p->layout ? layout_targets(p->layout) : 0;
+}
 
 const char *matc_target_format(const MatcProgram *p, int index)
 {
-    return is_within(index, matc_target_count(p)) ? format_table[p->layout->formats[index]].name : NULL;
+    return is_within(index, matc_target_count(p)) ? format_table[p->layout->formats[index]].name
+                                                  : NULL;
 }
 
 int matc_uniform_count(const MatcProgram *p) { return p ? p->uniform_count : 0; }
@@ -160,7 +172,8 @@ static void list_places(MatcProgram *p)
     for (int i = 0; i < p->key.place_count; i++) {
         Ref value = p->key.places[i].value;
         MatcConstant *place = &p->places[i];
-        *place = (MatcConstant){NULL, type_table[ir_type(p->ir, value)].name, ir_lanes(p->ir, value), 0, -1, {0}};
+        *place = (MatcConstant){
+            NULL, type_table[ir_type(p->ir, value)].name, ir_lanes(p->ir, value), 0, -1, {0}};
         memcpy(place->values, ir_numbers(p->ir, value), sizeof(double) * (size_t)place->lanes);
     }
 }
@@ -189,7 +202,10 @@ const MatcConstant *matc_place(MatcProgram *p, int index)
     return is_within(index, matc_place_count(p)) ? &p->places[index] : NULL;
 }
 
-int matc_constant_count(const MatcProgram *p) { return p && p->ir ? (int)p->ir->constant_count : 0; }
+int matc_constant_count(const MatcProgram *p)
+{
+    return p && p->ir ? (int)p->ir->constant_count : 0;
+}
 
 const MatcConstant *matc_constant(const MatcProgram *p, int index)
 {

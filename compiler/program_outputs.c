@@ -50,8 +50,8 @@ static const char *stats_text(MatcProgram *p, const MatcDocument *d, const Job *
     size_t lines = 0;
     for (const char *c = p->products.fragment; *c; c++)
         lines += *c == '\n';
-    text_format(&out, "fragment   %zu bytes, %zu lines, %zu library functions\n", p->products.fragment_size, lines,
-                p->products.interface.chunks.count);
+    text_format(&out, "fragment   %zu bytes, %zu lines, %zu library functions\n",
+                p->products.fragment_size, lines, p->products.interface.chunks.count);
     return out.at;
 }
 
@@ -60,15 +60,19 @@ static void keep_text(MatcProgram *p, MatcOutput output, const char *text)
     keep(p, output, text, text ? strlen(text) : 0);
 }
 
-static void keep_written(MatcProgram *p, MatcOutput output, const Text *text) { keep(p, output, text->at, text->size); }
+static void keep_written(MatcProgram *p, MatcOutput output, const Text *text)
+{
+    keep(p, output, text->at, text->size);
+}
 
 static void keep_reflection(MatcProgram *p)
 {
     const NamedMaterial *named = &p->document->graph->materials[p->material];
     GraphSky sky;
     const bool lights = p->job.pass == PASS_sky && graph_sky(named->node, &sky);
-    const Reflected reflected = {&p->products.interface, named->name,          matc_opacity(p),
-                                 p->products.fragment,   lights ? &sky : NULL, matc_displacement_bound(p)};
+    const Reflected reflected = {&p->products.interface, named->name,
+                                 matc_opacity(p),        p->products.fragment,
+                                 lights ? &sky : NULL,   matc_displacement_bound(p)};
     keep_text(p, MATC_REFLECT, emit_reflection(&p->session, p->ir, &p->job, &reflected));
 }
 
@@ -126,7 +130,8 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         keep_text(p, MATC_STATS, stats_text(p, p->document, &p->job));
 }
 
-/* The words of stages that are linked together, by the output whose GLSL they come from; 0: nobody asked for them. */
+/* The words of stages that are linked together, by the output whose GLSL they come from; 0: nobody
+ * asked for them. */
 typedef struct {
     MatcOutput of[VALIDATE_STAGES];
     const char *texts[VALIDATE_STAGES];
@@ -160,8 +165,8 @@ typedef struct {
 static bool keep_stages(MatcProgram *p, const Vulkan *v, unsigned outputs)
 {
     Session *session = &p->session;
-    SpirvSet drawn = {{[VALIDATE_fragment] = MATC_FRAGMENT}, {[VALIDATE_fragment] = v->fragment}}, divided = drawn,
-             multiplied = drawn, computed = {{0}, {0}};
+    SpirvSet drawn = {{[VALIDATE_fragment] = MATC_FRAGMENT}, {[VALIDATE_fragment] = v->fragment}},
+             divided = drawn, multiplied = drawn, computed = {{0}, {0}};
     if (outputs & MATC_VERTEX) {
         drawn.of[VALIDATE_vertex] = MATC_VERTEX;
         drawn.texts[VALIDATE_vertex] = emit_vertex(session, &v->job, &v->interface);
@@ -171,13 +176,16 @@ static bool keep_stages(MatcProgram *p, const Vulkan *v, unsigned outputs)
     for (TessellationStage i = 0; i < TESSELLATION_COUNT && outputs & PROGRAM_TESSELLATION;
          i++) { /* in the order of both */
         divided.of[VALIDATE_vertex + (int)i] = (MatcOutput)(MATC_TESSVERTEX << i);
-        divided.texts[VALIDATE_vertex + (int)i] = emit_tessellation(session, &v->job, &v->interface, i);
+        divided.texts[VALIDATE_vertex + (int)i] =
+            emit_tessellation(session, &v->job, &v->interface, i);
     }
     if (outputs & PROGRAM_GEOMETRY) {
         multiplied.of[VALIDATE_vertex] = MATC_GEOMETRYVERTEX;
         multiplied.of[VALIDATE_geometry] = MATC_GEOMETRY;
-        multiplied.texts[VALIDATE_vertex] = emit_geometry(session, &v->job, &v->interface, GEOMETRY_vertex);
-        multiplied.texts[VALIDATE_geometry] = emit_geometry(session, &v->job, &v->interface, GEOMETRY_geometry);
+        multiplied.texts[VALIDATE_vertex] =
+            emit_geometry(session, &v->job, &v->interface, GEOMETRY_vertex);
+        multiplied.texts[VALIDATE_geometry] =
+            emit_geometry(session, &v->job, &v->interface, GEOMETRY_geometry);
     }
     if (outputs & MATC_COMPUTE) {
         computed.of[VALIDATE_compute] = MATC_COMPUTE;
@@ -201,20 +209,23 @@ static bool fill_spirv(MatcProgram *p, unsigned outputs)
     }
     const bool fine = v.fragment && keep_stages(p, &v, outputs);
     if (fine)
-        keep(p, MATC_SPIRV, p->words[__builtin_ctz(MATC_FRAGMENT)], p->word_sizes[__builtin_ctz(MATC_FRAGMENT)]);
+        keep(p, MATC_SPIRV, p->words[__builtin_ctz(MATC_FRAGMENT)],
+             p->word_sizes[__builtin_ctz(MATC_FRAGMENT)]);
     return fine;
 }
 
 bool program_write(MatcProgram *p, unsigned outputs)
 {
     if (outputs >= 1u << OUTPUT_COUNT)
-        return diag_add(&p->session, NO_SPAN, DIAG_unknown_output, outputs & ~((1u << OUTPUT_COUNT) - 1));
+        return diag_add(&p->session, NO_SPAN, DIAG_unknown_output,
+                        outputs & ~((1u << OUTPUT_COUNT) - 1));
     if (!p->written && !compile_back(&p->session, p->ir, &p->job, &p->products))
         return false;
     p->written = true;
     p->asked |= outputs;
     fill_outputs(p, outputs);
-    p->texture_count = texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
+    p->texture_count =
+        texture_list(&p->session, p->ir, &p->products.interface, &p->textures, &p->texture_made_by);
     return fill_stages(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p, outputs));
 }
 

@@ -1,7 +1,10 @@
 /* What is known of the surface that a program is of. */
 #include "compiler/program.h"
 
-const Node *program_material(const MatcProgram *p) { return p->document->graph->materials[p->material].node; }
+const Node *program_material(const MatcProgram *p)
+{
+    return p->document->graph->materials[p->material].node;
+}
 
 /* For most materials lowering knows; else the transparency is compiled by itself. */
 static Opacity find_opacity(const MatcProgram *p)
@@ -30,12 +33,16 @@ static Opacity find_opacity(const MatcProgram *p)
 
 const char *matc_opacity(MatcProgram *p)
 {
-    static const char *const names[] = {
-        [OPACITY_opaque] = "opaque", [OPACITY_transparent] = "transparent", [OPACITY_varying] = "varying"};
+    static const char *const names[] = {[OPACITY_opaque] = "opaque",
+                                        [OPACITY_transparent] = "transparent",
+                                        [OPACITY_varying] = "varying"};
     if (!p || !p->ir)
         return NULL;
     p->ir->opacity = find_opacity(p);
     return names[p->ir->opacity];
 }
 
-double matc_displacement_bound(const MatcProgram *p) { return p && p->ir ? compile_displacement_bound(p->ir) : 0; }
+double matc_displacement_bound(const MatcProgram *p)
+{
+    return p && p->ir ? compile_displacement_bound(p->ir) : 0;
+}

@@ -17,7 +17,8 @@ static void print_program(const MatcProgram *program)
     puts(matc_output(program, MATC_FRAGMENT, NULL));
     for (int i = 0; i < matc_uniform_count(program); i++) {
         const MatcUniform *uniform = matc_uniform(program, i);
-        printf("// uniform %s: %d lanes, default %g", uniform->name, uniform->lanes, uniform->initial[0]);
+        printf("// uniform %s: %d lanes, default %g", uniform->name, uniform->lanes,
+               uniform->initial[0]);
         for (int lane = 1; lane < uniform->lanes; lane++)
             printf(", %g", uniform->initial[lane]);
         putchar('\n');

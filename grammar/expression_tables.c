@@ -2,9 +2,9 @@
 #include "grammar/expression_tables.h"
 #include <string.h>
 
-#define TERM_ROW(term, arguments, text, sample, called)                                                                \
-    [TERM_##term].name = #term, [TERM_##term].signature = arguments, [TERM_##term].doc = text,                         \
-    [TERM_##term].example = sample, [TERM_##term].count = sizeof arguments - sizeof ">g",                              \
+#define TERM_ROW(term, arguments, text, sample, called)                                            \
+    [TERM_##term].name = #term, [TERM_##term].signature = arguments, [TERM_##term].doc = text,     \
+    [TERM_##term].example = sample, [TERM_##term].count = sizeof arguments - sizeof ">g",          \
     [TERM_##term].callable = called,
 const TermRow term_table[TERM_COUNT] = {
 #define OPERATOR(name, signature, doc, example) TERM_ROW(name, signature, doc, example, false)
@@ -12,19 +12,22 @@ const TermRow term_table[TERM_COUNT] = {
 #define JUMPS(name)                             [TERM_##name].jumps = true,
 #define NOISY(name)                             [TERM_##name].noisy = true,
 #define WHOLE(name, low, high)                  [TERM_##name].whole_low = low, [TERM_##name].whole_high = high,
-#define LEAST(name, number, ...)                [TERM_##name].least = number, [TERM_##name].initial = {__VA_ARGS__},
+#define LEAST(name, number, ...)                                                                   \
+    [TERM_##name].least = number, [TERM_##name].initial = {__VA_ARGS__},
 #include "expression.def"
 };
 
-char term_result(const TermRow *row) { return row->signature[row->count + 1]; } /* behind the arguments and '>' */
+/* behind the arguments and '>' */
+char term_result(const TermRow *row) { return row->signature[row->count + 1]; }
 
-/* Whether `name`, of `size` letters, is a row's: written out row by row, so that the compiler compares with numbers that it knows. */
+/* Whether `name`, of `size` letters, is a row's: written out row by row, so that the compiler
+ * compares with numbers that it knows. */
 #define IS(row) (size == sizeof #row - 1 && !memcmp(name, #row, sizeof #row - 1))
 
 Term term_named(const char *name, size_t size)
 {
-#define FUNCTION(name, ...)                                                                                            \
-    if (IS(name))                                                                                                      \
+#define FUNCTION(name, ...)                                                                        \
+    if (IS(name))                                                                                  \
         return TERM_##name;
 #include "expression.def"
     return TERM_none;
@@ -40,9 +43,9 @@ const int symbol_count = sizeof symbol_table / sizeof *symbol_table;
 int symbol_begun(const char *text)
 {
     int row = 0;
-#define SYMBOL(symbol, ...)                                                                                            \
-    if (text[0] == symbol[0] && (!symbol[1] || text[1] == symbol[1]))                                                  \
-        return row;                                                                                                    \
+#define SYMBOL(symbol, ...)                                                                        \
+    if (text[0] == symbol[0] && (!symbol[1] || text[1] == symbol[1]))                              \
+        return row;                                                                                \
     row++;
 #define PREFIX SYMBOL
 #include "expression.def"
@@ -58,16 +61,18 @@ const char *term_symbol(Term term)
 }
 
 const QuantityRow quantity_table[QUANTITY_COUNT] = {
-#define CONSTANT(name, number, doc)            {#name, doc, GROUP_COUNT, NULL, number, NULL, TYPE_float},
-#define QUANTITY(name, channels, letters, doc) {#name, doc, GROUP_##channels, letters, 0, NULL, TYPE_float},
-#define ATTRIBUTE(name, attribute, type, initial, doc) {#name, doc, GROUP_COUNT, NULL, initial, attribute, TYPE_##type},
+#define CONSTANT(name, number, doc) {#name, doc, GROUP_COUNT, NULL, number, NULL, TYPE_float},
+#define QUANTITY(name, channels, letters, doc)                                                     \
+    {#name, doc, GROUP_##channels, letters, 0, NULL, TYPE_float},
+#define ATTRIBUTE(name, attribute, type, initial, doc)                                             \
+    {#name, doc, GROUP_COUNT, NULL, initial, attribute, TYPE_##type},
 #include "expression.def"
 };
 
 Quantity quantity_named(const char *name, size_t size)
 {
-#define QUANTITY(name, ...)                                                                                            \
-    if (IS(name))                                                                                                      \
+#define QUANTITY(name, ...)                                                                        \
+    if (IS(name))                                                                                  \
         return QUANTITY_##name;
 #define CONSTANT  QUANTITY
 #define ATTRIBUTE QUANTITY
@@ -89,8 +94,8 @@ const int vector_count = sizeof vector_table / sizeof *vector_table;
 
 int vector_named(const char *name, size_t size)
 {
-#define VECTOR(name, lanes, doc)                                                                                       \
-    if (IS(name))                                                                                                      \
+#define VECTOR(name, lanes, doc)                                                                   \
+    if (IS(name))                                                                                  \
         return lanes;
 #include "expression.def"
     return 0;
@@ -103,8 +108,8 @@ const FormulaSpecialRow formula_special_table[SPECIAL_COUNT] = {
 
 FormulaSpecial formula_special_named(const char *name, size_t size)
 {
-#define SPECIAL(name, ...)                                                                                             \
-    if (IS(name))                                                                                                      \
+#define SPECIAL(name, ...)                                                                         \
+    if (IS(name))                                                                                  \
         return SPECIAL_##name;
 #include "expression.def"
     return SPECIAL_none;

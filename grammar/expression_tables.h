@@ -33,7 +33,8 @@ char term_result(const TermRow *row);
 /* The function of that name, or TERM_none. */
 Term term_named(const char *name, size_t size);
 
-/* How tightly an operator binds. level_choose is that of a ? b : c, level_prefix of one in front. */
+/* How tightly an operator binds. level_choose is that of a ? b : c, level_prefix of one in
+ * front. */
 typedef enum {
     level_none,
     level_choose,
@@ -54,16 +55,17 @@ typedef struct {
 /* Longer ones before those that they begin with. */
 extern const SymbolRow symbol_table[];
 extern const int symbol_count;
-/* The first of symbol_table that the text, of one byte and a zero byte at least, begins with; symbol_count: none. */
+/* The first of symbol_table that the text, of one byte and a zero byte at least, begins with;
+ * symbol_count: none. */
 int symbol_begun(const char *text);
 /* The symbol of a term, or its name. */
 const char *term_symbol(Term term);
 
 typedef struct {
     const char *name, *doc;
-    Group group;       /* of channels */
-    const char *lanes; /* of it, letters of xyz; NULL: a constant */
-    double number;     /* of a constant; of an attribute all lanes where a mesh has none */
+    Group group;           /* of channels */
+    const char *lanes;     /* of it, letters of xyz; NULL: a constant */
+    double number;         /* of a constant; of an attribute all lanes where a mesh has none */
     const char *attribute; /* of the mesh; NULL: it is none */
     Type type;             /* of that */
 } QuantityRow;
@@ -103,6 +105,7 @@ typedef struct {
 extern const FormulaSpecialRow formula_special_table[SPECIAL_COUNT];
 FormulaSpecial formula_special_named(const char *name, size_t size);
 
-/* The i-th name that a formula may not give to something else: of values, functions, vectors and what takes words; NULL beyond the last. */
+/* The i-th name that a formula may not give to something else: of values, functions, vectors and
+ * what takes words; NULL beyond the last. */
 const char *expression_word(int i);
 #endif

@@ -21,7 +21,8 @@ const ForeignRow foreign_table[] = {
 };
 const int foreign_count = sizeof foreign_table / sizeof *foreign_table;
 
-/* The next letter or digit of a name, a capital as a small letter; *at moves behind it. 0: there is none. */
+/* The next letter or digit of a name, a capital as a small letter; *at moves behind it. 0: there is
+ * none. */
 static char next_letter(const char **at)
 {
     while (**at == '_' || **at == '-' || **at == ' ')

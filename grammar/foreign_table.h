@@ -27,8 +27,9 @@ typedef struct {
 extern const ForeignRow foreign_table[];
 extern const int foreign_count;
 
-/* The `here` of the row; NULL: there is none. Case, '_', '-' and spaces do not matter, but in formulas:
- * "base_diffuse_roughness" is the row baseDiffuseRoughness. `kind` is read of parameters alone. */
+/* The `here` of the row; NULL: there is none. Case, '_', '-' and spaces do not matter, but in
+ * formulas: "base_diffuse_roughness" is the row baseDiffuseRoughness. `kind` is read of parameters
+ * alone. */
 const char *foreign_name(ForeignGroup group, Kind kind, const char *name);
 /* Whether two names differ in case, '_', '-' and spaces at most. */
 bool foreign_is_alike(const char *a, const char *b);

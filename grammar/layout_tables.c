@@ -1,4 +1,5 @@
-/* The rows of formats.def, encodings.def, layouts.def and classes.def as const arrays, and what depends on a field. */
+/* The rows of formats.def, encodings.def, layouts.def and classes.def as const arrays, and what
+ * depends on a field. */
 #include "layout_tables.h"
 #include <math.h>
 #include <stddef.h>
@@ -12,12 +13,13 @@ const FormatRow format_table[FORMAT_COUNT] = {
 #define IN_FLOATS false
 #define IN_WORDS  true
 const EncodingRow encoding_table[ENCODING_COUNT] = {
-#define ENCODING(code, store, lanes, text)                                                                             \
-    [ENCODING_##code].name = #code, [ENCODING_##code].words = IN_##store, [ENCODING_##code].takes = lanes,             \
-    [ENCODING_##code].doc = text,
-#define BITS(code, size, at_least, at_most) [ENCODING_##code].least = at_least, [ENCODING_##code].most = at_most,
-#define CODE(code, to, from)                [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
-#define ERROR(code, error_unit, error)      [ENCODING_##code].unit = UNIT_##error_unit,
+#define ENCODING(code, store, lanes, text)                                                         \
+    [ENCODING_##code].name = #code, [ENCODING_##code].words = IN_##store,                          \
+    [ENCODING_##code].takes = lanes, [ENCODING_##code].doc = text,
+#define BITS(code, size, at_least, at_most)                                                        \
+    [ENCODING_##code].least = at_least, [ENCODING_##code].most = at_most,
+#define CODE(code, to, from)           [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
+#define ERROR(code, error_unit, error) [ENCODING_##code].unit = UNIT_##error_unit,
 #include "encodings.def"
 };
 enum {
@@ -28,7 +30,8 @@ enum {
 #define ERROR(...)  +1
 #include "encodings.def"
 };
-_Static_assert((int)ENCODING_LINES == 4 * (int)ENCODING_COUNT, "encodings.def has every line below every encoding");
+_Static_assert((int)ENCODING_LINES == 4 * (int)ENCODING_COUNT,
+               "encodings.def has every line below every encoding");
 
 /* What depends on a field's bits: columns of encodings.def. */
 int field_size(const FieldRow *field)
@@ -36,8 +39,8 @@ int field_size(const FieldRow *field)
     const int n = field->count, b = field->bits;
     (void)n, (void)b;
     switch (field->encoding) {
-#define BITS(name, size, least, most)                                                                                  \
-    case ENCODING_##name:                                                                                              \
+#define BITS(name, size, least, most)                                                              \
+    case ENCODING_##name:                                                                          \
         return size;
 #include "encodings.def"
     default:
@@ -51,8 +54,8 @@ static double encoding_error(const FieldRow *field)
     const double b = field->bits;
     (void)b;
     switch (field->encoding) {
-#define ERROR(name, unit, error)                                                                                       \
-    case ENCODING_##name:                                                                                              \
+#define ERROR(name, unit, error)                                                                   \
+    case ENCODING_##name:                                                                          \
         return error;
 #include "encodings.def"
     default:
@@ -63,8 +66,8 @@ static double encoding_error(const FieldRow *field)
 static double encoding_low(Encoding encoding)
 {
     switch (encoding) {
-#define STORES(name, low, high)                                                                                        \
-    case ENCODING_##name:                                                                                              \
+#define STORES(name, low, high)                                                                    \
+    case ENCODING_##name:                                                                          \
         return low;
 #include "encodings.def"
     default:
@@ -76,8 +79,8 @@ static double encoding_high(Encoding encoding, double b)
 {
     (void)b;
     switch (encoding) {
-#define STORES(name, low, high)                                                                                        \
-    case ENCODING_##name:                                                                                              \
+#define STORES(name, low, high)                                                                    \
+    case ENCODING_##name:                                                                          \
         return high;
 #include "encodings.def"
     default:
@@ -88,12 +91,16 @@ static double encoding_high(Encoding encoding, double b)
 bool encoding_takes_range(Encoding encoding)
 {
     const EncodingRow *row = &encoding_table[encoding];
-    return row->words && row->unit == UNIT_absolute && encoding_low(encoding) == 0 && encoding_high(encoding, 0) == 1;
+    return row->words && row->unit == UNIT_absolute && encoding_low(encoding) == 0 &&
+           encoding_high(encoding, 0) == 1;
 }
 
 bool field_has_range(const FieldRow *field) { return field->low != 0 || field->high != 0; }
 
-double field_low(const FieldRow *field) { return field_has_range(field) ? field->low : encoding_low(field->encoding); }
+double field_low(const FieldRow *field)
+{
+    return field_has_range(field) ? field->low : encoding_low(field->encoding);
+}
 
 double field_high(const FieldRow *field)
 {
@@ -106,34 +113,49 @@ double field_error(const FieldRow *field)
     const double rounding = 0x1p-22;
     if (!field_has_range(field))
         return encoding_error(field);
-    return encoding_error(field) * (field->high - field->low) + rounding * fmax(fabs(field->low), fabs(field->high));
+    return encoding_error(field) * (field->high - field->low) +
+           rounding * fmax(fabs(field->low), fabs(field->high));
 }
 
 static const FieldRow field_table[] = {
-#define FIELD(layout, encoding, bits, slot, from, count)                                                               \
-    {ENCODING_##encoding,                                                                                              \
-     bits,                                                                                                             \
-     count,                                                                                                            \
-     {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}},                 \
-     false,                                                                                                            \
-     0,                                                                                                                \
+#define FIELD(layout, encoding, bits, slot, from, count)                                           \
+    {ENCODING_##encoding,                                                                          \
+     bits,                                                                                         \
+     count,                                                                                        \
+     {{SLOT_##slot, from},                                                                         \
+      {SLOT_##slot, from + 1},                                                                     \
+      {SLOT_##slot, from + 2},                                                                     \
+      {SLOT_##slot, from + 3}},                                                                    \
+     false,                                                                                        \
+     0,                                                                                            \
      0},
-#define SPAN(layout, encoding, bits, slot, from, count, low, high)                                                     \
-    {ENCODING_##encoding, bits, count, {{SLOT_##slot, from}, {SLOT_##slot, from + 1}, {SLOT_##slot, from + 2}, {SLOT_##slot, from + 3}}, false, low, high},
+#define SPAN(layout, encoding, bits, slot, from, count, low, high)                                 \
+    {ENCODING_##encoding,                                                                          \
+     bits,                                                                                         \
+     count,                                                                                        \
+     {{SLOT_##slot, from},                                                                         \
+      {SLOT_##slot, from + 1},                                                                     \
+      {SLOT_##slot, from + 2},                                                                     \
+      {SLOT_##slot, from + 3}},                                                                    \
+     false,                                                                                        \
+     low,                                                                                          \
+     high},
 #define LANE(slot, lane)                   SLOT_##slot, lane
 #define PAIR(layout, encoding, bits, a, b) {ENCODING_##encoding, bits, 2, {{a}, {b}}, false, 0, 0},
 #include "layouts.def"
 #undef LANE
 };
 
-/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. Rows are told apart by a number. */
+/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. Rows
+ * are told apart by a number. */
 #define PASTE(a, b)  a##b
 #define UNIQUE(a, b) PASTE(a, b)
 enum {
-#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
-#define CASE(layout, name, doc) FIELDS_##layout##_##name, FIELDS_BACK_##layout##_##name = FIELDS_##layout##_##name - 1,
-#define FIELD(...)              UNIQUE(FIELD_NUMBER_, __COUNTER__),
-#define PAIR(...)               FIELD()
+#define LAYOUT(name, doc, ...) CASE(name, first, doc)
+#define CASE(layout, name, doc)                                                                    \
+    FIELDS_##layout##_##name, FIELDS_BACK_##layout##_##name = FIELDS_##layout##_##name - 1,
+#define FIELD(...) UNIQUE(FIELD_NUMBER_, __COUNTER__),
+#define PAIR(...)  FIELD()
 #include "layouts.def"
 };
 enum {
@@ -151,9 +173,10 @@ static const FixedRow given_table[] = {
 #include "layouts.def"
     {SLOT_COUNT, {0}}};
 enum {
-#define LAYOUT(name, doc, ...)  CASE(name, first, doc)
-#define CASE(layout, name, doc) GIVENS_##layout##_##name, GIVENS_BACK_##layout##_##name = GIVENS_##layout##_##name - 1,
-#define GIVEN(...)              UNIQUE(GIVEN_NUMBER_, __COUNTER__),
+#define LAYOUT(name, doc, ...) CASE(name, first, doc)
+#define CASE(layout, name, doc)                                                                    \
+    GIVENS_##layout##_##name, GIVENS_BACK_##layout##_##name = GIVENS_##layout##_##name - 1,
+#define GIVEN(...) UNIQUE(GIVEN_NUMBER_, __COUNTER__),
 #include "layouts.def"
 };
 enum {
@@ -166,8 +189,8 @@ enum {
 
 static const CaseRow case_table[] = {
 #define LAYOUT(name, doc, ...) CASE(name, first, doc)
-#define CASE(layout, name, doc)                                                                                        \
-    {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc,                                       \
+#define CASE(layout, name, doc)                                                                    \
+    {&field_table[FIELDS_##layout##_##name], FIELD_COUNT_##layout##_##name, doc,                   \
      &given_table[GIVENS_##layout##_##name], GIVEN_COUNT_##layout##_##name},
 #include "layouts.def"
 };
@@ -192,8 +215,9 @@ enum {
 };
 
 const LayoutRow layout_table[LAYOUT_COUNT] = {
-#define LAYOUT(name, doc, ...)                                                                                         \
-    {#name, doc, {__VA_ARGS__}, &case_table[CASES_##name], CASE_COUNT_##name, NULL, 0, FURTHER_COUNT_##name},
+#define LAYOUT(name, doc, ...)                                                                     \
+    {#name, doc, {__VA_ARGS__},       &case_table[CASES_##name], CASE_COUNT_##name,                \
+     NULL,  0,   FURTHER_COUNT_##name},
 #include "layouts.def"
 };
 
@@ -203,7 +227,8 @@ const ErrorClassRow class_table[CLASS_COUNT] = {
 };
 
 const SlotClassRow slot_class_table[SLOT_COUNT] = {
-#define ONE(slot)                              1u << SLOT_##slot
-#define SLOT_CLASS(slot, kind, above, matters) [SLOT_##slot] = {CLASS_##kind, CLASS_##above, matters},
+#define ONE(slot) 1u << SLOT_##slot
+#define SLOT_CLASS(slot, kind, above, matters)                                                     \
+    [SLOT_##slot] = {CLASS_##kind, CLASS_##above, matters},
 #include "classes.def"
 };

@@ -1,5 +1,5 @@
-/* Layouts of the G-buffer as enums and const arrays: formats of targets, encodings of slots, the rows that join them, and how exact
- * slots are kept. */
+/* Layouts of the G-buffer as enums and const arrays: formats of targets, encodings of slots, the
+ * rows that join them, and how exact slots are kept. */
 #ifndef MATC_LAYOUT_TABLES_H
 #define MATC_LAYOUT_TABLES_H
 #include "tables.h"
@@ -46,8 +46,9 @@ typedef struct {
     int bits;
     int count; /* lanes that it stores */
     SlotLane source[FIELD_LANES];
-    bool gray;        /* the one lane that it stores is that of all lanes of its slot */
-    double low, high; /* what is stored, where the encoding takes a range; both 0: as the encoding has it */
+    bool gray; /* the one lane that it stores is that of all lanes of its slot */
+    /* what is stored, where the encoding takes a range; both 0: as the encoding has it */
+    double low, high;
 } FieldRow;
 /* What depends on a field's bits and range. */
 int field_size(const FieldRow *field);     /* of a group: lanes of a float target, or bits */
@@ -84,7 +85,8 @@ typedef struct {
     int case_count;
     const FixedRow *fixed;
     int fixed_count;
-    int further_count; /* of the cases, the last ones: they have number 0, and the highest bit of the last word */
+    /* of the cases, the last ones: they have number 0, and the highest bit of the last word */
+    int further_count;
 } LayoutRow;
 extern const LayoutRow layout_table[LAYOUT_COUNT];
 
@@ -94,7 +96,12 @@ typedef enum {
 #include "classes.def"
     CLASS_COUNT
 } ErrorClass;
-typedef enum { CLASS_UNIT_display, CLASS_UNIT_relative, CLASS_UNIT_degrees, CLASS_UNIT_absolute } ClassUnit;
+typedef enum {
+    CLASS_UNIT_display,
+    CLASS_UNIT_relative,
+    CLASS_UNIT_degrees,
+    CLASS_UNIT_absolute
+} ClassUnit;
 typedef struct {
     const char *name;
     ClassUnit unit;
@@ -104,7 +111,8 @@ typedef struct {
 extern const ErrorClassRow class_table[CLASS_COUNT];
 typedef struct {
     ErrorClass kind, above; /* up to 1, and beyond */
-    unsigned matters;       /* a bit for each slot without all of which it changes nothing; 0: it always matters */
+    /* a bit for each slot without all of which it changes nothing; 0: it always matters */
+    unsigned matters;
 } SlotClassRow;
 extern const SlotClassRow slot_class_table[SLOT_COUNT];
 #endif

@@ -1,4 +1,5 @@
-/* The files of definitions that come with matc, grammar/library/: what `include:` finds when it finds nothing else of that name. */
+/* The files of definitions that come with matc, grammar/library/: what `include:` finds when it
+ * finds nothing else of that name. */
 #ifndef MATC_LIBRARY_TABLE_H
 #define MATC_LIBRARY_TABLE_H
 

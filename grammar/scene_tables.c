@@ -4,43 +4,44 @@
 #include <stddef.h>
 #include <string.h>
 
-#define PLAIN(sort)           .value = SCENE_VALUE_plain, .param.type = PARAM_##sort
-#define VALUE_Float           PLAIN(Float)
-#define VALUE_Int             PLAIN(Int)
-#define VALUE_Bool            PLAIN(Bool)
-#define VALUE_Vec3            PLAIN(Vec3)
-#define VALUE_Shadows         PLAIN(Shadows)
-#define VALUE_Volume          PLAIN(Volume)
-#define VALUE_Displacing      PLAIN(Displacing)
-#define VALUE_Skirts          PLAIN(Skirts)
-#define VALUE_Symbol          PLAIN(Symbol)
-#define VALUE_Path            PLAIN(Path)
-#define VALUE_Indirect        PLAIN(Indirect)
-#define VALUE_Weight          PLAIN(Weight)
-#define VALUE_Distribution    PLAIN(Distribution)
-#define VALUE_Sequence        PLAIN(Sequence)
-#define VALUE_Rotation        PLAIN(Rotation)
-#define VALUE_Filter          PLAIN(Filter)
-#define VALUE_Resolution      PLAIN(Resolution)
-#define VALUE_Preset          PLAIN(Preset)
-#define VALUE_March           PLAIN(March)
-#define VALUE_Transform       PLAIN(Transform)
-#define VALUE_Material        .value = SCENE_VALUE_material, .param.type = PARAM_Material
-#define VALUE_File            .value = SCENE_VALUE_file, .param.type = PARAM_Image
-#define VALUE_Name            .value = SCENE_VALUE_name, .param.type = PARAM_Image
-#define PART_ONE              SCENE_VALUE_one
-#define PART_LIST             SCENE_VALUE_list
-#define NONE                  .param.lanes = 0
-#define D(x)                  .param.lanes = 1, .param.init = {x}
-#define D3(x, y, z)           .param.lanes = 3, .param.init = {x, y, z}
-#define ANY                   .param.low = -INFINITY, .param.high = INFINITY
-#define RANGE(least, most)    .param.low = least, .param.high = most
-#define NAMED(of, text, line) .kind = SCENE_##of, .param.kind = KIND_COUNT, .param.name = #text, .param.doc = line
+#define PLAIN(sort)        .value = SCENE_VALUE_plain, .param.type = PARAM_##sort
+#define VALUE_Float        PLAIN(Float)
+#define VALUE_Int          PLAIN(Int)
+#define VALUE_Bool         PLAIN(Bool)
+#define VALUE_Vec3         PLAIN(Vec3)
+#define VALUE_Shadows      PLAIN(Shadows)
+#define VALUE_Volume       PLAIN(Volume)
+#define VALUE_Displacing   PLAIN(Displacing)
+#define VALUE_Skirts       PLAIN(Skirts)
+#define VALUE_Symbol       PLAIN(Symbol)
+#define VALUE_Path         PLAIN(Path)
+#define VALUE_Indirect     PLAIN(Indirect)
+#define VALUE_Weight       PLAIN(Weight)
+#define VALUE_Distribution PLAIN(Distribution)
+#define VALUE_Sequence     PLAIN(Sequence)
+#define VALUE_Rotation     PLAIN(Rotation)
+#define VALUE_Filter       PLAIN(Filter)
+#define VALUE_Resolution   PLAIN(Resolution)
+#define VALUE_Preset       PLAIN(Preset)
+#define VALUE_March        PLAIN(March)
+#define VALUE_Transform    PLAIN(Transform)
+#define VALUE_Material     .value = SCENE_VALUE_material, .param.type = PARAM_Material
+#define VALUE_File         .value = SCENE_VALUE_file, .param.type = PARAM_Image
+#define VALUE_Name         .value = SCENE_VALUE_name, .param.type = PARAM_Image
+#define PART_ONE           SCENE_VALUE_one
+#define PART_LIST          SCENE_VALUE_list
+#define NONE               .param.lanes = 0
+#define D(x)               .param.lanes = 1, .param.init = {x}
+#define D3(x, y, z)        .param.lanes = 3, .param.init = {x, y, z}
+#define ANY                .param.low = -INFINITY, .param.high = INFINITY
+#define RANGE(least, most) .param.low = least, .param.high = most
+#define NAMED(of, text, line)                                                                      \
+    .kind = SCENE_##of, .param.kind = KIND_COUNT, .param.name = #text, .param.doc = line
 
 const SceneParamRow scene_param_table[SCENE_PARAM_COUNT] = {
-#define SCENE_PARAM(kind, name, type, init, range, in, doc)                                                            \
+#define SCENE_PARAM(kind, name, type, init, range, in, doc)                                        \
     {NAMED(kind, name, doc), VALUE_##type, init, range, .unit = in},
-#define SCENE_PART(owner, name, sort, number, doc)                                                                     \
+#define SCENE_PART(owner, name, sort, number, doc)                                                 \
     {NAMED(owner, name, doc), .value = PART_##number, .of = SCENE_SORT_##sort, .unit = ""},
 #include "scene.def"
 };
@@ -60,7 +61,7 @@ enum {
 #include "scene.def"
 };
 
-#define SCENE_KIND(sort, name, doc)                                                                                    \
+#define SCENE_KIND(sort, name, doc)                                                                \
     _Static_assert((int)COUNT_##name <= (int)SCENE_KIND_PARAMS, #name " has too many rows");
 #include "scene.def"
 
@@ -75,7 +76,8 @@ const SceneSortRow scene_sort_table[SCENE_SORT_COUNT] = {
 };
 
 const ScenePresetRow scene_preset_table[] = {
-#define SCENE_PRESET(kind, word, name, value) {SCENE_##kind, WORD_Preset_##word, S_##kind##_##name, value},
+#define SCENE_PRESET(kind, word, name, value)                                                      \
+    {SCENE_##kind, WORD_Preset_##word, S_##kind##_##name, value},
 #include "scene.def"
 };
 const int scene_preset_count = sizeof scene_preset_table / sizeof *scene_preset_table;

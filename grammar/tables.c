@@ -21,8 +21,8 @@ const SlotRow slot_table[SLOT_COUNT] = {
 Mixing slot_mixing(Slot slot)
 {
     switch (slot) {
-#define MIXED(slot, how)                                                                                               \
-    case SLOT_##slot:                                                                                                  \
+#define MIXED(slot, how)                                                                           \
+    case SLOT_##slot:                                                                              \
         return MIXING_##how;
 #include "slots.def"
     default:
@@ -33,8 +33,8 @@ Mixing slot_mixing(Slot slot)
 Slot slot_weight(Slot slot)
 {
     switch (slot) {
-#define WEIGHED(slot, by)                                                                                              \
-    case SLOT_##slot:                                                                                                  \
+#define WEIGHED(slot, by)                                                                          \
+    case SLOT_##slot:                                                                              \
         return SLOT_##by;
 #include "slots.def"
     default:
@@ -42,17 +42,18 @@ Slot slot_weight(Slot slot)
     }
 }
 
-#define NONE                                                                                                           \
+#define NONE                                                                                       \
     0, { 0 }
-#define D(x)                                                                                                           \
+#define D(x)                                                                                       \
     1, { x }
-#define D3(x, y, z)                                                                                                    \
+#define D3(x, y, z)                                                                                \
     3, { x, y, z }
 #define ANY              -INFINITY, INFINITY
 #define RANGE(low, high) low, high
 
 const ParamRow param_table[PARAM_COUNT] = {
-#define PARAM(kind, name, type, init, range, doc) {KIND_##kind, #name, PARAM_##type, init, range, doc},
+#define PARAM(kind, name, type, init, range, doc)                                                  \
+    {KIND_##kind, #name, PARAM_##type, init, range, doc},
 #include "materials.def"
 #include "maps.def"
 };
@@ -65,8 +66,8 @@ const WordRow word_table[WORD_COUNT] = {
 int word_of_truth(ParamKind list, bool yes)
 {
     switch (list) {
-#define TRUTH(list, no_word, yes_word)                                                                                 \
-    case PARAM_##list:                                                                                                 \
+#define TRUTH(list, no_word, yes_word)                                                             \
+    case PARAM_##list:                                                                             \
         return yes ? WORD_##list##_##yes_word : WORD_##list##_##no_word;
 #include "words.def"
     default:
@@ -101,7 +102,8 @@ static bool says_number(int param)
 bool param_is_number(int param)
 {
     const ParamRow *row = &param_table[param];
-    return row->type == PARAM_Map && ((row->lanes == 1 && !param_is_colored(param)) || says_number(param));
+    return row->type == PARAM_Map &&
+           ((row->lanes == 1 && !param_is_colored(param)) || says_number(param));
 }
 
 bool param_is_unstored(int param)
@@ -119,7 +121,10 @@ bool param_is_unstored(int param)
 const char *param_parted(int param, int *weight)
 {
     switch (param) {
-#define PARTED(kind, name, by, what) case P_##kind##_##name: *weight = P_##kind##_##by; return what;
+#define PARTED(kind, name, by, what)                                                               \
+    case P_##kind##_##name:                                                                        \
+        *weight = P_##kind##_##by;                                                                 \
+        return what;
 #include "materials.def"
 #include "maps.def"
     default:
@@ -147,15 +152,17 @@ enum {
 #define VOLUME LOWERING_VOLUME
 #define OWN    LOWERING_OWN
 const KindRow kind_table[KIND_COUNT] = {
-#define KIND_ROW(kind, glsl, how, work, text)                                                                          \
-    [KIND_##kind].name = #kind, [KIND_##kind].function = #glsl, [KIND_##kind].lowering = how,                          \
-    [KIND_##kind].cost = work, [KIND_##kind].first = FIRST_##kind, [KIND_##kind].count = COUNT_##kind,                 \
-    [KIND_##kind].doc = text,
+#define KIND_ROW(kind, glsl, how, work, text)                                                      \
+    [KIND_##kind].name = #kind, [KIND_##kind].function = #glsl, [KIND_##kind].lowering = how,      \
+    [KIND_##kind].cost = work, [KIND_##kind].first = FIRST_##kind,                                 \
+    [KIND_##kind].count = COUNT_##kind, [KIND_##kind].doc = text,
 #define MATERIAL(name, sort, doc)                KIND_ROW(name, name, LOWERING_MATERIAL, 0, doc)
 #define MAP(name, function, lowering, cost, doc) KIND_ROW(name, function, lowering, cost, doc)
-#define FORMULA(kind, channels, text)            [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
-#define FILTER(kind, how, by, rest)                                                                                    \
-    [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by, [KIND_##kind].variance = FN_##rest,
+#define FORMULA(kind, channels, text)                                                              \
+    [KIND_##kind].answers = channels, [KIND_##kind].formula = text,
+#define FILTER(kind, how, by, rest)                                                                \
+    [KIND_##kind].filter = FILTER_##how, [KIND_##kind].mean = FN_##by,                             \
+    [KIND_##kind].variance = FN_##rest,
 #define FAR(kind, what)         [KIND_##kind].far = FAR_##what,
 #define EXAMPLE(kind, document) [KIND_##kind].example = document,
 #define MOVES(kind, which)      [KIND_##kind].moves = MOVES_##which,
@@ -217,9 +224,11 @@ const WaveRow wave_table[WAVE_COUNT] = {
 const SlopeRow *slope_row(int function)
 {
     static const SlopeRow rows[FUNCTION_COUNT] = {
-#define SLOPE(function, kind, argument, by, arguments) [FN_##function] = {SLOPE_##kind, argument, FN_##by, arguments},
+#define SLOPE(function, kind, argument, by, arguments)                                             \
+    [FN_##function] = {SLOPE_##kind, argument, FN_##by, arguments},
 #include "slopes.def"
-#define SLOPE(map, kind, by, arguments) [FN_FIRST_MAP + KIND_##map] = {SLOPE_##kind, 0, FN_##by, arguments},
+#define SLOPE(map, kind, by, arguments)                                                            \
+    [FN_FIRST_MAP + KIND_##map] = {SLOPE_##kind, 0, FN_##by, arguments},
 #include "maps.def"
     };
     return &rows[function];
@@ -276,7 +285,8 @@ const AxisRow axis_table[AXIS_COUNT] = {
 
 int axis_choices(Axis axis)
 {
-    return (axis + 1 < AXIS_COUNT ? axis_table[axis + 1].first : CHOICE_COUNT) - axis_table[axis].first;
+    return (axis + 1 < AXIS_COUNT ? axis_table[axis + 1].first : CHOICE_COUNT) -
+           axis_table[axis].first;
 }
 
 const ChoiceRow choice_table[CHOICE_COUNT] = {
@@ -285,14 +295,14 @@ const ChoiceRow choice_table[CHOICE_COUNT] = {
 };
 
 const PrecisionRow precision_table[PRECISION_COUNT] = {
-#define PRECISION(name, a, b, c, d, doc)                                                                               \
-    {#name,                                                                                                            \
-     doc,                                                                                                              \
-     {[AXIS_noise] = CHOICE_noise_##a,                                                                                 \
-      [AXIS_aa] = -1,                                                                                                  \
-      [AXIS_derivatives] = -1,                                                                                         \
-      [AXIS_coordinates] = CHOICE_coordinates_##b,                                                                     \
-      [AXIS_powers] = CHOICE_powers_##c,                                                                               \
+#define PRECISION(name, a, b, c, d, doc)                                                           \
+    {#name,                                                                                        \
+     doc,                                                                                          \
+     {[AXIS_noise] = CHOICE_noise_##a,                                                             \
+      [AXIS_aa] = -1,                                                                              \
+      [AXIS_derivatives] = -1,                                                                     \
+      [AXIS_coordinates] = CHOICE_coordinates_##b,                                                 \
+      [AXIS_powers] = CHOICE_powers_##c,                                                           \
       [AXIS_trigonometry] = CHOICE_trigonometry_##d}},
 #include "variants.def"
 };
@@ -345,7 +355,8 @@ static const char *const fixed_arguments[] = {
 
 const char *function_arguments(int function)
 {
-    return function < FN_FIRST_MAP ? fixed_arguments[function] : map_arguments[function - FN_FIRST_MAP];
+    return function < FN_FIRST_MAP ? fixed_arguments[function]
+                                   : map_arguments[function - FN_FIRST_MAP];
 }
 
 const FileRow file_table[] = {

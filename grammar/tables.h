@@ -67,7 +67,8 @@ Mixing slot_mixing(Slot slot);
 /* The slot by which a side counts; SLOT_COUNT: both count alike. */
 Slot slot_weight(Slot slot);
 
-/* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come first. */
+/* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come
+ * first. */
 typedef enum {
 #define MATERIAL(name, sort, doc)                KIND_##name,
 #define MAP(name, function, lowering, cost, doc) KIND_##name,
@@ -129,7 +130,8 @@ enum {
 };
 extern const ParamRow param_table[PARAM_COUNT];
 /* Whether the colour of a map or material is made of that of this parameter's map. */
-bool param_is_colored(int param), param_is_number(int param); /* number: a map of which one is read, its red */
+/* number: a map of which one is read, its red */
+bool param_is_colored(int param), param_is_number(int param);
 /* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
 /* What becomes of it where a weight is not 0, by the PARTED lines; NULL: no such line. */
@@ -157,9 +159,10 @@ typedef struct {
     const char *example; /* a document that shows it; NULL: the map with its defaults does */
     FilterKind filter;
     int mean, variance, far; /* the filter's Functions, or FN_none; of samples a Far */
-    unsigned moves;     /* Moved: coordinates that it answers with others than its input's */
-    double step;        /* of its finite difference; 0: a texel */
-    int step_lanes;     /* along so many lanes of its coordinate; 0: it neither jumps nor is a picture */
+    unsigned moves;          /* Moved: coordinates that it answers with others than its input's */
+    double step;             /* of its finite difference; 0: a texel */
+    /* along so many lanes of its coordinate; 0: it neither jumps nor is a picture */
+    int step_lanes;
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 
@@ -249,7 +252,14 @@ typedef enum {
 #include "inputs.def"
     INPUT_COUNT
 } Input;
-typedef enum { SOURCE_varying, SOURCE_system, SOURCE_draw, SOURCE_change, SOURCE_vertex, SOURCE_object } InputSource;
+typedef enum {
+    SOURCE_varying,
+    SOURCE_system,
+    SOURCE_draw,
+    SOURCE_change,
+    SOURCE_vertex,
+    SOURCE_object
+} InputSource;
 typedef struct {
     const char *name;
     Type type;
@@ -288,8 +298,8 @@ typedef struct {
     const char *library;   /* ending of its own files of the library, or NULL */
     int number;            /* of the version */
     int layout;            /* Layout: the default */
-    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders, float_filters,
-        storage, tessellation, geometry, compute; /* as targets.def says */
+    bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
+        float_filters, storage, tessellation, geometry, compute; /* as targets.def says */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#define ANY -INFINITY, INFINITY
+#define ANY              -INFINITY, INFINITY
 #define RANGE(low, high) low, high
 
 const UnitRow unit_table[UNIT_COUNT] = {

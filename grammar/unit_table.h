@@ -9,8 +9,8 @@ typedef enum {
     UNIT_COUNT
 } Unit;
 typedef struct {
-    const char *name; /* "" of a share */
-    double low, high; /* what is usual; not finite: anything is */
+    const char *name;  /* "" of a share */
+    double low, high;  /* what is usual; not finite: anything is */
     const char *other; /* in which a number beyond may be thought; "": none */
     double factor;     /* from that to this */
 } UnitRow;

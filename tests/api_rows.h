@@ -37,7 +37,8 @@ static const char *api_next(const char *text, char name[API_NAME])
     if (!end)
         return NULL;
     const char *begin = end;
-    while (begin[-1] == '_' || (begin[-1] >= 'a' && begin[-1] <= 'z') || (begin[-1] >= '0' && begin[-1] <= '9'))
+    while (begin[-1] == '_' || (begin[-1] >= 'a' && begin[-1] <= 'z') ||
+           (begin[-1] >= '0' && begin[-1] <= '9'))
         begin--;
     assert_true(end - begin > 0 && end - begin < API_NAME);
     memcpy(name, begin, (size_t)(end - begin));

@@ -1,5 +1,6 @@
-/* Light of radiance 1 from a parallelogram on a point, in double, for tests: Arvo's double axis moments (Irradiance Tensors, SIGGRAPH 1995) by
- * their recurrences over whole exponents; and, for any exponent, sums over ever smaller triangles, which know nothing of arcs. */
+/* Light of radiance 1 from a parallelogram on a point, in double, for tests: Arvo's double axis
+ * moments (Irradiance Tensors, SIGGRAPH 1995) by their recurrences over whole exponents; and, for
+ * any exponent, sums over ever smaller triangles, which know nothing of arcs. */
 #ifndef MATC_AREA_REFERENCE_H
 #define MATC_AREA_REFERENCE_H
 #include <math.h>
@@ -21,7 +22,10 @@ typedef struct {
     int count;
 } AreaPolygon;
 
-static double area_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double area_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static void area_cross(const double a[3], const double b[3], double out[3])
 {
@@ -49,8 +53,10 @@ static AreaPolygon area_seen(const AreaCase *c)
         polygon.count = 0;
     for (int k = 0; k < 4; k++)
         for (int i = 0; i < 3; i++) {
-            const double first = height > 0 ? c->v[i] : c->u[i], last = height > 0 ? c->u[i] : c->v[i];
-            polygon.corners[k][i] = c->corner[i] + (k == 1 || k == 2 ? first : 0) + (k >= 2 ? last : 0);
+            const double first = height > 0 ? c->v[i] : c->u[i],
+                         last = height > 0 ? c->u[i] : c->v[i];
+            polygon.corners[k][i] =
+                c->corner[i] + (k == 1 || k == 2 ? first : 0) + (k >= 2 ? last : 0);
         }
     return polygon;
 }
@@ -72,7 +78,8 @@ static AreaPolygon area_clip(const AreaPolygon *polygon, const double normal[3])
     return left;
 }
 
-/* An arc between neighbours: the inward normal of its plane; with s from the point nearest to w, w.u is cosine * cos s. */
+/* An arc between neighbours: the inward normal of its plane; with s from the point nearest to w,
+ * w.u is cosine * cos s. */
 typedef struct {
     double m[3], angle, cosine, off, s[2];
 } AreaArc;
@@ -117,14 +124,15 @@ static double area_solid_angle(const AreaPolygon *p)
     return sum;
 }
 
-/* The integral of (cosine cos s)^k over the arc for k = first, first + 2, ... last, as a sum (k < last) and the last one. Integration by parts:
- * C(k) = [cos^(k-1) sin] / k + (k-1) / k C(k-2). */
+/* The integral of (cosine cos s)^k over the arc for k = first, first + 2, ... last, as a sum (k <
+ * last) and the last one. Integration by parts: C(k) = [cos^(k-1) sin] / k + (k-1) / k C(k-2). */
 static void area_powers(const AreaArc *arc, int first, int last, double *sum, double *top)
 {
     const double c[2] = {cos(arc->s[0]), cos(arc->s[1])}, s[2] = {sin(arc->s[0]), sin(arc->s[1])};
     const double square = arc->cosine * arc->cosine;
     double integral = first ? s[1] - s[0] : arc->angle, scale = first ? arc->cosine : 1;
-    double power[2] = {first ? c[0] * c[0] : c[0], first ? c[1] * c[1] : c[1]}; /* cos^(k-1) of the next k */
+    /* cos^(k-1) of the next k */
+    double power[2] = {first ? c[0] * c[0] : c[0], first ? c[1] * c[1] : c[1]};
     *sum = 0;
     for (int k = first; k < last; k += 2) {
         *sum += integral * scale;
@@ -140,7 +148,8 @@ static void area_powers(const AreaArc *arc, int first, int last, double *sum, do
 static double area_moment(const AreaCase *c)
 {
     const int k = (int)c->exponent;
-    const AreaPolygon seen = area_seen(c), above = area_clip(&seen, c->normal), left = area_clip(&above, c->w);
+    const AreaPolygon seen = area_seen(c), above = area_clip(&seen, c->normal),
+                      left = area_clip(&above, c->w);
     double axial = k % 2 ? area_solid_angle(&left) : 0,
            cosine = 0; /* k times the moment of k - 1; what the arcs' normals give */
     for (int i = 0; i < left.count; i++) {
@@ -168,12 +177,15 @@ static double area_lambert(const AreaCase *c)
     return sum / (2 * AREA_PI);
 }
 
-/* What a direction's light is worth, by a place on the light and the light's normal times an area. */
+/* What a direction's light is worth, by a place on the light and the light's normal times an
+ * area. */
 static double area_density(const AreaCase *c, const double p[3], const double face[3])
 {
     const double square = area_dot(p, p), length = sqrt(square);
-    const double cosine = fmax(area_dot(c->normal, p) / length, 0), along = fmax(area_dot(c->w, p) / length, 0);
-    return fabs(area_dot(face, p)) / (length * square) * cosine * (c->exponent > 0 ? pow(along, c->exponent) : 1);
+    const double cosine = fmax(area_dot(c->normal, p) / length, 0),
+                 along = fmax(area_dot(c->w, p) / length, 0);
+    return fabs(area_dot(face, p)) / (length * square) * cosine *
+           (c->exponent > 0 ? pow(along, c->exponent) : 1);
 }
 
 /* Three points of a triangle: exact for squares. */

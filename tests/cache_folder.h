@@ -1,4 +1,5 @@
-/* A folder for a cache of a test, and what lies in it: entries by their keys, what it says of itself. */
+/* A folder for a cache of a test, and what lies in it: entries by their keys, what it says of
+ * itself. */
 #ifndef TESTS_CACHE_FOLDER_H
 #define TESTS_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"
@@ -44,7 +45,10 @@ static inline Cache *open_cache(const Folder *folder, uint64_t limit)
     return cache;
 }
 
-static inline Key key_of(uint64_t n) { return (Key){n * 0x9E3779B97F4A7C15u, ~n * 0xD1B54A32D192ED03u}; }
+static inline Key key_of(uint64_t n)
+{
+    return (Key){n * 0x9E3779B97F4A7C15u, ~n * 0xD1B54A32D192ED03u};
+}
 
 /* A number of the statistics; -1 if there is no such line. */
 static inline long statistic(const Folder *folder, const char *name)
@@ -62,7 +66,8 @@ static inline const char *entry_path(const Folder *folder, Key key)
 {
     static char path[2 * PATH_ROOM];
     char digits[33];
-    snprintf(digits, sizeof digits, "%016llx%016llx", (unsigned long long)key.high, (unsigned long long)key.low);
+    snprintf(digits, sizeof digits, "%016llx%016llx", (unsigned long long)key.high,
+             (unsigned long long)key.low);
     snprintf(path, sizeof path, "%s/%.2s/%s", folder->path, digits, digits + 2);
     return path;
 }

@@ -1,4 +1,5 @@
-/* Documents of a test, by the library: read, compiled without glslang, with every check of the IR. */
+/* Documents of a test, by the library: read, compiled without glslang, with every check of the
+ * IR. */
 #ifndef TESTS_COMPILE_TEXT_H
 #define TESTS_COMPILE_TEXT_H
 #include "compiler/matc.h"
@@ -25,7 +26,8 @@ static inline char *compile_text(const char *text, unsigned output, const MatcOp
     MatcDocument *document = read_text(text, options);
     MatcProgram *program = matc_compile(document, 0, output, options);
     if (!matc_ok(program))
-        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT),
+                matc_program_diagnostics(program, MATC_TEXT));
     assert_true(matc_ok(program));
     char *result = strdup(matc_output(program, (MatcOutput)output, NULL));
     matc_program_free(program);
@@ -33,7 +35,8 @@ static inline char *compile_text(const char *text, unsigned output, const MatcOp
     return result;
 }
 
-static const char *const checker_text = "material: Phong\n"
-                                        "diffuse: { map: Checker, color1: 0.3, color2: { map: Granite } }\n"
-                                        "specular: { map: Granite }\n";
+static const char *const checker_text =
+    "material: Phong\n"
+    "diffuse: { map: Checker, color1: 0.3, color2: { map: Granite } }\n"
+    "specular: { map: Granite }\n";
 #endif

@@ -1,5 +1,6 @@
-/* Arithmetic of 200 bits by MPFR, for formulas written as expressions: every result is a new number, all of which
- * exact_forget() gives back. And documents' values by the oracle, to compare with. */
+/* Arithmetic of 200 bits by MPFR, for formulas written as expressions: every result is a new
+ * number, all of which exact_forget() gives back. And documents' values by the oracle, to compare
+ * with. */
 #ifndef MATC_EXACT_H
 #define MATC_EXACT_H
 #include "tests/test.h"
@@ -45,19 +46,19 @@ static inline R num(double v)
 }
 static inline double value(R a) { return mpfr_get_d(a, MPFR_RNDN); }
 
-#define EXACT_1(name, call)                                                                                            \
-    static inline R name(R a)                                                                                          \
-    {                                                                                                                  \
-        R r = fresh();                                                                                                 \
-        call(r, a, MPFR_RNDN);                                                                                         \
-        return r;                                                                                                      \
+#define EXACT_1(name, call)                                                                        \
+    static inline R name(R a)                                                                      \
+    {                                                                                              \
+        R r = fresh();                                                                             \
+        call(r, a, MPFR_RNDN);                                                                     \
+        return r;                                                                                  \
     }
-#define EXACT_2(name, call)                                                                                            \
-    static inline R name(R a, R b)                                                                                     \
-    {                                                                                                                  \
-        R r = fresh();                                                                                                 \
-        call(r, a, b, MPFR_RNDN);                                                                                      \
-        return r;                                                                                                      \
+#define EXACT_2(name, call)                                                                        \
+    static inline R name(R a, R b)                                                                 \
+    {                                                                                              \
+        R r = fresh();                                                                             \
+        call(r, a, b, MPFR_RNDN);                                                                  \
+        return r;                                                                                  \
     }
 EXACT_1(minus, mpfr_neg)
 EXACT_1(size, mpfr_abs)
@@ -100,7 +101,10 @@ static inline R pi(void)
     return r;
 }
 static inline bool below(R a, R b) { return mpfr_cmp(a, b) < 0; }
-static inline R dot3(R *a, R *b) { return plus(plus(times(a[0], b[0]), times(a[1], b[1])), times(a[2], b[2])); }
+static inline R dot3(R *a, R *b)
+{
+    return plus(plus(times(a[0], b[0]), times(a[1], b[1])), times(a[2], b[2]));
+}
 static inline void cross3(R *a, R *b, R *r)
 {
     for (int i = 0; i < 3; i++)
@@ -129,7 +133,8 @@ static inline void read_open(Read *r, const char *text, ReferenceNoise noise)
     matc_options_init(&r->options);
     r->session = (Session){.options = &r->options, .arena = &r->arena};
     Source source = {.name = "exact.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room, source);
+    ARENA_PUSH(&r->arena, r->session.sources, r->session.source_count, r->session.source_room,
+               source);
     r->graph = compile_front(&r->session, 0, &tree);
     if (!r->graph || r->session.diags.errors)
         fail_msg("%s: %s", text, r->session.diags.count ? r->session.diags.at[0].message : "");

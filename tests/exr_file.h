@@ -1,15 +1,25 @@
-/* OpenEXR files of known texels, above 1 and below 0 too. Those without compression are written byte by byte, by the specification of their
- * layout and with nothing of a library's; those with one, and tiles, by OpenEXR's own writer. */
+/* OpenEXR files of known texels, above 1 and below 0 too. Those without compression are written
+ * byte by byte, by the specification of their layout and with nothing of a library's; those with
+ * one, and tiles, by OpenEXR's own writer. */
 #ifndef TESTS_EXR_FILE_H
 #define TESTS_EXR_FILE_H
 #include "tests/picture.h"
 #include <OpenEXR/openexr.h>
 #include <math.h>
 
-enum { UINT = 0, HALF = 1, FLOAT = 2, MOST_CHANNELS = 5, UNCOMPRESSED = 0, B44 = 6, MOST_SIDE = 48 };
+enum {
+    UINT = 0,
+    HALF = 1,
+    FLOAT = 2,
+    MOST_CHANNELS = 5,
+    UNCOMPRESSED = 0,
+    B44 = 6,
+    MOST_SIDE = 48
+};
 
-/* Windows as (least x, least y, greatest x, greatest y), y downwards. A type of `types` for each letter of `channels`, which ascend; the
- * last one has a sample in every `sampling` columns of every `sampling` lines, 0: in all. */
+/* Windows as (least x, least y, greatest x, greatest y), y downwards. A type of `types` for each
+ * letter of `channels`, which ascend; the last one has a sample in every `sampling` columns of
+ * every `sampling` lines, 0: in all. */
 typedef struct {
     int data[4], display[4];
     const char *channels;
@@ -17,7 +27,8 @@ typedef struct {
     int compression, sampling, tile;
 } ExrHeader;
 
-/* A channel's number at a place of the file: a multiple of 1/8 below 256 either way, so that a half holds it. */
+/* A channel's number at a place of the file: a multiple of 1/8 below 256 either way, so that a half
+ * holds it. */
 static inline double exr_number(char channel, int x, int y)
 {
     return (channel == 'A'   ? 4
@@ -54,7 +65,8 @@ static inline void exr_put_sample(PictureFile *file, int type, double number)
         exr_put_int(file, type == UINT ? (int)number : bits, 4);
 }
 
-static inline void exr_put_attribute(PictureFile *file, const char *name, const char *type, int size)
+static inline void exr_put_attribute(PictureFile *file, const char *name, const char *type,
+                                     int size)
 {
     picture_put(file, name, strlen(name) + 1);
     picture_put(file, type, strlen(type) + 1);
@@ -153,18 +165,19 @@ static inline void exr_check(PictureFile *file, const ExrHeader *h, bool opaque)
     static float texels[MOST_SIDE * MOST_SIDE * 4];
     const int wide = h->display[2] - h->display[0] + 1, high = h->display[3] - h->display[1] + 1;
     for (int i = 0; i < wide * high * 4; i++)
-        texels[i] = exr_wanted(h, i % 4, h->display[0] + i / 4 % wide, h->display[3] - i / 4 / wide);
+        texels[i] =
+            exr_wanted(h, i % 4, h->display[0] + i / 4 % wide, h->display[3] - i / 4 / wide);
     picture_check(file, &(PictureWanted){wide, high, 32, opaque, texels});
 }
 
-#define WINDOW(x, y)                                                                                                   \
-    {                                                                                                                  \
-        0, 0, (x)-1, (y)-1                                                                                             \
+#define WINDOW(x, y)                                                                               \
+    {                                                                                              \
+        0, 0, (x)-1, (y)-1                                                                         \
     }
 #define SMALL WINDOW(3, 2), WINDOW(3, 2)
 
-static inline int64_t write_to(exr_const_context_t exr, void *user, const void *bytes, uint64_t size, uint64_t offset,
-                               exr_stream_error_func_ptr_t say)
+static inline int64_t write_to(exr_const_context_t exr, void *user, const void *bytes,
+                               uint64_t size, uint64_t offset, exr_stream_error_func_ptr_t say)
 {
     PictureFile *file = user;
     (void)exr, (void)say;
@@ -176,7 +189,8 @@ static inline int64_t write_to(exr_const_context_t exr, void *user, const void *
 }
 
 /* One block of lines or one tile, with its first texel at (x, y). */
-static inline void write_chunk(exr_context_t exr, const ExrHeader *h, const exr_chunk_info_t *info, const int at[2])
+static inline void write_chunk(exr_context_t exr, const ExrHeader *h, const exr_chunk_info_t *info,
+                               const int at[2])
 {
     static float floats[MOST_CHANNELS][MOST_SIDE * MOST_SIDE];
     static uint16_t halves[MOST_CHANNELS][MOST_SIDE * MOST_SIDE];
@@ -185,14 +199,16 @@ static inline void write_chunk(exr_context_t exr, const ExrHeader *h, const exr_
     for (int i = 0; i < pipe.channel_count; i++) {
         exr_coding_channel_info_t *channel = &pipe.channels[i];
         for (int k = 0; k < info->width * info->height; k++) {
-            const double number = exr_number(h->channels[i], at[0] + k % info->width, at[1] + k / info->width);
+            const double number =
+                exr_number(h->channels[i], at[0] + k % info->width, at[1] + k / info->width);
             floats[i][k] = (float)number;
             halves[i][k] = exr_half(number);
         }
         const int size = h->types[i] == HALF ? 2 : 4;
         channel->user_pixel_stride = size;
         channel->user_line_stride = size * info->width;
-        channel->encode_from_ptr = size == 2 ? (const uint8_t *)halves[i] : (const uint8_t *)floats[i];
+        channel->encode_from_ptr =
+            size == 2 ? (const uint8_t *)halves[i] : (const uint8_t *)floats[i];
     }
     assert_int_equal(exr_encoding_choose_default_routines(exr, 0, &pipe), 0);
     assert_int_equal(exr_encoding_run(exr, 0, &pipe), 0);
@@ -236,17 +252,20 @@ static inline void exr_write_file(PictureFile *file, const ExrHeader *h)
     const exr_attr_box2i_t data = window_of(h->data), display = window_of(h->display);
     const exr_attr_v2f_t middle = {.x = 0, .y = 0};
     assert_int_equal(exr_start_write(&exr, "a", EXR_WRITE_FILE_DIRECTLY, &init), 0);
-    assert_int_equal(exr_add_part(exr, "a", h->tile ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &part), 0);
-    assert_int_equal(exr_initialize_required_attr(exr, part, &display, &data, 1, &middle, 1, EXR_LINEORDER_INCREASING_Y,
+    assert_int_equal(
+        exr_add_part(exr, "a", h->tile ? EXR_STORAGE_TILED : EXR_STORAGE_SCANLINE, &part), 0);
+    assert_int_equal(exr_initialize_required_attr(exr, part, &display, &data, 1, &middle, 1,
+                                                  EXR_LINEORDER_INCREASING_Y,
                                                   (exr_compression_t)h->compression),
                      0);
     for (int i = 0; h->channels[i]; i++)
-        assert_int_equal(exr_add_channel(exr, part, (char[]){h->channels[i], 0}, (exr_pixel_type_t)h->types[i],
+        assert_int_equal(exr_add_channel(exr, part, (char[]){h->channels[i], 0},
+                                         (exr_pixel_type_t)h->types[i],
                                          EXR_PERCEPTUALLY_LOGARITHMIC, 1, 1),
                          0);
     if (h->tile)
-        assert_int_equal(exr_set_tile_descriptor(exr, part, (uint32_t)h->tile, (uint32_t)h->tile, EXR_TILE_ONE_LEVEL,
-                                                 EXR_TILE_ROUND_DOWN),
+        assert_int_equal(exr_set_tile_descriptor(exr, part, (uint32_t)h->tile, (uint32_t)h->tile,
+                                                 EXR_TILE_ONE_LEVEL, EXR_TILE_ROUND_DOWN),
                          0);
     assert_int_equal(exr_write_header(exr), 0);
     if (h->tile)
@@ -256,7 +275,8 @@ static inline void exr_write_file(PictureFile *file, const ExrHeader *h)
     assert_int_equal(exr_finish(&exr), 0);
 }
 
-static const int exr_compressions[] = {EXR_COMPRESSION_NONE, EXR_COMPRESSION_RLE, EXR_COMPRESSION_ZIPS,
-                                       EXR_COMPRESSION_ZIP, EXR_COMPRESSION_PIZ};
+static const int exr_compressions[] = {EXR_COMPRESSION_NONE, EXR_COMPRESSION_RLE,
+                                       EXR_COMPRESSION_ZIPS, EXR_COMPRESSION_ZIP,
+                                       EXR_COMPRESSION_PIZ};
 enum { EXR_COMPRESSIONS = sizeof exr_compressions / sizeof *exr_compressions };
 #endif

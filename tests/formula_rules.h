@@ -1,11 +1,13 @@
-/* What the words of formulas mean, from the mathematics, in long double: for test_expression.c. It knows nothing of matc. */
+/* What the words of formulas mean, from the mathematics, in long double: for test_expression.c. It
+ * knows nothing of matc. */
 #ifndef MATC_FORMULA_RULES_H
 #define MATC_FORMULA_RULES_H
 #include <math.h>
 #include <stdbool.h>
 
 typedef long double Number;
-/* What the tree is made of: the text's form, the level that it binds at, its parts' widths ('g' its own), its result's, its lanes. */
+/* What the tree is made of: the text's form, the level that it binds at, its parts' widths ('g' its
+ * own), its result's, its lanes. */
 typedef struct Rule {
     const char *form; /* a name, or an operator between its parts */
     int level;        /* of an operator; 0: a call */
@@ -15,11 +17,14 @@ typedef struct Rule {
     void (*whole)(const Number x[5][4], int lanes, Number *result);
 } Rule;
 
-#define RULE_LANE(name, value)                                                                                         \
+#define RULE_LANE(name, value)                                                                     \
     static Number name(const Number *x) { return value; }
 static Number over(Number a, Number b) { return fabsl(b) < 1e-30L ? 0 : a / b; }
 static Number cut(Number a, Number low, Number high) { return a < low ? low : a > high ? high : a; }
-static Number ramp(Number low, Number high, Number x) { return cut(over(x - low, high - low), 0, 1); }
+static Number ramp(Number low, Number high, Number x)
+{
+    return cut(over(x - low, high - low), 0, 1);
+}
 static Number signum(Number a) { return a > 0 ? 1 : a < 0 ? -1 : 0; }
 static Number raised(Number a, Number b) { return fminl(powl(fmaxl(a, 1e-37L), b), 1e37L); }
 RULE_LANE(sum, x[0] + x[1])
@@ -60,7 +65,8 @@ RULE_LANE(tangent, tanl(x[0]))
 RULE_LANE(arc_sine, asinl(cut(x[0], -1, 1)))
 RULE_LANE(arc_cosine, acosl(cut(x[0], -1, 1)))
 RULE_LANE(arc_tangent, atanl(x[0]))
-/* Where no two ways of computing can agree: an angle behind the origin, where a zero has two sides; fractions of what has none. */
+/* Where no two ways of computing can agree: an angle behind the origin, where a zero has two sides;
+ * fractions of what has none. */
 static bool rule_unsure;
 static Number unsure(bool is, Number value)
 {
@@ -83,11 +89,13 @@ RULE_LANE(inverted, 1 - x[0])
 RULE_LANE(mixed, x[0] + (x[1] - x[0]) * x[2])
 RULE_LANE(stepped, x[1] < x[0] ? 0 : 1)
 RULE_LANE(linear, ramp(x[0], x[1], x[2]))
-RULE_LANE(smooth, ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ramp(x[0], x[1], x[2])))
+RULE_LANE(smooth,
+          ramp(x[0], x[1], x[2]) * ramp(x[0], x[1], x[2]) * (3 - 2 * ramp(x[0], x[1], x[2])))
 RULE_LANE(mapped, x[3] + (x[4] - x[3]) * over(x[0] - x[1], x[2] - x[1]))
 RULE_LANE(contrasted, (x[0] - x[2]) * x[1] + x[2])
 RULE_LANE(biased, over(x[0], (over(1, x[1]) - 2) * (1 - x[0]) + 1))
-RULE_LANE(gained, x[0] < .5 ? over(x[0], (over(1, x[1]) - 2) * (1 - 2 * x[0]) + 1) : 1 - over(1 - x[0], (over(1, x[1]) - 2) * (2 * x[0] - 1) + 1))
+RULE_LANE(gained, x[0] < .5 ? over(x[0], (over(1, x[1]) - 2) * (1 - 2 * x[0]) + 1)
+                            : 1 - over(1 - x[0], (over(1, x[1]) - 2) * (2 * x[0] - 1) + 1))
 
 static Number dotted(const Number *a, const Number *b, int lanes)
 {
@@ -124,7 +132,8 @@ RULE_WHOLE(apart)
 RULE_WHOLE(outer)
 {
     const Number *a = x[0], *b = x[1];
-    (void)lanes, ROWS(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0);
+    (void)lanes,
+        ROWS(a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0);
 }
 RULE_WHOLE(unit)
 {
@@ -144,8 +153,8 @@ RULE_WHOLE(turned)
 /* By sixths of the hue, as textbooks have it. */
 RULE_WHOLE(from_hsv)
 {
-    const Number h = unsure(fabsl(x[0][0]) > 1e9L, 6 * (x[0][0] - floorl(x[0][0]))), s = x[0][1], v = x[0][2],
-                 f = h - floorl(h);
+    const Number h = unsure(fabsl(x[0][0]) > 1e9L, 6 * (x[0][0] - floorl(x[0][0]))), s = x[0][1],
+                 v = x[0][2], f = h - floorl(h);
     const Number p = v * (1 - s), q = v * (1 - s * f), t = v * (1 - s * (1 - f));
     const Number table[6][3] = {{v, t, p}, {q, v, p}, {p, v, t}, {p, q, v}, {t, p, v}, {v, p, q}};
     const Number *row = table[(int)h % 6];
@@ -154,7 +163,8 @@ RULE_WHOLE(from_hsv)
 RULE_WHOLE(to_hsv)
 {
     const Number red = x[0][0], green = x[0][1], blue = x[0][2];
-    const Number high = fmaxl(red, fmaxl(green, blue)), low = fminl(red, fminl(green, blue)), c = high - low;
+    const Number high = fmaxl(red, fmaxl(green, blue)), low = fminl(red, fminl(green, blue)),
+                 c = high - low;
     Number h = c < 1e-30L      ? 0
                : high == red   ? (green - blue) / c
                : high == green ? 2 + (blue - red) / c

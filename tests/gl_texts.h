@@ -1,4 +1,5 @@
-/* What the tests of the GL layer share: a context in software, programs in every language that it takes, their uniforms. */
+/* What the tests of the GL layer share: a context in software, programs in every language that it
+ * takes, their uniforms. */
 #ifndef TESTS_GL_TEXTS_H
 #define TESTS_GL_TEXTS_H
 #include "runtime/gl/context.h"
@@ -40,20 +41,27 @@ static const Language languages[] = {
      "#version 110\n#extension GL_ARB_draw_buffers : require\n"
      "uniform vec4 value; void main() { gl_FragData[0] = value; gl_FragData[1] = 2. * value; }"},
     {true,
-     "#version 330 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
-     "#version 330 core\nuniform vec4 value; layout(location = 0) out vec4 a; layout(location = 1) out vec4 b;"
+     "#version 330 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = "
+     "vec4(position, 1.); }",
+     "#version 330 core\nuniform vec4 value; layout(location = 0) out vec4 a; layout(location = 1) "
+     "out vec4 b;"
      "void main() { a = value; b = 2. * value; }"},
     {true, "#version 330 core\nin vec3 position; void main() { gl_Position = vec4(position, 1.); }",
      "#version 330 core\nuniform vec4 value; out vec4 first; out vec4 second;"
      "void main() { first = value; second = 2. * value; }"},
     {true,
-     "#version 450 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
-     "#version 450 core\nlayout(location = 0) uniform vec4 value; layout(location = 0) out vec4 a; layout(location = "
+     "#version 450 core\nlayout(location = 0) in vec3 position; void main() { gl_Position = "
+     "vec4(position, 1.); }",
+     "#version 450 core\nlayout(location = 0) uniform vec4 value; layout(location = 0) out vec4 a; "
+     "layout(location = "
      "1) out vec4 b;"
      "void main() { a = value; b = 2. * value; }"},
-    {true, "#version 300 es\nlayout(location = 0) in vec3 position; void main() { gl_Position = vec4(position, 1.); }",
+    {true,
+     "#version 300 es\nlayout(location = 0) in vec3 position; void main() { gl_Position = "
+     "vec4(position, 1.); }",
      "#version 300 es\nprecision highp float; uniform vec4 value;"
-     "layout(location = 0) out vec4 a; layout(location = 1) out vec4 b; void main() { a = value; b = 2. * value; }"},
+     "layout(location = 0) out vec4 a; layout(location = 1) out vec4 b; void main() { a = value; b "
+     "= 2. * value; }"},
 };
 
 /* Of the current program; false: it has none such. */

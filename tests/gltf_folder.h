@@ -25,5 +25,13 @@ static inline void write_file(const char *name, const void *bytes, size_t size)
 /* Three triangles of one material after another: the second, the first, none. */
 static const struct {
     float positions[9][3];
-} corners = {{{0, 0, 0}, {1, 0, 0}, {0, 0, -1}, {2, 0, 0}, {3, 0, 0}, {2, 0, -1}, {4, 0, 0}, {5, 0, 0}, {4, 0, -1}}};
+} corners = {{{0, 0, 0},
+              {1, 0, 0},
+              {0, 0, -1},
+              {2, 0, 0},
+              {3, 0, 0},
+              {2, 0, -1},
+              {4, 0, 0},
+              {5, 0, 0},
+              {4, 0, -1}}};
 #endif

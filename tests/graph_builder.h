@@ -1,5 +1,5 @@
-/* Small resolved documents, made by hand: nodes with the defaults of the tables, and setters for what differs.
- * A Builder owns all it makes. */
+/* Small resolved documents, made by hand: nodes with the defaults of the tables, and setters for
+ * what differs. A Builder owns all it makes. */
 #ifndef MATC_GRAPH_BUILDER_H
 #define MATC_GRAPH_BUILDER_H
 #include "compiler/front/graph.h"
@@ -41,7 +41,10 @@ static inline Value build_lanes(int lanes, double x, double y, double z, double 
     return (Value){.kind = VALUE_number, .type = types[lanes], .number = {x, y, z, w}};
 }
 
-static inline Value *build_param(const Node *node, int param) { return (Value *)node_param(node, param); }
+static inline Value *build_param(const Node *node, int param)
+{
+    return (Value *)node_param(node, param);
+}
 
 /* Nodes without their parameters' defaults. */
 static inline Node *build_bare(Builder *b, Kind kind)

@@ -53,6 +53,8 @@ static inline void set_close(Set *set)
         document_close(&set->documents[i]);
 }
 
-static const char *const lambert[] = {"tests/layouts/lambert.yaml"}, *const grays[] = {"tests/layouts/grays.yaml"},
-                         *const glow[] = {"tests/layouts/glow.yaml"}, *const mixed[] = {"tests/layouts/mixed.yaml"};
+static const char *const lambert[] = {"tests/layouts/lambert.yaml"},
+                         *const grays[] = {"tests/layouts/grays.yaml"},
+                         *const glow[] = {"tests/layouts/glow.yaml"},
+                         *const mixed[] = {"tests/layouts/mixed.yaml"};
 #endif

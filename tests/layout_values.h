@@ -1,4 +1,5 @@
-/* Documents of a Phong that says every slot, with sets of values: plain, hostile and random ones. */
+/* Documents of a Phong that says every slot, with sets of values: plain, hostile and random
+ * ones. */
 #ifndef TESTS_LAYOUT_VALUES_H
 #define TESTS_LAYOUT_VALUES_H
 #include "tests/value/documents.h"
@@ -26,17 +27,20 @@ static inline double random_number(uint64_t *seed)
     return (double)(*seed >> 11) * 0x1p-53;
 }
 
-/* Sets of values: plain ones, hostile ones, then random ones in [0, 1], of which emissive is up to thousands. */
+/* Sets of values: plain ones, hostile ones, then random ones in [0, 1], of which emissive is up to
+ * thousands. */
 static inline void make_values(uint64_t *seed, int set, double values[PARAMS][4])
 {
-    static const double hostile[] = {0,    1,     -1,   2,      1e6,  -1e6, 65504, 65519,  65520, 1e-6,
-                                     6e-5, 1e-30, 6e-8, 0.9999, 1e30, -0.0, 0.5,   1 / 3., 255,   1.0000001};
+    static const double hostile[] = {0,     1,     -1,   2,      1e6,   -1e6,     65504,
+                                     65519, 65520, 1e-6, 6e-5,   1e-30, 6e-8,     0.9999,
+                                     1e30,  -0.0,  0.5,  1 / 3., 255,   1.0000001};
     enum { HOSTILE = sizeof hostile / sizeof *hostile };
     for (int i = 0; i < PARAMS; i++)
         for (int lane = 0; lane < 4; lane++) {
             double r = random_number(seed);
             bool bright = !strcmp(params[i].key, "emissive") && set % 2;
-            values[i][lane] = set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
+            values[i][lane] =
+                set >= FIRST_RANDOM ? (bright ? exp(24 * r - 12) : r) : hostile[(int)(r * HOSTILE)];
             if (set == 0)
                 values[i][lane] = lane == 3;
             if (lane == 3) /* alpha: a huge one leaves nothing of the transparency's digits */
@@ -57,7 +61,8 @@ static inline bool leaves_out(Kept kept, const char *key)
     return kept == CLEAR && (!strcmp(key, "emissive") || !strcmp(key, "ambient"));
 }
 
-static inline void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms, Kept kept)
+static inline void write_document(char *text, size_t room, double values[PARAMS][4], bool uniforms,
+                                  Kept kept)
 {
     int size = snprintf(text, room, "material: Phong\n");
     for (int i = 0; i < PARAMS; i++) {
@@ -72,7 +77,8 @@ static inline void write_document(char *text, size_t room, double values[PARAMS]
                              : params[i].lanes > 1 ? "["
                                                    : "",
                              values[i][lane]);
-        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "", uniforms ? " }" : "");
+        size += snprintf(text + size, room - (size_t)size, "%s%s\n", lanes > 1 ? "]" : "",
+                         uniforms ? " }" : "");
     }
 }
 

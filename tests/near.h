@@ -28,7 +28,8 @@ static inline double sample(void)
     return (double)(int64_t)state / 9223372036854775808.;
 }
 
-static inline double value_of(void (*reference)(const void *, const double *, double *), double a, double b, double c)
+static inline double value_of(void (*reference)(const void *, const double *, double *), double a,
+                              double b, double c)
 {
     const double args[] = {a, b, c};
     double result[4];

@@ -1,4 +1,5 @@
-/* Helpers of the oracle's tests: points, and the comparison of one channel of a map at a point with a number. */
+/* Helpers of the oracle's tests: points, and the comparison of one channel of a map at a point with
+ * a number. */
 #ifndef MATC_ORACLE_FIXTURE_H
 #define MATC_ORACLE_FIXTURE_H
 #include "tests/graph_builder.h"
@@ -39,7 +40,8 @@ static inline void close_to(double got, double want, double tolerance)
     fail_msg("got %.12g, want %.12g", got, want);
 }
 
-static inline double value_at(const Builder *b, const Node *map, int channel, const Surface *surface)
+static inline double value_at(const Builder *b, const Node *map, int channel,
+                              const Surface *surface)
 {
     Oracle *oracle = oracle_open(&b->graph, &groimp);
     double value = oracle_channel(oracle, map, channel, surface);
@@ -47,7 +49,8 @@ static inline double value_at(const Builder *b, const Node *map, int channel, co
     return value;
 }
 
-static inline void expect(const Builder *b, const Node *map, int channel, const Surface *surface, double want)
+static inline void expect(const Builder *b, const Node *map, int channel, const Surface *surface,
+                          double want)
 {
     close_to(value_at(b, map, channel, surface), want, 1e-12 * fmax(1, fabs(want)));
 }

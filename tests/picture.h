@@ -1,4 +1,5 @@
-/* Picture files that a test makes in memory, so that their texels are known, and what the product reads out of them. */
+/* Picture files that a test makes in memory, so that their texels are known, and what the product
+ * reads out of them. */
 #ifndef TESTS_PICTURE_H
 #define TESTS_PICTURE_H
 #include "compiler/document.h"
@@ -23,7 +24,8 @@ static inline void picture_put(PictureFile *file, const void *bytes, size_t size
 }
 
 /* Documents name their pictures a and, where there are two files, b. */
-static const char picture_alone[] = "material: Phong\ndiffuse: { map: ImageMap, image: a, bilinearFiltering: false }\n";
+static const char picture_alone[] =
+    "material: Phong\ndiffuse: { map: ImageMap, image: a, bilinearFiltering: false }\n";
 
 static inline char *picture_give(void *user, const char *path, size_t *size, const char **why)
 {
@@ -71,12 +73,14 @@ static inline void picture_check(PictureFile *file, const PictureWanted *wanted)
     assert_int_equal(image->bits, wanted->bits);
     assert_int_equal(image->opaque, wanted->opaque);
     assert_non_null(image->texels);
-    assert_memory_equal(image->texels, wanted->texels, (size_t)(wanted->width * wanted->height * wanted->bits / 2));
+    assert_memory_equal(image->texels, wanted->texels,
+                        (size_t)(wanted->width * wanted->height * wanted->bits / 2));
     matc_document_free(document);
 }
 
 /* One error, which says why. */
-static inline void picture_refused(PictureFile *files, const char *text, bool pixels, const char *why)
+static inline void picture_refused(PictureFile *files, const char *text, bool pixels,
+                                   const char *why)
 {
     MatcDocument *document = picture_read(files, text, pixels);
     const char *said = matc_diagnostics(document, MATC_TEXT);

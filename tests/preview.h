@@ -12,7 +12,10 @@ typedef struct {
     double at[3];
 } Vector;
 
-static inline double dot(Vector a, Vector b) { return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2]; }
+static inline double dot(Vector a, Vector b)
+{
+    return a.at[0] * b.at[0] + a.at[1] * b.at[1] + a.at[2] * b.at[2];
+}
 static inline Vector scaled(Vector a, double factor)
 {
     return (Vector){{a.at[0] * factor, a.at[1] * factor, a.at[2] * factor}};
@@ -26,7 +29,8 @@ static inline Vector unit(Vector a) { return scaled(a, 1 / sqrt(dot(a, a))); }
 static inline Vector cross(Vector a, Vector b)
 {
     const double *p = a.at, *q = b.at;
-    return (Vector){{p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
+    return (Vector){
+        {p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]}};
 }
 
 static inline Vector from_angles(double azimuth, double elevation)
@@ -34,7 +38,8 @@ static inline Vector from_angles(double azimuth, double elevation)
     return (Vector){{cos(azimuth) * cos(elevation), sin(azimuth) * cos(elevation), sin(elevation)}};
 }
 
-/* Where the camera stands, and its axes in the world: to the right, up, towards the viewer. The world's z is up. */
+/* Where the camera stands, and its axes in the world: to the right, up, towards the viewer. The
+ * world's z is up. */
 typedef struct {
     Vector position, right, up, back;
     double tangent; /* of half the angle of the shorter side */
@@ -43,7 +48,11 @@ typedef struct {
 
 static inline View look(Vector position, Vector back, double half_angle, int width, int height)
 {
-    View view = {.position = position, .back = back, .tangent = tan(half_angle), .width = width, .height = height};
+    View view = {.position = position,
+                 .back = back,
+                 .tangent = tan(half_angle),
+                 .width = width,
+                 .height = height};
     view.right = unit(cross((Vector){{0, 0, 1}}, back));
     view.up = cross(back, view.right);
     return view;
@@ -55,7 +64,8 @@ static inline Vector ray_of(const View *view, int x, int y)
     int shorter = view->width < view->height ? view->width : view->height;
     double right = (2 * x + 1 - view->width) * view->tangent / shorter;
     double up = (2 * y + 1 - view->height) * view->tangent / shorter;
-    return unit(added(added(scaled(view->right, right), scaled(view->up, up)), scaled(view->back, -1)));
+    return unit(
+        added(added(scaled(view->right, right), scaled(view->up, up)), scaled(view->back, -1)));
 }
 
 /* A linear value as matview writes it. */
@@ -72,8 +82,10 @@ typedef struct {
     unsigned char *rgb;
 } Drawn;
 
-/* The document's only material, into rgb, by a context of its own. What is said of it must be nothing. */
-static inline void draw_pixels(MatcDocument *document, const MaterialPictureOptions *options, unsigned char *rgb)
+/* The document's only material, into rgb, by a context of its own. What is said of it must be
+ * nothing. */
+static inline void draw_pixels(MatcDocument *document, const MaterialPictureOptions *options,
+                               unsigned char *rgb)
 {
     char error[512] = "";
     MaterialSaid said = {0};
@@ -106,13 +118,17 @@ static inline Drawn draw_subject(const Subject *subject, int width, int height)
     p.document = matc_read("preview.yaml", text, strlen(text), &p.options);
     const MaterialPictureOptions options = {
         .pictures = {.render = {.compile = &p.options, .samples = 1}},
-        .preview = {.shape = SHAPE_sphere, .width = width, .height = height, .sky = !strcmp(subject->pass, "sky")},
+        .preview = {.shape = SHAPE_sphere,
+                    .width = width,
+                    .height = height,
+                    .sky = !strcmp(subject->pass, "sky")},
         .slot = subject->slot};
     draw_pixels(p.document, &options, p.rgb);
     return p;
 }
 
-static inline Drawn draw_slot(const char *text, const char *pass, const char *slot, int width, int height)
+static inline Drawn draw_slot(const char *text, const char *pass, const char *slot, int width,
+                              int height)
 {
     return draw_subject(&(Subject){text, pass, NULL, slot}, width, height);
 }

@@ -29,7 +29,8 @@ static inline Scene open_scene(Rig *rig, const char *text, const SceneOptions *o
     return scene;
 }
 
-static inline void draw_scene(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target)
+static inline void draw_scene(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh,
+                              const Framebuffer *target)
 {
     if (!rig_draw(rig, scene, space, mesh, target))
         fail_msg("%s", rig->gl->error);
@@ -43,15 +44,18 @@ static inline SlotValues values_at(const Scene *scene, const Surface *surface)
     return values;
 }
 
-/* A material's first own attribute: its values are those of the position's x, in the same vertices. */
+/* A material's first own attribute: its values are those of the position's x, in the same
+ * vertices. */
 static inline void feed_attribute(const GlContext *gl, const Mesh *mesh)
 {
     enum { FIRST_OWN = 11 }; /* language.md */
     gl->BindVertexArray(mesh->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
     gl->EnableVertexAttribArray(FIRST_OWN);
-    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex), (const void *)offsetof(ShapeVertex, position));
+    gl->VertexAttribPointer(FIRST_OWN, 1, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
+                            (const void *)offsetof(ShapeVertex, position));
 }
 
-static inline double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; } /* of a pixel, in clip space */
+/* of a pixel, in clip space */
+static inline double middle(int index) { return 2 * (index + 0.5) / SIDE - 1; }
 #endif

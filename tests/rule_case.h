@@ -1,4 +1,5 @@
-/* What a pass of the optimiser makes of an expression, against what was worked out by hand; before and after are evaluated, too. */
+/* What a pass of the optimiser makes of an expression, against what was worked out by hand; before
+ * and after are evaluated, too. */
 #ifndef TESTS_RULE_CASE_H
 #define TESTS_RULE_CASE_H
 #include "compiler/ir/fold.h"
@@ -33,11 +34,13 @@ static inline void rule_point(int number, double inputs[INPUT_COUNT][4])
     choices_random(&choices, 9, (uint64_t)number);
     for (int i = 0; i < INPUT_COUNT; i++)
         for (int lane = 0; lane < 4; lane++)
-            inputs[i][lane] = coordinates[choose(&choices, sizeof coordinates / sizeof *coordinates)];
+            inputs[i][lane] =
+                coordinates[choose(&choices, sizeof coordinates / sizeof *coordinates)];
     inputs[INPUT_front][0] = number % 2;
 }
 
-/* Wherever the first has a number, the second has the same; what they differ by beyond that is a rounding. */
+/* Wherever the first has a number, the second has the same; what they differ by beyond that is a
+ * rounding. */
 static inline void rule_check_values(const char *text, const Ir *before, const Ir *after)
 {
     const ReferenceContext context = {.noise = before->noise};
@@ -47,9 +50,10 @@ static inline void rule_check_values(const char *text, const Ir *before, const I
         ir_eval(before, &context, (const double(*)[4])inputs, a);
         ir_eval(after, &context, (const double(*)[4])inputs, b);
         for (int lane = 0; lane < ir_lanes(before, before->outputs[0].value); lane++)
-            if (isfinite(a[0][lane]) && !(fabs(a[0][lane] - b[0][lane]) <= 1e-13 * fmax(1, fabs(a[0][lane]))))
-                fail_msg("%s: lane %d is %.17g, was %.17g at %g %g %g", text, lane, b[0][lane], a[0][lane],
-                         inputs[INPUT_X][0], inputs[INPUT_X][1], inputs[INPUT_X][2]);
+            if (isfinite(a[0][lane]) &&
+                !(fabs(a[0][lane] - b[0][lane]) <= 1e-13 * fmax(1, fabs(a[0][lane]))))
+                fail_msg("%s: lane %d is %.17g, was %.17g at %g %g %g", text, lane, b[0][lane],
+                         a[0][lane], inputs[INPUT_X][0], inputs[INPUT_X][1], inputs[INPUT_X][2]);
     }
 }
 
@@ -89,7 +93,8 @@ static inline bool rule_check(const RuleCase *c, bool (*pass)(Ir *ir), bool as_m
 }
 
 /* The number of cases that fail. */
-static inline int rule_check_all(const RuleCase *cases, size_t count, bool (*pass)(Ir *ir), bool as_made)
+static inline int rule_check_all(const RuleCase *cases, size_t count, bool (*pass)(Ir *ir),
+                                 bool as_made)
 {
     int failed = 0;
     for (size_t i = 0; i < count; i++)
@@ -97,5 +102,6 @@ static inline int rule_check_all(const RuleCase *cases, size_t count, bool (*pas
     return failed;
 }
 
-#define RULE_CHECK(cases, pass, as_made) rule_check_all(cases, sizeof cases / sizeof *cases, pass, as_made)
+#define RULE_CHECK(cases, pass, as_made)                                                           \
+    rule_check_all(cases, sizeof cases / sizeof *cases, pass, as_made)
 #endif

@@ -1,8 +1,10 @@
-/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json for those in no folder below;
- * and for what displaces, .comp, its compute program; for examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or layout in tests/errors/:
- * the diagnostics beside it, <name>.err; for every tests/ir/<pass>-<case>.ir: what that pass
- * makes of it, beside it, .out. `run FOLDER` compares; `run FOLDER --update` rewrites what differs and lists it: read the
- * difference before you commit it. Under CI it does not update. */
+/* The golden runner. For every document in examples/: tests/golden/<name>.ir and .frag, and .json
+ * for those in no folder below; and for what displaces, .comp, its compute program; for
+ * examples/layouts/: the page of the layout, .txt, and both sides of it; for every document or
+ * layout in tests/errors/: the diagnostics beside it, <name>.err; for every
+ * tests/ir/<pass>-<case>.ir: what that pass makes of it, beside it, .out. `run FOLDER` compares;
+ * `run FOLDER --update` rewrites what differs and lists it: read the difference before you commit
+ * it. Under CI it does not update. */
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
 #include "compiler/base/output.h"
@@ -35,14 +37,19 @@ static int remember(const char *path, const struct stat *info, int type, struct 
     (void)info, (void)where;
     if (strstr(path, "examples/engine/")) /* built by a test of its own */
         return 0;
-    bool wanted = has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
-    wanted &= !strstr(path, "examples/engine/"); /* tests/packaging/install.sh builds that example */
+    bool wanted =
+        has_suffix(path, ".yaml") || has_suffix(path, ".json") || strstr(path, "tests/ir/");
+    /* tests/packaging/install.sh builds that example */
+    wanted &= !strstr(path, "examples/engine/");
     if (type == FTW_F && found_count < MOST_FILES && wanted && !has_suffix(path, ".out"))
         found[found_count++] = strdup(path);
     return 0;
 }
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
 
 static void find_documents(const char *folder)
 {
@@ -63,8 +70,8 @@ static void show_difference(const char *path, const char *expected, const char *
     }
     while (a > expected && a[-1] != '\n' && expected)
         a--, b--;
-    printf("%s:%d: differs\n  expected: %.*s\n  actual:   %.*s\n", path, line, (int)strcspn(a, "\n"), a,
-           (int)strcspn(b, "\n"), b);
+    printf("%s:%d: differs\n  expected: %.*s\n  actual:   %.*s\n", path, line,
+           (int)strcspn(a, "\n"), a, (int)strcspn(b, "\n"), b);
 }
 
 static void compare(Run *run, const char *path, const char *actual)
@@ -93,8 +100,8 @@ static void golden_path(char *path, const char *document, const char *material, 
     for (char *c = name; *c; c++)
         if (*c == '/')
             *c = '-';
-    snprintf(path, LONGEST_PATH, "tests/golden/%s%s%.200s%s", name, material ? "-" : "", material ? material : "",
-             suffix);
+    snprintf(path, LONGEST_PATH, "tests/golden/%s%s%.200s%s", name, material ? "-" : "",
+             material ? material : "", suffix);
 }
 
 static void run_material(Run *run, const MatcDocument *document, const char *name, int material)
@@ -104,8 +111,10 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     matc_options_init(&options);
     options.validate = false; /* test_valid does, for every target */
     options.check = true;
-    MatcProgram *program = matc_compile(document, material, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
-    const char *which = matc_material_count(document) > 1 ? matc_material_name(document, material) : NULL;
+    MatcProgram *program =
+        matc_compile(document, material, MATC_FRAGMENT | MATC_IR | MATC_REFLECT, &options);
+    const char *which =
+        matc_material_count(document) > 1 ? matc_material_name(document, material) : NULL;
     if (!matc_ok(program) || *matc_program_diagnostics(program, MATC_TEXT)) {
         printf("%s: %s", name, matc_program_diagnostics(program, MATC_TEXT));
         run->failed++;
@@ -176,7 +185,8 @@ static void run_layout(Run *run, const char *name)
     MatcDocument *document = matc_read("material.yaml", material, sizeof material - 1, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_UNPACK | MATC_FRAGMENT, &options);
     if (!matc_layout_ok(layout) || !matc_ok(program)) {
-        printf("%s%s", matc_layout_diagnostics(layout, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        printf("%s%s", matc_layout_diagnostics(layout, MATC_TEXT),
+               matc_program_diagnostics(program, MATC_TEXT));
         run->failed++;
     } else {
         golden_path(path, name, NULL, ".txt");
@@ -200,8 +210,9 @@ static void run_layout_error(Run *run, const char *name)
     matc_layout_free(layout);
 }
 
-/* What examples show is meant, so nothing is to be said of them; but those of channels and conversions show corners of what maps
- * mean, of which some is doubtful: what is said of these is a golden, .err. */
+/* What examples show is meant, so nothing is to be said of them; but those of channels and
+ * conversions show corners of what maps mean, of which some is doubtful: what is said of these is a
+ * golden, .err. */
 static void check_silence(Run *run, MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];
@@ -265,9 +276,10 @@ static void run_error(Run *run, const char *name)
 static const struct {
     const char *name;
     bool (*run)(Ir *ir);
-} passes[] = {{"fold", opt_fold},         {"algebra", opt_algebra}, {"swizzle", opt_swizzle}, {"select", opt_select},
-              {"power", opt_power},       {"range", opt_range},     {"polish", opt_polish},   {"dead", opt_dead},
-              {"function", opt_function}, {"centre", opt_centre}, {"group", opt_group}};
+} passes[] = {{"fold", opt_fold},     {"algebra", opt_algebra}, {"swizzle", opt_swizzle},
+              {"select", opt_select}, {"power", opt_power},     {"range", opt_range},
+              {"polish", opt_polish}, {"dead", opt_dead},       {"function", opt_function},
+              {"centre", opt_centre}, {"group", opt_group}};
 
 /* One pass on text IR; then the text again, and the check. */
 static void run_pass(Run *run, const char *name)

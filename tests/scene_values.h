@@ -10,8 +10,8 @@
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 #define PI           3.14159265358979324
 /* Scenes that have light, and something to be seen: they are no reason for a warning. */
-#define LIT          RED "lights: [{ light: Ambient }]\n"
-#define LIT_SPHERE   LIT "objects: [{ object: Sphere, material: red }]\n"
+#define LIT        RED "lights: [{ light: Ambient }]\n"
+#define LIT_SPHERE LIT "objects: [{ object: Sphere, material: red }]\n"
 
 static inline void same(double is, double should_be, const char *member, const char *text)
 {

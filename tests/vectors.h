@@ -4,7 +4,10 @@
 
 #define PI 3.14159265358979323846
 
-static inline double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static inline double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static inline void cross(const double a[3], const double b[3], double out[3])
 {

@@ -71,7 +71,8 @@ void *arena_copy(Arena *arena, const void *array, size_t count, size_t room, siz
 void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wanted)
 {
     const size_t more = aligned(wanted) - aligned(size);
-    if (old && (char *)old + aligned(size) == arena->next && (size_t)(arena->end - arena->next) >= more) {
+    if (old && (char *)old + aligned(size) == arena->next &&
+        (size_t)(arena->end - arena->next) >= more) {
         arena->next += more;
         arena->used += more;
         return old;

@@ -16,10 +16,12 @@ static const char *const severity_name[] = {"note", "warning", "error"};
 
 bool diag_is_named(DiagKind kind)
 {
-    return diag_table[kind].severity == SEVERITY_warning || diag_table[kind].severity == SEVERITY_advice;
+    return diag_table[kind].severity == SEVERITY_warning ||
+           diag_table[kind].severity == SEVERITY_advice;
 }
 
-/* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a document likes; glslang's log stays. */
+/* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a
+ * document likes; glslang's log stays. */
 void diag_message(Text *out, DiagKind kind, va_list args)
 {
     enum { FORMAT_ROOM = 512 };
@@ -28,7 +30,8 @@ void diag_message(Text *out, DiagKind kind, va_list args)
     const char *at = diag_table[kind].format;
     size_t size = 0;
     for (const char *part; (part = strstr(at, "%s")); at = part + 2)
-        size += (size_t)snprintf(format + size, FORMAT_ROOM - size, "%.*s%%.%ds", (int)(part - at), at, most);
+        size += (size_t)snprintf(format + size, FORMAT_ROOM - size, "%.*s%%.%ds", (int)(part - at),
+                                 at, most);
     snprintf(format + size, FORMAT_ROOM - size, "%s", at);
     text_format_list(out, format, args);
 }
@@ -86,13 +89,15 @@ static void put_caret(Text *out, const SourcePosition *position, uint32_t length
 static void put_message(Text *out, const Diag *diag)
 {
     const char *at = diag->message;
-    for (size_t size; diag->kind == DIAG_not_valid && at[size = strcspn(at, "\n")]; at += size + 1) {
+    for (size_t size; diag->kind == DIAG_not_valid && at[size = strcspn(at, "\n")];
+         at += size + 1) {
         text_visible(out, at, size);
         text_char(out, '\n');
     }
     text_visible(out, at, strlen(at));
     if (diag_is_named(diag->kind))
-        text_format(out, " [-W%s%s]", diag->severity == SEVERITY_error ? "error=" : "", diag_table[diag->kind].name);
+        text_format(out, " [-W%s%s]", diag->severity == SEVERITY_error ? "error=" : "",
+                    diag_table[diag->kind].name);
     text_char(out, '\n');
 }
 
@@ -124,10 +129,11 @@ void diag_print_json(Text *out, const Diag *diag, const Source *sources)
     json_next(out, "message", diag->message);
     if (diag->span.file != NO_FILE) {
         const Source *source = &sources[diag->span.file];
-        SourcePosition start = source_position(source, diag->span.start), end = source_position(source, diag->span.end);
+        SourcePosition start = source_position(source, diag->span.start),
+                       end = source_position(source, diag->span.end);
         json_next(out, "file", source->name);
-        text_format(out, ", \"line\": %d, \"column\": %d, \"endLine\": %d, \"endColumn\": %d", start.line, start.column,
-                    end.line, end.column);
+        text_format(out, ", \"line\": %d, \"column\": %d, \"endLine\": %d, \"endColumn\": %d",
+                    start.line, start.column, end.line, end.column);
     }
     text_put(out, "}");
 }

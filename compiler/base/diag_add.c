@@ -5,12 +5,14 @@
 
 bool diag_full(const Session *session) { return session->diags.count >= MOST_DIAGS; }
 
-const char *diag_suggest(const Session *session, const char *name, SuggestName *names, const void *user, int count)
+const char *diag_suggest(const Session *session, const char *name, SuggestName *names,
+                         const void *user, int count)
 {
     return diag_full(session) ? "" : suggest(session->arena, name, names, user, count);
 }
 
-const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names, const char *before)
+const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names,
+                                 const char *before)
 {
     const char *near = diag_suggest(session, name, names->name, names->user, names->count);
     if (*near || diag_full(session) || !before)
@@ -35,7 +37,8 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     va_start(args, kind);
     diag_message(&session->message, kind, args);
     va_end(args);
-    for (size_t i = 0; i < session->diags.count; i++) { /* what is asked for several slots is said once */
+    /* what is asked for several slots is said once */
+    for (size_t i = 0; i < session->diags.count; i++) {
         const Diag *said = &session->diags.at[i];
         if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) &&
             !strcmp(said->message, session->message.at))
@@ -49,7 +52,10 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
 }
 
 /* The diagnostic is a note about the one before it. Advice is a note of its own. */
-static bool is_of_another(const Diag *diag) { return diag_table[diag->kind].severity == SEVERITY_note; }
+static bool is_of_another(const Diag *diag)
+{
+    return diag_table[diag->kind].severity == SEVERITY_note;
+}
 
 /* Index of the diagnostic that a note belongs to; any other diagnostic: its own index. */
 static size_t head_of(const DiagList *diags, size_t i)
@@ -61,7 +67,8 @@ static size_t head_of(const DiagList *diags, size_t i)
 
 static bool comes_before(const Diag *a, const Diag *b)
 {
-    return a->span.file != b->span.file ? a->span.file < b->span.file : a->span.start < b->span.start;
+    return a->span.file != b->span.file ? a->span.file < b->span.file
+                                        : a->span.start < b->span.start;
 }
 
 /* There are MOST_DIAGS at most: every one, with its notes, goes down to its place. */

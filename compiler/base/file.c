@@ -38,7 +38,8 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
     const size_t most = ((size_t)LIMIT_DOCUMENT_MIB << 20) + ROOM;
     struct stat info;
     bool sized = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && (size_t)info.st_size < most;
-    size_t room = sized ? (size_t)info.st_size + 2 : ROOM, used = 0; /* one more than it has, to see its end */
+    /* one more than it has, to see its end */
+    size_t room = sized ? (size_t)info.st_size + 2 : ROOM, used = 0;
     char *text = resized(NULL, room);
     for (;;) {
         ssize_t got = read(descriptor, text + used, room - 1 - used);
@@ -71,7 +72,9 @@ const char *file_refuses(int descriptor)
         return text_error(errno);
     if (S_ISREG(info.st_mode))
         return NULL;
-    return S_ISDIR(info.st_mode) ? text_error(EISDIR) : S_ISFIFO(info.st_mode) ? "it is a pipe" : "it is a device";
+    return S_ISDIR(info.st_mode)    ? text_error(EISDIR)
+           : S_ISFIFO(info.st_mode) ? "it is a pipe"
+                                    : "it is a device";
 }
 
 int file_open(const char *path, const char **why)
@@ -118,14 +121,17 @@ char *file_read_named(const char *path, size_t *size, const char **why)
     *why = pipe ? NULL : file_refuses(descriptor);
     if (*why && isatty(descriptor))
         *why = NULL;
-    char *text = *why ? NULL : pipe ? read_pipe(descriptor, size, why) : file_read_from(descriptor, size, why);
+    char *text = *why   ? NULL
+                 : pipe ? read_pipe(descriptor, size, why)
+                        : file_read_from(descriptor, size, why);
     close(descriptor);
     return text;
 }
 
 char *file_read_document(const char *path, size_t *size, const char **why)
 {
-    return strcmp(path, "-") ? file_read_named(path, size, why) : file_read_from(STDIN_FILENO, size, why);
+    return strcmp(path, "-") ? file_read_named(path, size, why)
+                             : file_read_from(STDIN_FILENO, size, why);
 }
 
 const char *file_document_name(const char *path) { return strcmp(path, "-") ? path : "<stdin>"; }

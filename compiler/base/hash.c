@@ -14,7 +14,8 @@ Key key_of_bytes(const void *bytes, size_t size)
 
 void key_text(Key key, char text[KEY_TEXT])
 {
-    snprintf(text, KEY_TEXT, "%016llx%016llx", (unsigned long long)key.high, (unsigned long long)key.low);
+    snprintf(text, KEY_TEXT, "%016llx%016llx", (unsigned long long)key.high,
+             (unsigned long long)key.low);
 }
 
 Key key_read(const char *digits)

@@ -1,4 +1,5 @@
-/* Open addressing: a thing is in the slot of its hash, or in the first one behind it that was free. */
+/* Open addressing: a thing is in the slot of its hash, or in the first one behind it that was
+ * free. */
 #include "compiler/base/hash_index.h"
 #include "compiler/base/memory.h"
 #include <stdlib.h>
@@ -46,7 +47,8 @@ HashIndex hash_index_copy(Arena *arena, const HashIndex *index)
 {
     HashIndex copy = *index;
     if (index->slots)
-        copy.slots = arena_copy(arena, index->slots, index->mask + (size_t)1, index->mask + (size_t)1, sizeof *index->slots);
+        copy.slots = arena_copy(arena, index->slots, index->mask + (size_t)1,
+                                index->mask + (size_t)1, sizeof *index->slots);
     return copy;
 }
 

@@ -4,7 +4,8 @@
 
 enum { REPLACEMENT = 0xFFFD };
 
-/* One character of `size` bytes: `"` is \", ESC is \u001b, U+009B (two bytes, which terminals take for ESC [) is \u009b. */
+/* One character of `size` bytes: `"` is \", ESC is \u001b, U+009B (two bytes, which terminals take
+ * for ESC [) is \u009b. */
 static void put_character(Text *out, const char *at, int size)
 {
     const unsigned char first = (unsigned char)at[0];
@@ -16,7 +17,8 @@ static void put_character(Text *out, const char *at, int size)
         text_add(out, at, (size_t)size);
 }
 
-/* Bytes that stand for themselves: printing ASCII but `"` and `\`. Nearly every text is nothing else. */
+/* Bytes that stand for themselves: printing ASCII but `"` and `\`. Nearly every text is nothing
+ * else. */
 static size_t plain_length(const char *at, const char *end)
 {
     const char *start = at;

@@ -1,5 +1,5 @@
-/* The end of a process that has no memory left. The library promises a caller nothing after a failed
- * allocation, so that no function of it has to hand one back: see matc.h. */
+/* The end of a process that has no memory left. The library promises a caller nothing after a
+ * failed allocation, so that no function of it has to hand one back: see matc.h. */
 #ifndef MATC_MEMORY_H
 #define MATC_MEMORY_H
 

@@ -41,8 +41,8 @@ struct Option {
     /* Stores the value in place of the parser, which has already checked it against `words`.
      * `value` is NULL if it is missing. Returns NULL or a fault. */
     const char *(*set)(void *to, const Option *option, const char *value);
-    const char *label;             /* follows the name in --help: "=N" */
-    const char *help;              /* lines of --help; NULL: another row describes the option */
+    const char *label;           /* follows the name in --help: "=N" */
+    const char *help;            /* lines of --help; NULL: another row describes the option */
     void (*put_help)(Text *out); /* writes names from tables ahead of `help`; or NULL */
 };
 

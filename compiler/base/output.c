@@ -63,7 +63,8 @@ void output_hold_streams(void)
 {
     for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++)
         if (fcntl(number, F_GETFD) < 0)
-            (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY); /* the lowest number that is free */
+            /* the lowest number that is free */
+            (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
 const char *outputs_put(Outputs *o, const char *path, const void *bytes, size_t size)
@@ -101,8 +102,8 @@ const char *output_write(const char *path, const void *bytes, size_t size)
 
 enum { KTX_IDENTIFIER = 12, KTX_WORDS = 13, KTX_HEADER = KTX_IDENTIFIER + 4 * KTX_WORDS };
 
-/* What KTX 1.1 says of a texture: endianness; type, its size, format, internal format, base format; width, height, depth; elements, faces,
- * levels; bytes of keys. */
+/* What KTX 1.1 says of a texture: endianness; type, its size, format, internal format, base format;
+ * width, height, depth; elements, faces, levels; bytes of keys. */
 static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADER])
 {
     enum {

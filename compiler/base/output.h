@@ -6,9 +6,9 @@
 
 enum { OUTPUT_FOLDERS = 4 };
 
-/* Files for some folders, which appear together: {0} at first. A device or a pipe is written at once, since nothing can take its
- * place; so are "-", which is standard output, and what stands for an open file (/dev/stdout, /dev/fd/3). Another link is replaced
- * by the file, and not followed. */
+/* Files for some folders, which appear together: {0} at first. A device or a pipe is written at
+ * once, since nothing can take its place; so are "-", which is standard output, and what stands for
+ * an open file (/dev/stdout, /dev/fd/3). Another link is replaced by the file, and not followed. */
 typedef struct {
     Staging *stagings[OUTPUT_FOLDERS];
     int count;
@@ -22,8 +22,9 @@ const char *outputs_commit(Outputs *outputs);
 void outputs_close(Outputs *outputs);
 /* All that with one file. */
 const char *output_write(const char *path, const void *bytes, size_t size);
-/* Gives each of the descriptors 0 to 2 that is closed a stand-in that neither reads nor writes. Without it the next
- * file to be opened would be standard output, and a picture for it would be written into itself. */
+/* Gives each of the descriptors 0 to 2 that is closed a stand-in that neither reads nor writes.
+ * Without it the next file to be opened would be standard output, and a picture for it would be
+ * written into itself. */
 void output_hold_streams(void);
 /* A texture as a KTX 1 file (row 0 is v = 0), from malloc. */
 char *output_ktx(const MatcTexture *texture, size_t *size);

@@ -1,4 +1,5 @@
-/* Reading below a folder: paths by their text, then by the disk, then component by component without links. */
+/* Reading below a folder: paths by their text, then by the disk, then component by component
+ * without links. */
 #include "compiler/base/root.h"
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
@@ -22,8 +23,8 @@ void root_normalize(char *path)
         size_t size = strcspn(part, "/");
         char *next = part + size + (part[size] == '/');
         bool up = size == 2 && part[0] == '.' && part[1] == '.', slash = part[size] == '/';
-        bool can_pop =
-            to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) && (to - 3 == start || to[-4] == '/'));
+        bool can_pop = to > start && !(to - start >= 3 && !memcmp(to - 3, "../", 3) &&
+                                       (to - 3 == start || to[-4] == '/'));
         if (size == 0 || (size == 1 && part[0] == '.')) {
             part = next;
             continue;
@@ -66,7 +67,8 @@ static char *absolute(const char *path)
     return whole;
 }
 
-/* Whether the text of a path leads below the root, as the user wrote the root or as it is without links. */
+/* Whether the text of a path leads below the root, as the user wrote the root or as it is without
+ * links. */
 static bool text_lies_below(const char *root, const char *canonical, const char *path)
 {
     char *wanted = absolute(path), *written = absolute(root);
@@ -85,7 +87,8 @@ static int open_rest(const char *folder, char *rest)
         next = strchr(part, '/');
         if (next)
             *next = 0;
-        const int how = O_RDONLY | O_CLOEXEC | O_NOFOLLOW | (next ? O_DIRECTORY : O_NONBLOCK | O_NOCTTY);
+        const int how =
+            O_RDONLY | O_CLOEXEC | O_NOFOLLOW | (next ? O_DIRECTORY : O_NONBLOCK | O_NOCTTY);
         const int below = openat(at, part, how), error = errno;
         close(at);
         errno = error;

@@ -6,7 +6,8 @@
 
 Session session_open(const MatcOptions *options, Arena *arena)
 {
-    return (Session){.options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
+    return (Session){
+        .options = options, .arena = arena, .optimize = options->optimize, .check = options->check};
 }
 
 const char *session_warnings(const Session *session)
@@ -41,7 +42,10 @@ char *session_read_file(Session *session, const char *path, size_t *size, const 
     return root_read(session->options->root, path, size, why);
 }
 
-void session_depend_on(Session *session, const char *path) { names_add(session->arena, &session->depends, path); }
+void session_depend_on(Session *session, const char *path)
+{
+    names_add(session->arena, &session->depends, path);
+}
 
 const char *session_path_beside(Session *session, const char *from, const char *path)
 {
@@ -53,7 +57,8 @@ const char *session_path_beside(Session *session, const char *from, const char *
     root_normalize(joined.at);
     if (joined.at[0] != '<')
         return joined.at;
-    Text here = text_new(session->arena); /* what is read from standard input is called <stdin>, and no file is */
+    /* what is read from standard input is called <stdin>, and no file is */
+    Text here = text_new(session->arena);
     text_format(&here, "./%s", joined.at);
     return here.at;
 }

@@ -1,5 +1,5 @@
-/* What every stage shares: options, memory, sources, diagnostics, the files that were read. Each gets it as its first argument.
- * A session knows no material. */
+/* What every stage shares: options, memory, sources, diagnostics, the files that were read. Each
+ * gets it as its first argument. A session knows no material. */
 #ifndef MATC_SESSION_H
 #define MATC_SESSION_H
 #include "compiler/base/arena.h"
@@ -12,36 +12,44 @@
 
 /* Every limit of the compiler. */
 enum {
-    LIMIT_DOCUMENT_MIB = 64,    /* a source text */
-    LIMIT_DEPTH = 256,          /* nesting of a document, and of waves */
-    LIMIT_GRAPH_DEPTH = 2048,   /* maps below one another, through references too */
-    LIMIT_REFERENCES = 4096,    /* maps and references that are met on the way down while a document is resolved */
-    LIMIT_SHALLOW = 64,         /* of either: those for which the caller's stack is taken; stack.h */
-    LIMIT_LEVEL_KIB = 4,        /* of stack for each of the others, eight times what the deepest chain takes */
-    LIMIT_TREE_NODES = 4000000, /* values in a document */
-    LIMIT_IR_NODES = 2000000,   /* nodes of a program */
-    LIMIT_INCLUDE_DEPTH = 16,   /* files that include files */
-    LIMIT_NAME = 64,            /* letters of a name */
-    LIMIT_QUOTE = 256,          /* bytes of a name or text in a message */
-    LIMIT_IMAGE_SIDE = 16384,   /* pixels of a picture's edge */
-    LIMIT_PIXELS_MIB = 1024,    /* the pictures of a document, where they are decoded */
-    LIMIT_WAVES = 256,          /* waves of a chain, chains in it counted out */
-    LIMIT_PARAMS = 4096,        /* uniforms of a document */
-    LIMIT_ATTRIBUTES = 5,       /* of the mesh, of a document: so many locations of 16 are free */
+    LIMIT_DOCUMENT_MIB = 64,  /* a source text */
+    LIMIT_DEPTH = 256,        /* nesting of a document, and of waves */
+    LIMIT_GRAPH_DEPTH = 2048, /* maps below one another, through references too */
+    /* maps and references that are met on the way down while a document is resolved */
+    LIMIT_REFERENCES = 4096,
+    /* of either: those for which the caller's stack is taken; stack.h */
+    LIMIT_SHALLOW = 64,
+    /* of stack for each of the others, eight times what the deepest chain takes */
+    LIMIT_LEVEL_KIB = 4,
+    LIMIT_TREE_NODES = 4000000,   /* values in a document */
+    LIMIT_IR_NODES = 2000000,     /* nodes of a program */
+    LIMIT_INCLUDE_DEPTH = 16,     /* files that include files */
+    LIMIT_NAME = 64,              /* letters of a name */
+    LIMIT_QUOTE = 256,            /* bytes of a name or text in a message */
+    LIMIT_IMAGE_SIDE = 16384,     /* pixels of a picture's edge */
+    LIMIT_PIXELS_MIB = 1024,      /* the pictures of a document, where they are decoded */
+    LIMIT_WAVES = 256,            /* waves of a chain, chains in it counted out */
+    LIMIT_PARAMS = 4096,          /* uniforms of a document */
+    LIMIT_ATTRIBUTES = 5,         /* of the mesh, of a document: so many locations of 16 are free */
     LIMIT_DEFINITION_PARAMS = 64, /* parameters of a definition */
-    LIMIT_COPIES = 200000,      /* values that uses of definitions copy, with arguments in their places */
-    LIMIT_FORMULA = 1 << 21,    /* bytes of a formula */
-    LIMIT_INCLUDES = 256,       /* files that a document includes, or would */
-    LIMIT_TAGS = 64,            /* %TAG lines of a YAML document: libyaml compares each with all before it */
-    LIMIT_WALK = 256,           /* items of a Blend that are tried one after the other */
-    LIMIT_BRANCHES = 128,       /* branches within branches of a program; what lies deeper is computed without */
-    LIMIT_GUARD_STEPS = 512,    /* nodes that are looked at again for the arms of a select: range.c */
-    LIMIT_GUARD_DEPTH = 64,     /* of them over one another: each takes half a KiB of stack */
-    LIMIT_LAYOUT_CASES = 32,    /* cases of a layout */
-    LIMIT_LAYOUT_FIELDS = 64,   /* fields of a case */
-    LIMIT_WORK = 2000000000,    /* steps that the oracle takes for a point's values: oracle_work.c */
-    LIMIT_WORK_POINTS = 4,      /* times that for all points that a material is measured at */
-    LIMIT_FILTERS = 4,          /* filters within filters: each makes 27 evaluations of one */
+    /* values that uses of definitions copy, with arguments in their places */
+    LIMIT_COPIES = 200000,
+    LIMIT_FORMULA = 1 << 21, /* bytes of a formula */
+    LIMIT_INCLUDES = 256,    /* files that a document includes, or would */
+    /* %TAG lines of a YAML document: libyaml compares each with all before it */
+    LIMIT_TAGS = 64,
+    LIMIT_WALK = 256, /* items of a Blend that are tried one after the other */
+    /* branches within branches of a program; what lies deeper is computed without */
+    LIMIT_BRANCHES = 128,
+    /* nodes that are looked at again for the arms of a select: range.c */
+    LIMIT_GUARD_STEPS = 512,
+    LIMIT_GUARD_DEPTH = 64,   /* of them over one another: each takes half a KiB of stack */
+    LIMIT_LAYOUT_CASES = 32,  /* cases of a layout */
+    LIMIT_LAYOUT_FIELDS = 64, /* fields of a case */
+    /* steps that the oracle takes for a point's values: oracle_work.c */
+    LIMIT_WORK = 2000000000,
+    LIMIT_WORK_POINTS = 4, /* times that for all points that a material is measured at */
+    LIMIT_FILTERS = 4,     /* filters within filters: each makes 27 evaluations of one */
 };
 
 typedef struct {
@@ -67,14 +75,18 @@ typedef struct Session {
     bool measure; /* keep statistics of every stage */
 } Session;
 
-/* diag_add.c. Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL, so that a reader can return it. */
+/* diag_add.c. Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL,
+ * so that a reader can return it. */
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
 /* Further ones are only counted. */
 bool diag_full(const Session *session);
 /* "; did you mean 'x'?" as suggest() has it, "" where no further diagnostic is said. */
-const char *diag_suggest(const Session *session, const char *name, SuggestName *names, const void *user, int count);
-/* The same, or, where none is near, what there is, behind `before`; NULL: there is too much to list. */
-const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names, const char *before);
+const char *diag_suggest(const Session *session, const char *name, SuggestName *names,
+                         const void *user, int count);
+/* The same, or, where none is near, what there is, behind `before`; NULL: there is too much to
+ * list. */
+const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names,
+                                 const char *before);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */
 const char *diag_all(Session *session, MatcForm form);
 /* The settings of warnings, as -W has them; NULL: none. */
@@ -83,7 +95,8 @@ const char *session_warnings(const Session *session);
 double session_now(void);
 /* Marks the end of a stage for --stats. */
 void session_stage_done(Session *session, const char *name, int nodes, int cost);
-/* Reads a file through the options' reader; NULL and a message when it cannot. The text is zero-terminated. */
+/* Reads a file through the options' reader; NULL and a message when it cannot. The text is
+ * zero-terminated. */
 char *session_read_file(Session *session, const char *path, size_t *size, const char **why);
 /* Adds a file to the list of what the result depends on, once. */
 void session_depend_on(Session *session, const char *path);

@@ -22,7 +22,10 @@ char *sets_copy(const char *text)
     return memcpy(sets_resize(NULL, size), text, size);
 }
 
-static uint32_t string_hash(const char *string) { return (uint32_t)XXH3_64bits(string, strlen(string)); }
+static uint32_t string_hash(const char *string)
+{
+    return (uint32_t)XXH3_64bits(string, strlen(string));
+}
 static uint32_t key_hash(Key key) { return (uint32_t)key.low; }
 
 /* At least one more. */
@@ -44,7 +47,8 @@ int string_set_add(StringSet *set, const char *string, bool *added)
     if (found >= 0)
         return found;
     if (set->count == set->room)
-        set->at = sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
+        set->at =
+            sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
     hash_index_add(NULL, &set->index, string_hash(string), (uint32_t)set->count);
     set->at[set->count] = sets_copy(string);
     return set->count++;
@@ -75,7 +79,8 @@ int key_set_add(KeySet *set, Key key, bool *added)
     if (found >= 0)
         return found;
     if (set->count == set->room)
-        set->at = sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
+        set->at =
+            sets_resize(set->at, (size_t)(set->room = more_room(set->room)) * sizeof *set->at);
     hash_index_add(NULL, &set->index, key_hash(key), (uint32_t)set->count);
     set->at[set->count] = key;
     return set->count++;

@@ -1,4 +1,5 @@
-/* Source texts and positions in them. Offsets are bytes; lines and columns are computed only for printing. */
+/* Source texts and positions in them. Offsets are bytes; lines and columns are computed only for
+ * printing. */
 #ifndef MATC_SOURCE_H
 #define MATC_SOURCE_H
 #include <stddef.h>

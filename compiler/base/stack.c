@@ -25,7 +25,8 @@ static bool start(pthread_t *thread, Call *call, size_t size)
     pthread_attr_t attributes;
     if (pthread_attr_init(&attributes))
         return false;
-    bool made = !pthread_attr_setstacksize(&attributes, size) && !pthread_create(thread, &attributes, run_call, call);
+    bool made = !pthread_attr_setstacksize(&attributes, size) &&
+                !pthread_create(thread, &attributes, run_call, call);
     pthread_attr_destroy(&attributes);
     return made;
 }

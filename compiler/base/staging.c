@@ -63,8 +63,11 @@ Staging *staging_open(const char *path, unsigned how, const char **why)
         return NULL;
     }
     Staging *s = sets_resize(NULL, sizeof *s);
-    *s =
-        (Staging){.path = sets_copy(path), .folder = folder, .how = how, .new_folder = made, .stage = {folder, -1, ""}};
+    *s = (Staging){.path = sets_copy(path),
+                   .folder = folder,
+                   .how = how,
+                   .new_folder = made,
+                   .stage = {folder, -1, ""}};
     s->device = info.st_dev;
     s->inode = info.st_ino;
     pthread_mutex_init(&s->mutex, NULL);
@@ -72,10 +75,13 @@ Staging *staging_open(const char *path, unsigned how, const char **why)
     return s;
 }
 
-bool staging_same(const Staging *a, const Staging *b) { return a->device == b->device && a->inode == b->inode; }
+bool staging_same(const Staging *a, const Staging *b)
+{
+    return a->device == b->device && a->inode == b->inode;
+}
 
-/* Opens a regular file of the folder, with its size. -1: errno, ENOENT for what is neither that nor a folder. Never waits for a
- * pipe's other end. */
+/* Opens a regular file of the folder, with its size. -1: errno, ENOENT for what is neither that nor
+ * a folder. Never waits for a pipe's other end. */
 static int open_regular(const Staging *s, const char *name, size_t *size)
 {
     struct stat info;
@@ -84,7 +90,10 @@ static int open_regular(const Staging *s, const char *name, size_t *size)
         errno = errno == ELOOP || errno == ENXIO ? ENOENT : errno; /* a link, a socket */
         return -1;
     }
-    int error = fstat(file, &info) ? errno : S_ISREG(info.st_mode) ? 0 : S_ISDIR(info.st_mode) ? EISDIR : ENOENT;
+    int error = fstat(file, &info)      ? errno
+                : S_ISREG(info.st_mode) ? 0
+                : S_ISDIR(info.st_mode) ? EISDIR
+                                        : ENOENT;
     *size = (size_t)info.st_size;
     if (!error)
         return file;
@@ -110,9 +119,12 @@ char *staging_read(const Staging *s, const char *name, const char **why)
 {
     size_t size;
     struct stat info;
-    bool special = !fstatat(s->folder, name, &info, 0) && !S_ISREG(info.st_mode); /* or a link to such a file */
+    /* or a link to such a file */
+    bool special = !fstatat(s->folder, name, &info, 0) && !S_ISREG(info.st_mode);
     int file = special ? -1 : open_regular(s, name, &size);
-    *why = special ? "it is no regular file" : file < 0 && errno != ENOENT ? text_error(errno) : NULL;
+    *why = special                       ? "it is no regular file"
+           : file < 0 && errno != ENOENT ? text_error(errno)
+                                         : NULL;
     if (file < 0)
         return NULL;
     char *bytes = sets_resize(NULL, size + 1);
@@ -127,13 +139,15 @@ char *staging_read(const Staging *s, const char *name, const char **why)
 }
 
 /* NULL, or why no file can be put there. */
-static const char *look(const Staging *s, const char *name, const void *bytes, size_t size, bool *equal)
+static const char *look(const Staging *s, const char *name, const void *bytes, size_t size,
+                        bool *equal)
 {
     size_t old_size;
     int file = open_regular(s, name, &old_size);
     *equal = false;
     if (file < 0)
-        return errno == EISDIR ? text_error(EISDIR) : NULL; /* what cannot be read can be replaced */
+        /* what cannot be read can be replaced */
+        return errno == EISDIR ? text_error(EISDIR) : NULL;
     char *old = old_size == size && !(s->how & STAGING_renew) ? malloc(size + 1) : NULL;
     *equal = old && read_all(file, old, size) == size && !memcmp(old, bytes, size);
     free(old);
@@ -247,7 +261,8 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
 
 static void add_move(Staging *s, int number)
 {
-    intent_add(&s->intents, &(Intent){.kind = INTENT_put, .number = number, .name = s->names.at[number]});
+    intent_add(&s->intents,
+               &(Intent){.kind = INTENT_put, .number = number, .name = s->names.at[number]});
     s->moves++;
 }
 
@@ -260,12 +275,15 @@ static int list_intents(Staging *s)
         if (s->files[i].index && s->files[i].staged && !s->files[i].dropped)
             index = i;
     if (index >= 0)
-        intent_add(&s->intents, &(Intent){.kind = INTENT_hide, .number = index, .name = s->names.at[index]});
+        intent_add(&s->intents,
+                   &(Intent){.kind = INTENT_hide, .number = index, .name = s->names.at[index]});
     for (int i = 0; i < s->names.count; i++)
         if (s->files[i].staged && !s->files[i].dropped && i != index)
             add_move(s, i);
     for (int i = 0; i < s->stale.count; i++)
-        intent_add(&s->intents, &(Intent){.kind = INTENT_remove, .hash = s->stale_hashes[i], .name = s->stale.at[i]});
+        intent_add(
+            &s->intents,
+            &(Intent){.kind = INTENT_remove, .hash = s->stale_hashes[i], .name = s->stale.at[i]});
     if (index >= 0)
         add_move(s, index);
     return s->moves + s->stale.count;

@@ -28,8 +28,8 @@
 enum { WAIT_NS = 5000000, MAX_WAITS = 6000 /* half a minute */, MAX_INTENTS = 64 << 20 };
 
 static const char list_name[] = "intents", draft_name[] = "intents.new";
-static const char damaged[] =
-    "the list of an interrupted run, .matc-stage-*/intents, is damaged: remove that folder to go on";
+static const char damaged[] = "the list of an interrupted run, .matc-stage-*/intents, is damaged: "
+                              "remove that folder to go on";
 
 void intent_file(char name[STAGED_NAME], int number) { snprintf(name, STAGED_NAME, "%d", number); }
 
@@ -56,8 +56,9 @@ static bool intent_take(BytesReader *from, Intent *intent)
 
 const char *intents_write(const Stage *s, const Bytes *intents)
 {
-    const char *why =
-        intents->size > MAX_INTENTS ? "too many files" : stage_write(s, draft_name, intents->at, intents->size);
+    const char *why = intents->size > MAX_INTENTS
+                          ? "too many files"
+                          : stage_write(s, draft_name, intents->at, intents->size);
     if (!why && renameat(s->at, draft_name, s->at, list_name))
         why = text_error(errno);
     return why;
@@ -73,7 +74,8 @@ static bool is_newer(int folder, const char *name, const struct timespec *time)
     if (!time || fstatat(folder, name, &info, AT_SYMLINK_NOFOLLOW))
         return false;
     const struct timespec *changed = &info.st_ctim;
-    return changed->tv_sec != time->tv_sec ? changed->tv_sec > time->tv_sec : changed->tv_nsec > time->tv_nsec;
+    return changed->tv_sec != time->tv_sec ? changed->tv_sec > time->tv_sec
+                                           : changed->tv_nsec > time->tv_nsec;
 }
 
 static int remove_unchanged(int folder, const Intent *intent)
@@ -92,14 +94,16 @@ static int apply_one(const Stage *s, const Intent *intent, const struct timespec
     if (intent->kind == INTENT_remove && since)
         return remove_unchanged(s->folder, intent);
     intent_file(staged, intent->number);
-    if (since && (faccessat(s->at, staged, F_OK, AT_SYMLINK_NOFOLLOW) || is_newer(s->folder, intent->name, since)))
+    if (since && (faccessat(s->at, staged, F_OK, AT_SYMLINK_NOFOLLOW) ||
+                  is_newer(s->folder, intent->name, since)))
         return 0; /* already done, or somebody has changed the file since */
     if (intent->kind != INTENT_put)
         return unlinkat(s->folder, intent->name, 0) && errno != ENOENT ? errno : 0;
     return renameat(s->at, staged, s->folder, intent->name) ? errno : 0;
 }
 
-const char *intents_apply(const Stage *s, const Bytes *intents, const struct timespec *since, int *done)
+const char *intents_apply(const Stage *s, const Bytes *intents, const struct timespec *since,
+                          int *done)
 {
     BytesReader from = {intents->at, intents->at + intents->size, false};
     Intent intent;
@@ -136,7 +140,8 @@ static const char *finish(const Stage *s)
 /* Locks the output folder. On a file system without locks commits of several processes may mix. */
 static const char *lock(int folder)
 {
-    for (int i = 0; flock(folder, LOCK_EX | LOCK_NB) && (errno == EWOULDBLOCK || errno == EINTR); i++) {
+    for (int i = 0; flock(folder, LOCK_EX | LOCK_NB) && (errno == EWOULDBLOCK || errno == EINTR);
+         i++) {
         if (i == MAX_WAITS)
             return "another process writes there and does not end";
         nanosleep(&(struct timespec){0, WAIT_NS}, NULL);

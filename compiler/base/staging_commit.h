@@ -31,7 +31,8 @@ const char *intents_write(const Stage *stage, const Bytes *intents);
  * first fault. `since` is NULL in the process that wrote the list. In a later process it is the
  * time at which the list was written: intents that are already done, and files that changed later,
  * are skipped. */
-const char *intents_apply(const Stage *stage, const Bytes *intents, const struct timespec *since, int *done);
+const char *intents_apply(const Stage *stage, const Bytes *intents, const struct timespec *since,
+                          int *done);
 /* Deletes a list, none of whose intents was carried out. */
 void intents_withdraw(const Stage *stage);
 /* Locks the folder against other commits, for which it waits half a minute at most, and finishes

@@ -53,8 +53,8 @@ static int open_locked(Stage *s)
         return EACCES; /* another user must not make this process rename files, as in /tmp */
     if (flock(s->at, LOCK_EX | LOCK_NB))
         return errno;
-    return fstatat(s->folder, s->name, &there, AT_SYMLINK_NOFOLLOW) || ours.st_dev != there.st_dev ||
-                   ours.st_ino != there.st_ino
+    return fstatat(s->folder, s->name, &there, AT_SYMLINK_NOFOLLOW) ||
+                   ours.st_dev != there.st_dev || ours.st_ino != there.st_ino
                ? ENOENT
                : 0;
 }
@@ -98,7 +98,8 @@ static bool has_no_locks(int error)
 const char *stage_make(Stage *s, int folder)
 {
     int error = EEXIST;
-    for (int i = 0; i < MAX_TRIES && (error == EEXIST || error == ENOENT || error == EWOULDBLOCK); i++) {
+    for (int i = 0; i < MAX_TRIES && (error == EEXIST || error == ENOENT || error == EWOULDBLOCK);
+         i++) {
         *s = (Stage){.folder = folder, .at = -1};
         choose_name(s->name);
         if (mkdirat(folder, s->name, OWNER_ONLY)) {

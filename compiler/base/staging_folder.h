@@ -1,5 +1,6 @@
 /* Staging folders: hidden folders ".matc-stage-XXXXXX" within an output folder, each locked while
- * its process lives. New files wait there, so that moving them is a rename. Internal to staging*.c. */
+ * its process lives. New files wait there, so that moving them is a rename. Internal to
+ * staging*.c. */
 #ifndef MATC_STAGING_FOLDER_H
 #define MATC_STAGING_FOLDER_H
 #include "compiler/base/hash.h"

@@ -1,6 +1,8 @@
-/* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case aside.
+/* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case
+ * aside.
  *
- *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1.  Cheker has 6 letters, so 3 are forgiven. */
+ *     Cheker -> Checker: a letter is missing, 1. Wodo -> Wood: two letters are swapped, 1. Cheker
+ *     has 6 letters, so 3 are forgiven. */
 #include "compiler/base/suggest.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
@@ -24,7 +26,8 @@ static int distance(const char *a, const char *b, int most)
         int *now = row[i % 3], *before = row[(i + 2) % 3], *second = row[(i + 1) % 3];
         now[0] = i;
         for (int j = 1; j <= m; j++) {
-            now[j] = least(least(now[j - 1], before[j]) + 1, before[j - 1] + !same(a[i - 1], b[j - 1]));
+            now[j] =
+                least(least(now[j - 1], before[j]) + 1, before[j - 1] + !same(a[i - 1], b[j - 1]));
             if (i > 1 && j > 1 && same(a[i - 1], b[j - 2]) && same(a[i - 2], b[j - 1]))
                 now[j] = least(now[j], second[j - 2] + 1);
         }
@@ -49,7 +52,8 @@ const char *suggest(Arena *arena, const char *name, SuggestName *names, const vo
     if (!best)
         return "";
     Text text = text_new(arena);
-    text_format(&text, "; did you mean '%s'?%s", best, !text_same(name, best) ? "" : " Names are case-sensitive");
+    text_format(&text, "; did you mean '%s'?%s", best,
+                !text_same(name, best) ? "" : " Names are case-sensitive");
     return text.at;
 }
 

@@ -6,7 +6,8 @@
 /* The i-th of some names; NULL: it does not count. */
 typedef const char *SuggestName(const void *user, int i);
 /* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
-const char *suggest(Arena *arena, const char *name, SuggestName *names, const void *user, int count);
+const char *suggest(Arena *arena, const char *name, SuggestName *names, const void *user,
+                    int count);
 
 /* Names to choose from. */
 typedef struct {

@@ -1,4 +1,5 @@
-/* Growing texts, and numbers in them, free of the locale: what the C library does by it is done here, in the "C" locale. */
+/* Growing texts, and numbers in them, free of the locale: what the C library does by it is done
+ * here, in the "C" locale. */
 #include "compiler/base/text.h"
 #include "compiler/base/memory.h"
 #include <float.h>
@@ -130,7 +131,8 @@ static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* Whole numbers and short decimals, most constants of a document, without printf: value = whole / 10^places. */
+/* Whole numbers and short decimals, most constants of a document, without printf: value = whole /
+ * 10^places. */
 static bool short_decimal(Text *text, double value, bool is_float)
 {
     static const double power[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
@@ -148,20 +150,24 @@ static bool short_decimal(Text *text, double value, bool is_float)
     return false;
 }
 
-/* Other floats of ordinary size: the shortest decimal that reads back, in whole numbers, which is exact. The float is m 2^q, and a
- * decimal reads back if it is less than half of 2^q away, or just half and m is even. All is counted in 2^(q - 1) / 10^places. */
+/* Other floats of ordinary size: the shortest decimal that reads back, in whole numbers, which is
+ * exact. The float is m 2^q, and a decimal reads back if it is less than half of 2^q away, or just
+ * half and m is even. All is counted in 2^(q - 1) / 10^places. */
 static bool ordinary_float(Text *text, double value)
 {
     static const uint64_t power[MOST_PLACES + 1] = {
-        1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000};
+        1,       10,       100,       1000,       10000,       100000,
+        1000000, 10000000, 100000000, 1000000000, 10000000000, 100000000000};
     int q;
     const double size = fabs(value);
     const uint64_t m = (uint64_t)ldexp(frexp(size, &q), FLT_MANT_DIG);
-    if (!(size >= 1e-3 && size < 1e6) || m == 1 << (FLT_MANT_DIG - 1)) /* the gap below a power of two is narrower */
+    /* the gap below a power of two is narrower */
+    if (!(size >= 1e-3 && size < 1e6) || m == 1 << (FLT_MANT_DIG - 1))
         return false;
     const int shift = FLT_MANT_DIG + 1 - q; /* 1 << shift is 1 / 10^places */
     for (int places = 0; places <= MOST_PLACES; places++) {
-        uint64_t scaled = 2 * m * power[places], whole = scaled >> shift, rest = scaled - (whole << shift);
+        uint64_t scaled = 2 * m * power[places], whole = scaled >> shift,
+                 rest = scaled - (whole << shift);
         uint64_t half = (uint64_t)1 << (shift - 1);
         whole += rest > half || (rest == half && whole & 1);
         uint64_t back = whole << shift, off = back > scaled ? back - scaled : scaled - back;
@@ -173,8 +179,9 @@ static bool ordinary_float(Text *text, double value)
     return false;
 }
 
-/* Any number, by printf. So many digits as always come back from a number are the `least`: with fewer it would be the same decimal;
- * subnormal numbers, and those that would not get an exponent, begin at 1. */
+/* Any number, by printf. So many digits as always come back from a number are the `least`: with
+ * fewer it would be the same decimal; subnormal numbers, and those that would not get an exponent,
+ * begin at 1. */
 static void shortest(Text *text, double value, int least, bool is_float)
 {
     char digits[NUMBER_ROOM];
@@ -239,8 +246,9 @@ bool text_is_control(const char *at, int size)
     return size == 2 && first == 0xC2 && (unsigned char)at[1] < 0xA0;
 }
 
-/* Numbers of up to 15 digits without an exponent, which most are: the digits and the power of ten are doubles as they stand, so their
- * quotient is rounded once, and is the nearest (Clinger, 1990). "-12.50" is -(1250 / 10^2). False: it is another, or none. */
+/* Numbers of up to 15 digits without an exponent, which most are: the digits and the power of ten
+ * are doubles as they stand, so their quotient is rounded once, and is the nearest (Clinger, 1990).
+ * "-12.50" is -(1250 / 10^2). False: it is another, or none. */
 static bool simple_number(const char *string, size_t size, double *value)
 {
     static const double power[SIMPLE_DIGITS + 1] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -289,8 +297,8 @@ int text_utf8_length(const unsigned char *at, const unsigned char *end)
     for (int i = 1; i < length; i++)
         if ((at[i] & 0xC0) != 0x80)
             return 0;
-    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) || (at[0] == 0xF0 && at[1] < 0x90) ||
-        (at[0] == 0xF4 && at[1] > 0x8F))
+    if ((at[0] == 0xE0 && at[1] < 0xA0) || (at[0] == 0xED && at[1] > 0x9F) ||
+        (at[0] == 0xF0 && at[1] < 0x90) || (at[0] == 0xF4 && at[1] > 0x8F))
         return 0;
     return length;
 }
@@ -322,7 +330,8 @@ const char *text_decoded(Arena *arena, const char *uri)
     Text text = text_new(arena);
     text_put(&text, "");
     for (; *uri; uri++) {
-        const int high = *uri == '%' ? text_hex_digit(uri[1]) : -1, low = high >= 0 ? text_hex_digit(uri[2]) : -1;
+        const int high = *uri == '%' ? text_hex_digit(uri[1]) : -1,
+                  low = high >= 0 ? text_hex_digit(uri[2]) : -1;
         const bool code = low >= 0 && high + low > 0;
         text_char(&text, code ? (char)(16 * high + low) : *uri);
         uri += code ? 2 : 0;

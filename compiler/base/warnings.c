@@ -1,5 +1,5 @@
-/* Settings of warnings: NAME, no-NAME, error, no-error, error=NAME, no-error=NAME, with commas between. The last one that
- * speaks of a warning counts.
+/* Settings of warnings: NAME, no-NAME, error, no-error, error=NAME, no-error=NAME, with commas
+ * between. The last one that speaks of a warning counts.
  *
  *     no-unordered_items,error    unordered_items is not said, every other warning is an error
  *     linear_colors               advice, which is off until it is named */
@@ -63,7 +63,10 @@ Severity warnings_severity(const char *settings, DiagKind kind)
         else
             said = !setting.no;
     }
-    return !said ? SEVERITY_none : advice ? SEVERITY_note : error ? SEVERITY_error : SEVERITY_warning;
+    return !said    ? SEVERITY_none
+           : advice ? SEVERITY_note
+           : error  ? SEVERITY_error
+                    : SEVERITY_warning;
 }
 
 const char *warnings_name(const void *user, int i)

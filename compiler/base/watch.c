@@ -1,6 +1,7 @@
-/* What has changed is decided by looking at the files; the system's notices (inotify, of the files' folders, since editors rename
- * over files) only say when to look, and that a file was written which looks as before. Every second all are looked at anyway:
- * notices do not come over networks, through links, or when a folder further up is moved. */
+/* What has changed is decided by looking at the files; the system's notices (inotify, of the files'
+ * folders, since editors rename over files) only say when to look, and that a file was written
+ * which looks as before. Every second all are looked at anyway: notices do not come over networks,
+ * through links, or when a folder further up is moved. */
 #include "compiler/base/watch.h"
 #include "compiler/base/memory.h"
 #include <errno.h>
@@ -65,8 +66,9 @@ static Look look_at(const char *path)
 
 static bool same_look(const Look *a, const Look *b)
 {
-    return a->exists == b->exists && a->mode == b->mode && a->device == b->device && a->inode == b->inode &&
-           a->size == b->size && a->modified.tv_sec == b->modified.tv_sec && a->modified.tv_nsec == b->modified.tv_nsec;
+    return a->exists == b->exists && a->mode == b->mode && a->device == b->device &&
+           a->inode == b->inode && a->size == b->size && a->modified.tv_sec == b->modified.tv_sec &&
+           a->modified.tv_nsec == b->modified.tv_nsec;
 }
 
 static long milliseconds_from(const struct timespec *a, const struct timespec *b)
@@ -82,14 +84,16 @@ static long milliseconds_now(void)
 }
 
 #ifdef __linux__
-/* Asks for notices of a folder, or of the nearest one above it that is there. -1: none to be had. */
+/* Asks for notices of a folder, or of the nearest one above it that is there. -1: none to be
+ * had. */
 static int ask_for_folder(int notices, char *folder)
 {
-    const uint32_t what = IN_ONLYDIR | IN_CLOSE_WRITE | IN_MODIFY | IN_ATTRIB | IN_CREATE | IN_DELETE | IN_MOVED_FROM |
-                          IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
+    const uint32_t what = IN_ONLYDIR | IN_CLOSE_WRITE | IN_MODIFY | IN_ATTRIB | IN_CREATE |
+                          IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO | IN_DELETE_SELF | IN_MOVE_SELF;
     for (;;) {
         int number = inotify_add_watch(notices, *folder ? folder : ".", what);
-        if (number >= 0 || (errno != ENOENT && errno != ENOTDIR) || !*folder || !strcmp(folder, "/"))
+        if (number >= 0 || (errno != ENOENT && errno != ENOTDIR) || !*folder ||
+            !strcmp(folder, "/"))
             return number;
         char *slash = strrchr(folder, '/');
         if (!slash)
@@ -99,7 +103,8 @@ static int ask_for_folder(int notices, char *folder)
     }
 }
 
-/* Asks anew for all. Where one cannot be had, there are none at all: files are then looked at more often. */
+/* Asks anew for all. Where one cannot be had, there are none at all: files are then looked at more
+ * often. */
 static void ask(Watch *watch)
 {
     if (watch->notices >= 0)
@@ -122,7 +127,8 @@ static void ask(Watch *watch)
     }
 }
 
-/* A file that was written may look as before: of the same size, within the same tick of the clock. */
+/* A file that was written may look as before: of the same size, within the same tick of the
+ * clock. */
 static void mark_written(Watch *watch, const struct inotify_event *notice)
 {
     if (!notice->len || !(notice->mask & (IN_MODIFY | IN_MOVED_TO | IN_CREATE)))
@@ -137,10 +143,12 @@ static void read_notices(Watch *watch)
 {
     _Alignas(struct inotify_event) char bytes[NOTICES];
     bool folders = false;
-    for (ssize_t size; watch->notices >= 0 && (size = read(watch->notices, bytes, sizeof bytes)) > 0;)
+    for (ssize_t size;
+         watch->notices >= 0 && (size = read(watch->notices, bytes, sizeof bytes)) > 0;)
         for (char *at = bytes; at < bytes + size;) {
             const struct inotify_event *notice = (const void *)at;
-            folders |= notice->mask & (IN_ISDIR | IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_UNMOUNT);
+            folders |=
+                notice->mask & (IN_ISDIR | IN_DELETE_SELF | IN_MOVE_SELF | IN_IGNORED | IN_UNMOUNT);
             mark_written(watch, notice);
             at += sizeof *notice + notice->len;
         }
@@ -240,7 +248,8 @@ static const File **sorted_files(const Watch *watch)
 static void begin_file(const Watch *watch, File *file)
 {
     file->look = look_at(file->path);
-    file->dirty = file->look.exists && milliseconds_from(&watch->since, &file->look.modified) > -CLOCK_MS;
+    file->dirty =
+        file->look.exists && milliseconds_from(&watch->since, &file->look.modified) > -CLOCK_MS;
 }
 
 void watch_set(Watch *watch, const char *const *paths, int count)
@@ -286,7 +295,8 @@ static bool sleep_for(Watch *watch, long ms)
 static void wait_for_quiet(Watch *watch)
 {
     const long begin = milliseconds_now();
-    for (long last = begin, now = begin; now - last < QUIET_MS && now - begin < ROW_MS; now = milliseconds_now()) {
+    for (long last = begin, now = begin; now - last < QUIET_MS && now - begin < ROW_MS;
+         now = milliseconds_now()) {
         if (!sleep_for(watch, QUIET_MS - (now - last)))
             return;
         if (look(watch))
@@ -308,7 +318,8 @@ static int report(Watch *watch)
 
 int watch_wait(Watch *watch, int timeout_ms)
 {
-    /* Both readings of the clock are rounded down: one more, and no wait is shorter than was asked for. */
+    /* Both readings of the clock are rounded down: one more, and no wait is shorter than was asked
+     * for. */
     const long end = timeout_ms < 0 ? LONG_MAX : milliseconds_now() + timeout_ms + (timeout_ms > 0);
     for (;;) {
         look(watch);
@@ -338,7 +349,10 @@ int watch_next(Watch *watch)
     return changed ? 0 : signal;
 }
 
-bool watch_changed(const Watch *watch, int file) { return file < watch->count && watch->files[file].changed; }
+bool watch_changed(const Watch *watch, int file)
+{
+    return file < watch->count && watch->files[file].changed;
+}
 
 void watch_close(Watch *watch)
 {

@@ -11,12 +11,17 @@ const char *const severity_names[] = {"note", "warning", "error", "note, off by 
 const char *describe_type(const ParamRow *param)
 {
     static const char *const names[] = {
-        [PARAM_Map] = "map",     [PARAM_Material] = "material",   [PARAM_Float] = "number", [PARAM_Int] = "whole",
-        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "3 numbers",      [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
-        [PARAM_Items] = "items", [PARAM_Transform] = "transform",  [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
+        [PARAM_Map] = "map",           [PARAM_Material] = "material",
+        [PARAM_Float] = "number",      [PARAM_Int] = "whole",
+        [PARAM_Bool] = "bool",         [PARAM_Vec3] = "3 numbers",
+        [PARAM_Wave] = "wave",         [PARAM_Image] = "file",
+        [PARAM_Items] = "items",       [PARAM_Transform] = "transform",
+        [PARAM_Formula] = "formula",   [PARAM_Maps] = "maps",
         [PARAM_List] = "list of maps",
     };
-    return param_is_word(param) ? "name" : param->kind == KIND_Constant ? "1-4 numbers" : names[param->type];
+    return param_is_word(param)           ? "name"
+           : param->kind == KIND_Constant ? "1-4 numbers"
+                                          : names[param->type];
 }
 
 static double initial(const ParamRow *param, int lane, const char *preset)
@@ -91,7 +96,8 @@ static const char *sample_value(const ParamRow *param)
 static bool is_in_example(const ParamRow *param, bool material)
 {
     static const char moves[] = "displacement";
-    return (param->lanes || sample_value(param)) && !(material && !strncmp(param->name, moves, sizeof moves - 1));
+    return (param->lanes || sample_value(param)) &&
+           !(material && !strncmp(param->name, moves, sizeof moves - 1));
 }
 
 void describe_example(Text *out, Kind kind, const char *name)
@@ -105,7 +111,8 @@ void describe_example(Text *out, Kind kind, const char *name)
     }
     text_format(out, material ? "material: %s\n" : "material: Phong\n", name);
     if (!material)
-        text_format(out, "%s:\n  map: %s\n", section_of(kind) == SECTION_normal ? "input" : "diffuse", name);
+        text_format(out, "%s:\n  map: %s\n",
+                    section_of(kind) == SECTION_normal ? "input" : "diffuse", name);
     for (int i = row->first; i < row->first + row->count; i++) {
         const ParamRow *param = &param_table[i];
         if (!is_in_example(param, material))

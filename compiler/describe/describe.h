@@ -10,19 +10,21 @@
 
 #define CHAIN_DOC "second(factor * first(v) + shift): two waves, one after the other."
 
-/* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that name. describe_files.c */
+/* JSON Schema of a file of files.def, "manifest", ...; from malloc, NULL if there is none of that
+ * name. describe_files.c */
 char *describe_file(const char *name);
-/* JSON Schema of documents; from malloc. `ref`: the schema of a use of a definition, `document`: of one that is the outermost level; NULL: of
- * any. describe_schema.c */
+/* JSON Schema of documents; from malloc. `ref`: the schema of a use of a definition, `document`: of
+ * one that is the outermost level; NULL: of any. describe_schema.c */
 char *describe_document_schema(const char *ref, const char *document);
 /* Members of "properties": what may stand beside a material at the outermost level. */
 void describe_beside(Text *out);
-/* The page of a name that describe knows by its tables: --explain; from malloc, NULL: it knows none. describe_explain.c */
+/* The page of a name that describe knows by its tables: --explain; from malloc, NULL: it knows
+ * none. describe_explain.c */
 char *describe_explain(const char *name);
 /* Does what describe_type does for a parameter of a scene. describe_scene.c */
 const char *describe_scene_type(const SceneParamRow *row);
-/* Pages of parameters of that name, of materials, maps and scenes, and of words that they may be. `same`
- * compares names. Nothing is added if there are none. describe_param.c */
+/* Pages of parameters of that name, of materials, maps and scenes, and of words that they may be.
+ * `same` compares names. Nothing is added if there are none. describe_param.c */
 typedef int DescribeCompare(const char *, const char *);
 void describe_params(Text *out, const char *name, DescribeCompare *same);
 void describe_words(Text *out, const char *name, DescribeCompare *same);
@@ -43,17 +45,18 @@ void describe_example(Text *out, Kind kind, const char *name);
 void describe_piece(Text *out, const Piece *piece);
 void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece);
 void describe_error(Text *out, const FieldRow *field);
-/* What formulas are made of, a line each; the page of a function, a Term; the schema of a formula and what goes with it.
- * describe_expression.c */
+/* What formulas are made of, a line each; the page of a function, a Term; the schema of a formula
+ * and what goes with it. describe_expression.c */
 void describe_functions(Text *out);
 void describe_function(Text *out, int term);
 void describe_formula_schema(Text *out);
-/* What translations.def makes of such a material, a line for each parameter of Principled, then what is lost. describe_translation.c */
+/* What translations.def makes of such a material, a line for each parameter of Principled, then
+ * what is lost. describe_translation.c */
 void describe_translations(Text *out, Kind kind, const char *indent);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);
-/* What a parameter's value must be, as members of a JSON object of the schema of documents; the definition of a list of
- * words.def there. describe_value.c */
+/* What a parameter's value must be, as members of a JSON object of the schema of documents; the
+ * definition of a list of words.def there. describe_value.c */
 void describe_value(Text *out, const ParamRow *param);
 /* "name": { "description": what keys.def says, and the definition goes on. describe_value.c */
 void describe_open_key(Text *out, const char *name, DocumentKey key);
@@ -61,7 +64,8 @@ const char *describe_word_list(ParamKind list);
 /* The page of a scene's kind, and of a sort. describe_scene.c */
 void describe_scene_kind(Text *out, SceneKind kind);
 void describe_scene_sort(Text *out, SceneSort sort);
-/* Definitions of all of them in the schema of documents, and the keys of a document that are theirs, as further properties. */
+/* Definitions of all of them in the schema of documents, and the keys of a document that are
+ * theirs, as further properties. */
 void describe_scene_definitions(Text *out);
 void describe_scene_keys(Text *out);
 /* A diagnostic's format with "..." where it has arguments. */

@@ -1,5 +1,5 @@
-/* matc --explain NAME: the page of a name; several pages where several things have it. Case does not count where no
- * name fits exactly. */
+/* matc --explain NAME: the page of a name; several pages where several things have it. Case does
+ * not count where no name fits exactly. */
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "grammar/expression_tables.h"
@@ -63,7 +63,8 @@ static void put_parameters(Text *out, const KindRow *row, const char *preset)
     for (int i = row->first; i < row->first + row->count; i++) {
         for (int column = 0; column < COLUMN_COUNT; column++)
             if (width[column])
-                text_format(out, "  %-*s", width[column], cell(out->arena, &param_table[i], (Column)column, preset).at);
+                text_format(out, "  %-*s", width[column],
+                            cell(out->arena, &param_table[i], (Column)column, preset).at);
         text_format(out, "  %s\n", param_table[i].doc);
     }
 }
@@ -145,16 +146,17 @@ static void explain_waves(const Query *q)
 {
     for (int i = 0; i < WAVE_COUNT; i++)
         if (begins(q, wave_table[i].name))
-            text_format(q->out, "%s (wave)\n%s\n\nExample\n  diffuse: { map: Gradient, waveForm: %s }\n",
+            text_format(q->out,
+                        "%s (wave)\n%s\n\nExample\n  diffuse: { map: Gradient, waveForm: %s }\n",
                         wave_table[i].name, wave_table[i].doc, wave_table[i].name);
     if (begins(q, "Chain"))
-        text_put(q->out,
-                 "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
-                 "  first   wave    none  The one that comes first; none is v itself.\n"
-                 "  factor  number  1     Factor on its value.\n"
-                 "  shift   number  0     Added after the factor.\n"
-                 "  second  wave    none  The one that comes last.\n\nExample\n"
-                 "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, factor: 2, second: Abs } }\n");
+        text_put(q->out, "Chain (wave)\n" CHAIN_DOC "\n\nFields: name, type, default\n"
+                         "  first   wave    none  The one that comes first; none is v itself.\n"
+                         "  factor  number  1     Factor on its value.\n"
+                         "  shift   number  0     Added after the factor.\n"
+                         "  second  wave    none  The one that comes last.\n\nExample\n"
+                         "  diffuse: { map: Gradient, waveForm: { wave: Chain, first: Sin01, "
+                         "factor: 2, second: Abs } }\n");
 }
 
 static void explain_functions(const Query *q)
@@ -164,15 +166,17 @@ static void explain_functions(const Query *q)
             describe_function(q->out, i);
     for (int i = 0; i < QUANTITY_COUNT; i++)
         if (begins(q, quantity_table[i].name))
-            text_format(q->out, "%s (value of formulas)\n%s\n\nExample\n  diffuse: \"= %s\"\n", quantity_table[i].name,
-                        quantity_table[i].doc, quantity_table[i].name);
+            text_format(q->out, "%s (value of formulas)\n%s\n\nExample\n  diffuse: \"= %s\"\n",
+                        quantity_table[i].name, quantity_table[i].doc, quantity_table[i].name);
     for (int i = 0; i < vector_count; i++)
         if (begins(q, vector_table[i].name))
-            text_format(q->out, "%s (function of formulas)\n%s\n", vector_table[i].name, vector_table[i].doc);
+            text_format(q->out, "%s (function of formulas)\n%s\n", vector_table[i].name,
+                        vector_table[i].doc);
     for (int i = 0; i < SPECIAL_COUNT; i++)
         if (begins(q, formula_special_table[i].name))
-            text_format(q->out, "%s (function of formulas)\n%s\n%s\n", formula_special_table[i].name,
-                        formula_special_table[i].form, formula_special_table[i].doc);
+            text_format(q->out, "%s (function of formulas)\n%s\n%s\n",
+                        formula_special_table[i].name, formula_special_table[i].form,
+                        formula_special_table[i].doc);
 }
 
 static void explain_colors(const Query *q)
@@ -180,7 +184,8 @@ static void explain_colors(const Query *q)
     for (int i = 0; i < color_count; i++) {
         const unsigned char *rgb = color_table[i].rgb;
         if (begins(q, color_table[i].name))
-            text_format(q->out, "%s (colour)\n#%02x%02x%02x\n", color_table[i].name, rgb[0], rgb[1], rgb[2]);
+            text_format(q->out, "%s (colour)\n#%02x%02x%02x\n", color_table[i].name, rgb[0], rgb[1],
+                        rgb[2]);
     }
 }
 
@@ -188,13 +193,17 @@ static void explain_colors(const Query *q)
 static void explain_color_spaces(const Query *q)
 {
     if (begins(q, "srgb"))
-        text_put(q->out, "srgb (of a colour, or of colors:)\n"
-                         "Encoded by IEC 61966-2-1, as colour pickers and most pictures have it.\n\nMeaning\n"
-                         "  c / 12.92 if c <= 0.04045, else ((c + 0.055) / 1.055)^2.4; alpha as it is\n\nExample\n"
-                         "  diffuse: \"srgb(#808080)\"\n");
+        text_put(
+            q->out,
+            "srgb (of a colour, or of colors:)\n"
+            "Encoded by IEC 61966-2-1, as colour pickers and most pictures have it.\n\nMeaning\n"
+            "  c / 12.92 if c <= 0.04045, else ((c + 0.055) / 1.055)^2.4; alpha as it "
+            "is\n\nExample\n"
+            "  diffuse: \"srgb(#808080)\"\n");
     if (begins(q, "linear"))
         text_put(q->out, "linear (of a colour, or of colors:)\n"
-                         "Linear light: a byte over 255 is the value.\n\nExample\n  diffuse: \"linear(#808080)\"\n");
+                         "Linear light: a byte over 255 is the value.\n\nExample\n  diffuse: "
+                         "\"linear(#808080)\"\n");
 }
 
 static void explain_keys(const Query *q)
@@ -202,7 +211,8 @@ static void explain_keys(const Query *q)
     for (int i = 0; i < DOCUMENT_KEY_COUNT; i++) {
         const KeyRow *row = &key_table[i];
         if (begins(q, row->name))
-            text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", row->name, row->where, row->doc, row->example);
+            text_format(q->out, "%s (key %s)\n%s\n\nExample\n%s", row->name, row->where, row->doc,
+                        row->example);
     }
 }
 
@@ -211,7 +221,8 @@ static void explain_channels(const Query *q)
     for (int i = 0; i < CHANNEL_COUNT; i++)
         if (begins(q, channel_table[i].name))
             text_format(q->out, "%s (channel %d)\n%s\n", channel_table[i].name,
-                        LANES_OF_GROUP * (int)channel_table[i].group + channel_table[i].lane, channel_table[i].doc);
+                        LANES_OF_GROUP * (int)channel_table[i].group + channel_table[i].lane,
+                        channel_table[i].doc);
 }
 
 static void explain_slots(const Query *q)
@@ -220,7 +231,8 @@ static void explain_slots(const Query *q)
         const SlotRow *slot = &slot_table[i];
         if (!begins(q, slot->name))
             continue;
-        text_format(q->out, "%s (slot, %s)\n%s\nFrom ", slot->name, type_table[slot->type].name, slot->doc);
+        text_format(q->out, "%s (slot, %s)\n%s\nFrom ", slot->name, type_table[slot->type].name,
+                    slot->doc);
         text_plain(q->out, slot->low);
         text_put(q->out, " to ");
         text_plain(q->out, slot->high);
@@ -241,8 +253,8 @@ static void explain_encodings(const Query *q)
         const EncodingRow *row = &encoding_table[i];
         if (!begins(q, row->name))
             continue;
-        text_format(q->out, "%s (encoding, for targets of %s)\n%s\n", row->name, row->words ? "words" : "floats",
-                    row->doc);
+        text_format(q->out, "%s (encoding, for targets of %s)\n%s\n", row->name,
+                    row->words ? "words" : "floats", row->doc);
         if (row->least != row->most)
             text_format(q->out, "%d to %d bits.\n", row->least, row->most);
     }
@@ -252,18 +264,19 @@ static void explain_programs(const Query *q)
 {
     for (int i = 0; i < TARGET_COUNT; i++)
         if (begins(q, target_table[i].name))
-            text_format(q->out, "%s (target, #version %s)\n%s\n", target_table[i].name, target_table[i].version,
-                        target_table[i].doc);
+            text_format(q->out, "%s (target, #version %s)\n%s\n", target_table[i].name,
+                        target_table[i].version, target_table[i].doc);
     for (int i = 0; i < PASS_COUNT; i++)
         if (begins(q, pass_table[i].name))
             text_format(q->out, "%s (pass)\n%s\n", pass_table[i].name, pass_table[i].doc);
     for (int i = 0; i < NORMALS_COUNT; i++)
         if (begins(q, normals_table[i].name))
-            text_format(q->out, "%s (of --normals)\n%s\n", normals_table[i].name, normals_table[i].doc);
+            text_format(q->out, "%s (of --normals)\n%s\n", normals_table[i].name,
+                        normals_table[i].doc);
     for (int i = 0; i < CHOICE_COUNT; i++)
         if (begins(q, choice_table[i].name))
-            text_format(q->out, "%s (of --%s)\n%s\n", choice_table[i].name, axis_table[choice_table[i].axis].name,
-                        choice_table[i].doc);
+            text_format(q->out, "%s (of --%s)\n%s\n", choice_table[i].name,
+                        axis_table[choice_table[i].axis].name, choice_table[i].doc);
 }
 
 static void explain_diags(const Query *q)
@@ -282,12 +295,13 @@ static void explain_warnings(const Query *q)
 {
     if (!begins(q, "warnings"))
         return;
-    text_put(
-        q->out,
-        "warnings (diagnostics that end nothing)\n"
-        "-Wno-NAME: it is not said. -Werror=NAME: it is an error. -Werror: all are. The last option that speaks of a\n"
-        "warning counts; -WNAME and -Wno-error=NAME take back what one before them said. All are said by default, but\n"
-        "linear_colors: a note, never an error, which matc gives for single documents, and otherwise where it is named.\n\n");
+    text_put(q->out, "warnings (diagnostics that end nothing)\n"
+                     "-Wno-NAME: it is not said. -Werror=NAME: it is an error. -Werror: all are. "
+                     "The last option that speaks of a\n"
+                     "warning counts; -WNAME and -Wno-error=NAME take back what one before them "
+                     "said. All are said by default, but\n"
+                     "linear_colors: a note, never an error, which matc gives for single "
+                     "documents, and otherwise where it is named.\n\n");
     for (int i = 0; i < DIAG_COUNT; i++)
         if (diag_is_named((DiagKind)i))
             text_format(q->out, "  %-20s  %s\n", diag_table[i].name, diag_table[i].doc);

@@ -13,7 +13,8 @@ static void put_form(Text *out, Term term)
     if (row->callable) {
         text_format(out, "%s(", row->name);
         for (int i = 0; i < row->count; i++)
-            text_format(out, "%s%s%c", row->least && i == row->least ? "[" : "", i ? ", " : "", 'a' + i);
+            text_format(out, "%s%s%c", row->least && i == row->least ? "[" : "", i ? ", " : "",
+                        'a' + i);
         text_put(out, row->least ? "])" : ")");
     } else if (term == TERM_choose) {
         text_put(out, "a ? b : c");
@@ -60,7 +61,8 @@ void describe_functions(Text *out)
     for (int i = 0; i < vector_count; i++)
         text_format(out, "  %-*s  %s\n", NAME_WIDTH, vector_table[i].name, vector_table[i].doc);
     for (int i = 0; i < SPECIAL_COUNT; i++)
-        text_format(out, "  %-*s  %s\n", NAME_WIDTH, formula_special_table[i].form, formula_special_table[i].doc);
+        text_format(out, "  %-*s  %s\n", NAME_WIDTH, formula_special_table[i].form,
+                    formula_special_table[i].doc);
     text_put(out, "\nOperators of formulas\n");
     put_lines_of(out, false);
     text_put(out, "\nValues of formulas\n");
@@ -84,7 +86,8 @@ void describe_function(Text *out, int term)
             text_format(out, ", %d to %d", row->whole_low, row->whole_high);
         text_char(out, '\n');
     }
-    text_format(out, "\nGives\n  %s\n\nExample\n  %s\n", width_word(term_result(row)), row->example);
+    text_format(out, "\nGives\n  %s\n\nExample\n  %s\n", width_word(term_result(row)),
+                row->example);
 }
 
 /* What stands before the " = " of an example. */
@@ -98,7 +101,8 @@ static void put_example(Text *out, const char *example)
 
 void describe_formula_schema(Text *out)
 {
-    text_put(out, "    \"formula\": {\n      \"description\": \"A formula; --list=functions has its words.\",\n"
+    text_put(out, "    \"formula\": {\n      \"description\": \"A formula; --list=functions has "
+                  "its words.\",\n"
                   "      \"type\": [\"string\", \"number\", \"null\"],\n      \"examples\": [");
     for (int i = 0; i < TERM_COUNT; i++) {
         text_put(out, i ? ", " : "");
@@ -108,10 +112,10 @@ void describe_formula_schema(Text *out)
         text_put(out, ", ");
         json_string(out, quantity_table[i].name);
     }
-    text_put(out,
-             "]\n    },\n"
-             "    \"shorthand\": {\"description\": \"A formula as a map.\", \"type\": \"string\", \"pattern\": \"^=\"},\n"
-             "    \"maps\": {\n      \"type\": [\"object\", \"null\"],\n"
-             "      \"propertyNames\": {\"pattern\": \"^[A-Za-z_][A-Za-z0-9_]*$\"},\n"
-             "      \"additionalProperties\": {\"$ref\": \"#/$defs/map\"}\n    },\n");
+    text_put(out, "]\n    },\n"
+                  "    \"shorthand\": {\"description\": \"A formula as a map.\", \"type\": "
+                  "\"string\", \"pattern\": \"^=\"},\n"
+                  "    \"maps\": {\n      \"type\": [\"object\", \"null\"],\n"
+                  "      \"propertyNames\": {\"pattern\": \"^[A-Za-z_][A-Za-z0-9_]*$\"},\n"
+                  "      \"additionalProperties\": {\"$ref\": \"#/$defs/map\"}\n    },\n");
 }

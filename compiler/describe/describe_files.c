@@ -25,12 +25,9 @@ static const struct {
     const char *(*name)(int i);
     int count;
 } tables[] = {
-    {"target", target_name, TARGET_COUNT},
-    {"pass", pass_name, PASS_COUNT},
-    {"slot", slot_name, SLOT_COUNT},
-    {"normals", normals_name, NORMALS_COUNT},
-    {"format", format_name, FORMAT_COUNT - 1},
-    {"encoding", encoding_name, ENCODING_COUNT},
+    {"target", target_name, TARGET_COUNT},     {"pass", pass_name, PASS_COUNT},
+    {"slot", slot_name, SLOT_COUNT},           {"normals", normals_name, NORMALS_COUNT},
+    {"format", format_name, FORMAT_COUNT - 1}, {"encoding", encoding_name, ENCODING_COUNT},
 };
 enum { TABLE_COUNT = sizeof tables / sizeof *tables };
 
@@ -58,7 +55,8 @@ static void put_choices(Text *out)
 {
     text_put(out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
-        text_format(out, "%s\n          \"%s\": {\"description\": ", axis ? "," : "", axis_table[axis].name);
+        text_format(out, "%s\n          \"%s\": {\"description\": ", axis ? "," : "",
+                    axis_table[axis].name);
         json_string(out, axis_table[axis].doc);
         text_put(out, ", \"enum\": [");
         for (int i = 0; i < axis_choices((Axis)axis); i++) {
@@ -76,11 +74,14 @@ static void put_slots_definition(Text *out)
     text_put(out, "    \"slot\": {\n      \"type\": \"string\",\n      \"pattern\": \"^(");
     for (int i = 0; i < SLOT_COUNT; i++) {
         int lanes = type_table[slot_table[i].type].lanes;
-        text_format(out, "%s%s([.][%.*s%.*s]+)?", i ? "|" : "", slot_table[i].name, lanes, "rgba", lanes, "xyzw");
+        text_format(out, "%s%s([.][%.*s%.*s]+)?", i ? "|" : "", slot_table[i].name, lanes, "rgba",
+                    lanes, "xyzw");
     }
-    text_put(out, ")$\"\n    },\n"
-                  "    \"slots\": {\"anyOf\": [{\"$ref\": \"#/$defs/slot\"}, "
-                  "{\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/slot\"}, \"minItems\": 1}]},\n");
+    text_put(
+        out,
+        ")$\"\n    },\n"
+        "    \"slots\": {\"anyOf\": [{\"$ref\": \"#/$defs/slot\"}, "
+        "{\"type\": \"array\", \"items\": {\"$ref\": \"#/$defs/slot\"}, \"minItems\": 1}]},\n");
 }
 
 static void put_slot_constants(Text *out)
@@ -88,11 +89,13 @@ static void put_slot_constants(Text *out)
     text_put(out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
     for (int i = 0; i < SLOT_COUNT; i++) {
         int lanes = type_table[slot_table[i].type].lanes;
-        text_format(out, "%s\n          \"%s\": {\"description\": ", i ? "," : "", slot_table[i].name);
+        text_format(out, "%s\n          \"%s\": {\"description\": ", i ? "," : "",
+                    slot_table[i].name);
         json_string(out, slot_table[i].doc);
         text_put(out, ", \"anyOf\": [{\"type\": \"number\"}, ");
         text_format(out,
-                    "{\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": %d, \"maxItems\": %d}]}",
+                    "{\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": %d, "
+                    "\"maxItems\": %d}]}",
                     lanes, lanes);
     }
     text_put(out, "\n        }");
@@ -111,15 +114,20 @@ static void put_type(Text *out, const FileRow *row)
         [MEMBER_flag] = "\"type\": \"boolean\"",
         [MEMBER_texts] = "\"type\": \"array\", \"items\": {\"type\": \"string\"}",
         [MEMBER_names] = "\"type\": \"array\", \"items\": {\"type\": \"string\"}",
-        [MEMBER_numbers] = "\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 1",
-        [MEMBER_rows] = "\"type\": \"array\", \"items\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, "
+        [MEMBER_numbers] =
+            "\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 1",
+        [MEMBER_rows] = "\"type\": \"array\", \"items\": {\"type\": \"array\", \"items\": "
+                        "{\"type\": \"number\"}, "
                         "\"minItems\": 1, \"maxItems\": 4}",
-        [MEMBER_textsByName] = "\"type\": \"object\", \"additionalProperties\": {\"type\": \"string\"}",
-        [MEMBER_numbersByName] = "\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\", \"items\": "
-                                 "{\"type\": \"number\"}, \"minItems\": 1, \"maxItems\": 4}",
+        [MEMBER_textsByName] =
+            "\"type\": \"object\", \"additionalProperties\": {\"type\": \"string\"}",
+        [MEMBER_numbersByName] =
+            "\"type\": \"object\", \"additionalProperties\": {\"type\": \"array\", \"items\": "
+            "{\"type\": \"number\"}, \"minItems\": 1, \"maxItems\": 4}",
         [MEMBER_identifier] = "\"type\": \"string\", \"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\"",
         [MEMBER_label] = "\"type\": [\"string\", \"number\", \"boolean\"]",
-        [MEMBER_pair] = "\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, \"maxItems\": 2",
+        [MEMBER_pair] = "\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, "
+                        "\"maxItems\": 2",
     };
     switch (row->type) {
     case MEMBER_choice:
@@ -158,8 +166,10 @@ static void put_encodings(Text *out)
     for (int i = 0; i < ENCODING_COUNT; i++) {
         const EncodingRow *row = &encoding_table[i];
         text_format(out,
-                    "%s\n        {\"if\": {\"properties\": {\"encoding\": {\"const\": \"%s\"}}, \"required\": "
-                    "[\"encoding\"]}, \"then\": {\"properties\": {\"bits\": {\"minimum\": %d, \"maximum\": %d}}",
+                    "%s\n        {\"if\": {\"properties\": {\"encoding\": {\"const\": \"%s\"}}, "
+                    "\"required\": "
+                    "[\"encoding\"]}, \"then\": {\"properties\": {\"bits\": {\"minimum\": %d, "
+                    "\"maximum\": %d}}",
                     i ? "," : "", row->name, row->least, row->most);
         text_put(out, row->least != row->most ? ", \"required\": [\"bits\"]}}" : "}}");
     }
@@ -189,7 +199,9 @@ static int put_object(Text *out, int at, bool written_by_people)
     bool encodings = false, any = false;
     text_format(out, "    \"%s\": {\n      \"description\": ", file_table[at].name);
     json_string(out, file_table[at].doc);
-    text_put(out, ",\n      \"type\": \"object\", \"additionalProperties\": false,\n      \"required\": [");
+    text_put(
+        out,
+        ",\n      \"type\": \"object\", \"additionalProperties\": false,\n      \"required\": [");
     for (; end < file_row_count && file_table[end].kind == FILE_ROW_member; end++)
         if (file_table[end].must) {
             put_name(out, file_table[end].name, strlen(file_table[end].name), !any);
@@ -211,7 +223,8 @@ static int put_object(Text *out, int at, bool written_by_people)
 char *describe_file(const char *name)
 {
     int at = 0;
-    while (at < file_row_count && (file_table[at].kind != FILE_ROW_file || strcmp(file_table[at].name, name) != 0))
+    while (at < file_row_count &&
+           (file_table[at].kind != FILE_ROW_file || strcmp(file_table[at].name, name) != 0))
         at++;
     if (at == file_row_count)
         return NULL;
@@ -219,7 +232,8 @@ char *describe_file(const char *name)
     Text out = text_new(&arena);
     const bool layout = !strcmp(name, "layout");
     text_format(&out,
-                "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n  \"title\": \"matc %s %s\",\n",
+                "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n  \"title\": "
+                "\"matc %s %s\",\n",
                 MATC_VERSION, name);
     text_put(&out, "  \"description\": ");
     json_string(&out, file_table[at].doc);

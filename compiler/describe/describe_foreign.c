@@ -1,4 +1,5 @@
-/* Names that are none of the tables' own: those of other tools, and those that files of the library define. */
+/* Names that are none of the tables' own: those of other tools, and those that files of the library
+ * define. */
 #include "compiler/describe/describe.h"
 #include "grammar/foreign_table.h"
 #include "grammar/library_table.h"
@@ -7,10 +8,17 @@
 enum { NAME_WIDTH = 24, GROUPS = FOREIGN_FORM + 1 };
 
 static const char *const group_names[GROUPS] = {
-    [FOREIGN_MAP] = "map",           [FOREIGN_MATERIAL] = "material",    [FOREIGN_PARAM] = "parameter",
-    [FOREIGN_KEY] = "key",           [FOREIGN_TOP] = "key of a document", [FOREIGN_TYPE] = "key",
-    [FOREIGN_SCENE] = "part of a scene", [FOREIGN_PLACE] = "parameter of a part of a scene",
-    [FOREIGN_COLOR] = "colour",      [FOREIGN_FORMULA] = "name in a formula", [FOREIGN_FORM] = "form of a value",
+    [FOREIGN_MAP] = "map",
+    [FOREIGN_MATERIAL] = "material",
+    [FOREIGN_PARAM] = "parameter",
+    [FOREIGN_KEY] = "key",
+    [FOREIGN_TOP] = "key of a document",
+    [FOREIGN_TYPE] = "key",
+    [FOREIGN_SCENE] = "part of a scene",
+    [FOREIGN_PLACE] = "parameter of a part of a scene",
+    [FOREIGN_COLOR] = "colour",
+    [FOREIGN_FORMULA] = "name in a formula",
+    [FOREIGN_FORM] = "form of a value",
 };
 
 void describe_foreign(Text *out, const char *name)
@@ -18,7 +26,8 @@ void describe_foreign(Text *out, const char *name)
     bool begun = false;
     for (int i = 0; i < foreign_count; i++) {
         const ForeignRow *row = &foreign_table[i];
-        if (row->group == FOREIGN_FORMULA ? strcmp(row->name, name) != 0 : !foreign_is_alike(row->name, name))
+        if (row->group == FOREIGN_FORMULA ? strcmp(row->name, name) != 0
+                                          : !foreign_is_alike(row->name, name))
             continue;
         if (!begun)
             text_format(out, "%s%s (of other tools)\n", out->size ? "\n" : "", row->name);
@@ -55,9 +64,10 @@ void describe_foreign_list(Text *out)
 
 void describe_library_list(Text *out)
 {
-    text_format(out, "%sLibrary (definitions that come with matc: include: FILE, then { ref: NAME })\n",
+    text_format(out,
+                "%sLibrary (definitions that come with matc: include: FILE, then { ref: NAME })\n",
                 out->size ? "\n" : "");
     for (int i = 0; i < library_name_count; i++)
-        text_format(out, "  %-*s  %s: %s\n", NAME_WIDTH, library_names[i].name, library_names[i].file,
-                    library_names[i].doc);
+        text_format(out, "  %-*s  %s: %s\n", NAME_WIDTH, library_names[i].name,
+                    library_names[i].file, library_names[i].doc);
 }

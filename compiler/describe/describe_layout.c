@@ -1,4 +1,5 @@
-/* A layout as a page: its targets, then every field of every case with its place, bits, range and error. */
+/* A layout as a page: its targets, then every field of every case with its place, bits, range and
+ * error. */
 #include "compiler/describe/describe.h"
 
 static void put_constants(Text *out, const FixedRow *fixed, int count)
@@ -19,7 +20,8 @@ static void put_pieces(Text *out, const LayoutRow *layout, int number)
     layout_allocate(layout, number, &placement); /* it was checked: every row fits */
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
-    text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored", "error at most");
+    text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored",
+                "error at most");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
         Text cells[5];
@@ -30,12 +32,11 @@ static void put_pieces(Text *out, const LayoutRow *layout, int number)
         layout_put_encoding(&cells[2], piece->field);
         layout_put_range(&cells[3], piece->field);
         describe_error(&cells[4], piece->field);
-        text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at, cells[3].at,
-                    cells[4].at);
+        text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", cells[0].at, cells[1].at, cells[2].at,
+                    cells[3].at, cells[4].at);
     }
     put_constants(out, layout->cases[number].fixed, layout->cases[number].fixed_count);
 }
-
 
 void describe_layout(Text *out, const LayoutRow *layout)
 {
@@ -51,5 +52,7 @@ void describe_layout(Text *out, const LayoutRow *layout)
     text_put(out, layout->fixed_count ? "\n" : "");
     put_constants(out, layout->fixed, layout->fixed_count);
     if (!layout_is_whole(layout))
-        text_put(out, "\nNo case stores all slots: a material that has more than each of them is refused.\n");
+        text_put(
+            out,
+            "\nNo case stores all slots: a material that has more than each of them is refused.\n");
 }

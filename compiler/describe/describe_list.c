@@ -10,7 +10,10 @@ static void put_line(Text *out, const char *name, const char *doc)
     text_format(out, "  %-*s  %s\n", NAME_WIDTH, name, doc);
 }
 
-static void put_heading(Text *out, const char *title) { text_format(out, out->size ? "\n%s\n" : "%s\n", title); }
+static void put_heading(Text *out, const char *title)
+{
+    text_format(out, out->size ? "\n%s\n" : "%s\n", title);
+}
 
 static void list_kinds(Text *out, bool materials, bool maps)
 {
@@ -49,24 +52,26 @@ static void list_colors(Text *out)
     put_heading(out, "Colours");
     for (int i = 0; i < color_count; i++) {
         const unsigned char *rgb = color_table[i].rgb;
-        text_format(out, "  %-*s  #%02x%02x%02x\n", NAME_WIDTH, color_table[i].name, rgb[0], rgb[1], rgb[2]);
+        text_format(out, "  %-*s  #%02x%02x%02x\n", NAME_WIDTH, color_table[i].name, rgb[0], rgb[1],
+                    rgb[2]);
     }
 }
 
 /* Tables whose rows have a name and a doc. */
-#define LIST(function, title, table, count)                                                                            \
-    static void function(Text *out)                                                                                    \
-    {                                                                                                                  \
-        put_heading(out, title);                                                                                       \
-        for (int i = 0; i < (count); i++)                                                                              \
-            put_line(out, (table)[i].name, (table)[i].doc);                                                            \
+#define LIST(function, title, table, count)                                                        \
+    static void function(Text *out)                                                                \
+    {                                                                                              \
+        put_heading(out, title);                                                                   \
+        for (int i = 0; i < (count); i++)                                                          \
+            put_line(out, (table)[i].name, (table)[i].doc);                                        \
     }
 LIST(list_plain_waves, "Waves (functions of a number v)", wave_table, WAVE_COUNT)
 LIST(list_channels, "Channels (what a map can be asked for)", channel_table, CHANNEL_COUNT)
 LIST(list_slots, "Slots (what a material tells about a point)", slot_table, SLOT_COUNT)
 LIST(list_targets, "Targets", target_table, TARGET_COUNT)
 LIST(list_passes, "Passes", pass_table, PASS_COUNT)
-LIST(list_normals, "Normals (--normals: which space those of a G-buffer are in)", normals_table, NORMALS_COUNT)
+LIST(list_normals, "Normals (--normals: which space those of a G-buffer are in)", normals_table,
+     NORMALS_COUNT)
 LIST(list_layouts, "Layouts", layout_table, LAYOUT_COUNT)
 LIST(list_encodings, "Encodings", encoding_table, ENCODING_COUNT)
 
@@ -113,12 +118,25 @@ static void list_warnings(Text *out)
 static const struct {
     const char *kind;
     void (*put)(Text *out);
-} lists[] = {{"materials", list_materials}, {"maps", list_maps},       {"presets", list_presets},
-             {"aliases", list_aliases},     {"waves", list_waves},     {"functions", describe_functions}, {"colors", list_colors},
-             {"channels", list_channels},   {"slots", list_slots},     {"targets", list_targets},
-             {"passes", list_passes},       {"normals", list_normals}, {"layouts", list_layouts}, {"encodings", list_encodings},
-             {"scenes", list_scenes},       {"choices", list_choices}, {"warnings", list_warnings},
-             {"library", describe_library_list}, {"foreign", describe_foreign_list}};
+} lists[] = {{"materials", list_materials},
+             {"maps", list_maps},
+             {"presets", list_presets},
+             {"aliases", list_aliases},
+             {"waves", list_waves},
+             {"functions", describe_functions},
+             {"colors", list_colors},
+             {"channels", list_channels},
+             {"slots", list_slots},
+             {"targets", list_targets},
+             {"passes", list_passes},
+             {"normals", list_normals},
+             {"layouts", list_layouts},
+             {"encodings", list_encodings},
+             {"scenes", list_scenes},
+             {"choices", list_choices},
+             {"warnings", list_warnings},
+             {"library", describe_library_list},
+             {"foreign", describe_foreign_list}};
 enum { LISTS = sizeof lists / sizeof *lists };
 
 char *matc_list(void)

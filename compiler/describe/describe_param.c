@@ -1,5 +1,5 @@
-/* Pages of parameters by their names: of which maps, materials and parts of scenes they are, and the words
- * that they may be. Rows that say the same are one paragraph. */
+/* Pages of parameters by their names: of which maps, materials and parts of scenes they are, and
+ * the words that they may be. Rows that say the same are one paragraph. */
 #include "compiler/describe/describe.h"
 #include <string.h>
 
@@ -19,7 +19,8 @@ static const char *owner_of(int i)
 
 static const char *type_of(int i)
 {
-    return i < PARAM_COUNT ? describe_type(row_of(i)) : describe_scene_type(&scene_param_table[i - PARAM_COUNT]);
+    return i < PARAM_COUNT ? describe_type(row_of(i))
+                           : describe_scene_type(&scene_param_table[i - PARAM_COUNT]);
 }
 
 static const char *range_of(Arena *arena, int i)

@@ -32,38 +32,45 @@ static const char *range_text(Arena *arena, const SceneParamRow *row)
     return text.at;
 }
 
-static int wider(int width, const char *text) { return (int)strlen(text) > width ? (int)strlen(text) : width; }
+static int wider(int width, const char *text)
+{
+    return (int)strlen(text) > width ? (int)strlen(text) : width;
+}
 
 static void put_params(Text *out, const SceneKindRow *kind)
 {
     int width[4] = {0};
     const SceneParamRow *rows = &scene_param_table[kind->first];
     for (int i = 0; i < kind->count; i++) {
-        const char *cells[4] = {rows[i].param.name, describe_scene_type(&rows[i]), default_text(out->arena, &rows[i]),
+        const char *cells[4] = {rows[i].param.name, describe_scene_type(&rows[i]),
+                                default_text(out->arena, &rows[i]),
                                 range_text(out->arena, &rows[i])};
         for (int k = 0; k < 4; k++)
             width[k] = wider(width[k], cells[k]);
     }
     text_put(out, "\nParameters: name, type, default, range\n");
     for (int i = 0; i < kind->count; i++)
-        text_format(out, "  %-*s  %-*s  %-*s  %-*s  %s\n", width[0], rows[i].param.name, width[1], describe_scene_type(&rows[i]),
-                    width[2], default_text(out->arena, &rows[i]), width[3], range_text(out->arena, &rows[i]),
-                    rows[i].param.doc);
+        text_format(out, "  %-*s  %-*s  %-*s  %-*s  %s\n", width[0], rows[i].param.name, width[1],
+                    describe_scene_type(&rows[i]), width[2], default_text(out->arena, &rows[i]),
+                    width[3], range_text(out->arena, &rows[i]), rows[i].param.doc);
 }
 
 void describe_scene_kind(Text *out, SceneKind kind)
 {
     const SceneKindRow *row = &scene_kind_table[kind];
-    text_format(out, "%s (%s of a scene)\n%s\n", row->name, scene_sort_table[row->sort].name, row->doc);
+    text_format(out, "%s (%s of a scene)\n%s\n", row->name, scene_sort_table[row->sort].name,
+                row->doc);
     put_params(out, row);
 }
 
 void describe_scene_sort(Text *out, SceneSort sort)
 {
-    text_format(out, "%s (of a scene)\n%s\n\n", scene_sort_table[sort].name, scene_sort_table[sort].doc);
+    text_format(out, "%s (of a scene)\n%s\n\n", scene_sort_table[sort].name,
+                scene_sort_table[sort].doc);
     for (int kind = 0; kind < SCENE_KIND_COUNT; kind++)
         if (scene_kind_table[kind].sort == sort)
-            text_format(out, "  %-14s %s\n", scene_kind_table[kind].name, scene_kind_table[kind].doc);
+            text_format(out, "  %-14s %s\n", scene_kind_table[kind].name,
+                        scene_kind_table[kind].doc);
 }
 
 /* What a value must be, without the braces around it. */
@@ -82,10 +89,13 @@ static void put_value(Text *out, const SceneParamRow *row)
         text_put(out, "\"type\": \"string\"");
         break;
     case SCENE_VALUE_one:
-        text_format(out, "\"anyOf\": [{\"type\": \"null\"}, {\"$ref\": \"#/$defs/scene_%s\"}]", sort);
+        text_format(out, "\"anyOf\": [{\"type\": \"null\"}, {\"$ref\": \"#/$defs/scene_%s\"}]",
+                    sort);
         break;
     case SCENE_VALUE_list:
-        text_format(out, "\"type\": [\"array\", \"null\"], \"items\": {\"$ref\": \"#/$defs/scene_%s\"}", sort);
+        text_format(out,
+                    "\"type\": [\"array\", \"null\"], \"items\": {\"$ref\": \"#/$defs/scene_%s\"}",
+                    sort);
         break;
     }
 }
@@ -105,7 +115,8 @@ static void put_kind(Text *out, const SceneKindRow *row)
         comma = ",";
     }
     for (int i = row->first; i < row->first + row->count; i++, comma = ",") {
-        text_format(out, "%s\n        \"%s\": {\"description\": ", comma, scene_param_table[i].param.name);
+        text_format(out, "%s\n        \"%s\": {\"description\": ", comma,
+                    scene_param_table[i].param.name);
         json_string(out, scene_param_table[i].param.doc);
         text_put(out, ", ");
         put_value(out, &scene_param_table[i]);
@@ -122,7 +133,8 @@ static void put_sort(Text *out, SceneSort sort)
     text_put(out, ",\n      \"anyOf\": [");
     for (int kind = 0; kind < SCENE_KIND_COUNT; kind++)
         if (scene_kind_table[kind].sort == sort) {
-            text_format(out, "%s\n        {\"$ref\": \"#/$defs/scene%s\"}", comma, scene_kind_table[kind].name);
+            text_format(out, "%s\n        {\"$ref\": \"#/$defs/scene%s\"}", comma,
+                        scene_kind_table[kind].name);
             comma = ",";
         }
     text_put(out, "\n      ]\n    },\n");
@@ -136,8 +148,10 @@ void describe_scene_definitions(Text *out)
              "      \"anyOf\": [\n"
              "        {\"type\": [\"string\", \"null\"]},\n"
              "        {\"$ref\": \"#/$defs/material\"},\n"
-             "        {\"type\": \"object\", \"required\": [\"file\"], \"additionalProperties\": false,\n"
-             "          \"properties\": {\"file\": {\"type\": \"string\"}, \"material\": {\"type\": \"string\"}}}\n"
+             "        {\"type\": \"object\", \"required\": [\"file\"], \"additionalProperties\": "
+             "false,\n"
+             "          \"properties\": {\"file\": {\"type\": \"string\"}, \"material\": "
+             "{\"type\": \"string\"}}}\n"
              "      ]\n    },\n");
     for (int sort = 0; sort < SCENE_SORT_COUNT; sort++)
         put_sort(out, (SceneSort)sort);

@@ -1,30 +1,37 @@
-/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check documents with it; what it
- * refuses, matc refuses too. describe_files.c has the schemas of other files. */
+/* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check
+ * documents with it; what it refuses, matc refuses too. describe_files.c has the schemas of other
+ * files. */
 #include "compiler/base/session.h"
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"
 #include <string.h>
 
-#define NUMBERS "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}"
+#define NUMBERS                                                                                    \
+    "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": "          \
+    "\"number\"}"
 
 /* Definitions with parameters, which no table speaks of; nor of those below. */
 static const char parameter_definitions[] =
     "    \"parameter\": {\n"
     "      \"description\": \"A definition's parameter: its default, or what is known of it.\",\n"
-    "      \"if\": {\"type\": \"object\", \"anyOf\": [{\"required\": [\"default\"]}, {\"required\": [\"type\"]}], "
+    "      \"if\": {\"type\": \"object\", \"anyOf\": [{\"required\": [\"default\"]}, "
+    "{\"required\": [\"type\"]}], "
     "\"not\": {\"required\": [\"param\"]}},\n"
     "      \"then\": {\"additionalProperties\": false, \"properties\": {\n"
     "        \"default\": {},\n"
-    "        \"type\": {\"enum\": [\"number\", \"color\", \"map\", \"material\", \"wave\", \"transform\", \"bool\", "
+    "        \"type\": {\"enum\": [\"number\", \"color\", \"map\", \"material\", \"wave\", "
+    "\"transform\", \"bool\", "
     "\"text\"]},\n"
-    "        \"doc\": {\"type\": \"string\"}, \"min\": {\"type\": \"number\"}, \"max\": {\"type\": \"number\"}\n"
+    "        \"doc\": {\"type\": \"string\"}, \"min\": {\"type\": \"number\"}, \"max\": {\"type\": "
+    "\"number\"}\n"
     "      }}\n"
-    "    },\n"
-;
+    "    },\n";
 static const char definition_properties[] =
-    "      \"type\": \"object\", \"anyOf\": [{\"required\": [\"params\"]}, {\"required\": [\"doc\"]}],\n"
-    "      \"oneOf\": [{\"required\": [\"map\"]}, {\"required\": [\"material\"]}, {\"required\": [\"ref\"]}],\n"
+    "      \"type\": \"object\", \"anyOf\": [{\"required\": [\"params\"]}, {\"required\": "
+    "[\"doc\"]}],\n"
+    "      \"oneOf\": [{\"required\": [\"map\"]}, {\"required\": [\"material\"]}, {\"required\": "
+    "[\"ref\"]}],\n"
     "      \"properties\": {\n"
     "        \"doc\": {\"type\": \"string\"},\n"
     "        \"params\": {\"type\": [\"object\", \"null\"], \"additionalProperties\": {\"$ref\": "
@@ -33,43 +40,53 @@ static const char definition_properties[] =
     "    },\n";
 
 /* A use of any definition, whatever a document has. */
-static const char any_ref[] =
-    "      \"type\": \"object\", \"required\": [\"ref\"],\n"
-    "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
-    "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
-    "    },\n";
+static const char any_ref[] = "      \"type\": \"object\", \"required\": [\"ref\"],\n"
+                              "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
+                              "      \"additionalProperties\": {\"description\": \"An argument for "
+                              "a parameter of the definition.\"}\n"
+                              "    },\n";
 
 /* What may stand beside a material at the outermost level. */
-#define BESIDE                                                                                                         \
-    "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"                                                                \
-    "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"                                                          \
+#define BESIDE                                                                                     \
+    "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"                                            \
+    "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"                                      \
     "        \"colors\": {\"$ref\": \"#/$defs/colors\"}"
 
 /* The same as the outermost level. */
 static const char any_ref_document[] =
     "{\n"
-    "      \"description\": \"A material of `defs:`, the document's own or of a file that it includes.\",\n"
-    "      \"type\": \"object\", \"required\": [\"ref\"], \"not\": {\"required\": [\"materials\"]},\n"
+    "      \"description\": \"A material of `defs:`, the document's own or of a file that it "
+    "includes.\",\n"
+    "      \"type\": \"object\", \"required\": [\"ref\"], \"not\": {\"required\": "
+    "[\"materials\"]},\n"
     "      \"properties\": {\n        \"ref\": {\"type\": \"string\"},\n" BESIDE "\n      },\n"
-    "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the definition.\"}\n"
+    "      \"additionalProperties\": {\"description\": \"An argument for a parameter of the "
+    "definition.\"}\n"
     "    }";
 
 /* Definitions that no table speaks of. */
 static const char fixed_definitions[] =
-    "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": false,\n"
+    "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": "
+    "false,\n"
     "      \"properties\": {\n"
-    "        \"param\": {\"type\": \"string\", \"pattern\": \"^[A-Za-z][A-Za-z0-9_]*$\", \"maxLength\": %d},\n"
+    "        \"param\": {\"type\": \"string\", \"pattern\": \"^[A-Za-z][A-Za-z0-9_]*$\", "
+    "\"maxLength\": %d},\n"
     "        \"default\": {\"$ref\": \"#/$defs/constant\"}\n"
     "      }\n"
     "    },\n"
-    "    \"list\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, \"maxItems\": 4},\n"
-    "    \"constant\": {\"anyOf\": [{\"type\": \"number\"}, {\"$ref\": \"#/$defs/color\"}, {\"$ref\": "
+    "    \"list\": {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 2, "
+    "\"maxItems\": 4},\n"
+    "    \"constant\": {\"anyOf\": [{\"type\": \"number\"}, {\"$ref\": \"#/$defs/color\"}, "
+    "{\"$ref\": "
     "\"#/$defs/list\"}]},\n"
-    "    \"numberParam\": {\"$ref\": \"#/$defs/param\", \"properties\": {\"default\": {\"type\": \"number\"}}},\n"
-    "    \"number\": {\"anyOf\": [{\"type\": [\"number\", \"null\"]}, {\"$ref\": \"#/$defs/numberParam\"}, {\"$ref\": \"#/$defs/shorthand\"}]},\n"
+    "    \"numberParam\": {\"$ref\": \"#/$defs/param\", \"properties\": {\"default\": {\"type\": "
+    "\"number\"}}},\n"
+    "    \"number\": {\"anyOf\": [{\"type\": [\"number\", \"null\"]}, {\"$ref\": "
+    "\"#/$defs/numberParam\"}, {\"$ref\": \"#/$defs/shorthand\"}]},\n"
     "    \"whole\": {\n"
     "      \"anyOf\": [\n"
-    "        {\"type\": [\"integer\", \"null\"], \"minimum\": -2147483647, \"maximum\": 2147483647},\n"
+    "        {\"type\": [\"integer\", \"null\"], \"minimum\": -2147483647, \"maximum\": "
+    "2147483647},\n"
     "        {\"$ref\": \"#/$defs/numberParam\"},\n"
     "        {\"$ref\": \"#/$defs/shorthand\"}\n"
     "      ]\n"
@@ -78,7 +95,8 @@ static const char fixed_definitions[] =
     "    \"file\": {\"type\": [\"string\", \"null\"]},\n"
     "    \"vector\": {\n"
     "      \"anyOf\": [\n"
-    "        {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 3, \"maxItems\": 3},\n"
+    "        {\"type\": \"array\", \"items\": {\"type\": \"number\"}, \"minItems\": 3, "
+    "\"maxItems\": 3},\n"
     "        {\"type\": [\"number\", \"null\"]},\n"
     "        {\"$ref\": \"#/$defs/color\"},\n"
     "        {\"$ref\": \"#/$defs/param\"},\n"
@@ -90,7 +108,8 @@ static const char fixed_definitions[] =
     "      \"items\": {\n"
     "        \"type\": \"object\", \"additionalProperties\": false,\n"
     "        \"properties\": {\n"
-    "          \"value\": {\"description\": \"Where the item stands.\", \"$ref\": \"#/$defs/number\", \"default\": "
+    "          \"value\": {\"description\": \"Where the item stands.\", \"$ref\": "
+    "\"#/$defs/number\", \"default\": "
     "0},\n"
     "          \"input\": {\"description\": \"The map there.\", \"$ref\": \"#/$defs/map\"}\n"
     "        }\n"
@@ -117,7 +136,8 @@ static const char fixed_definitions[] =
     "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": false,\n"
     "          \"properties\": {\n"
     "            \"translation\": {\"$ref\": \"#/$defs/vector\"},\n"
-    "            \"rotation\": {\"description\": \"Radians about x, then y, then z.\", \"$ref\": \"#/$defs/vector\"},\n"
+    "            \"rotation\": {\"description\": \"Radians about x, then y, then z.\", \"$ref\": "
+    "\"#/$defs/vector\"},\n"
     "            \"scale\": {\"$ref\": \"#/$defs/vector\"},\n"
     "            \"shear\": {\"$ref\": \"#/$defs/vector\"}\n"
     "          }\n"
@@ -155,15 +175,15 @@ static void put_name(Text *out, const char *name, int *count)
 static void put_color(Text *out)
 {
     int count = 0;
-    text_put(
-        out,
-        "    \"color\": {\n      \"description\": \"#rgb, #rrggbb, #rrggbbaa, or a name; srgb(...) or linear(...) of "
-        "one.\",\n      \"anyOf\": [\n        {\"enum\": [");
+    text_put(out, "    \"color\": {\n      \"description\": \"#rgb, #rrggbb, #rrggbbaa, or a name; "
+                  "srgb(...) or linear(...) of "
+                  "one.\",\n      \"anyOf\": [\n        {\"enum\": [");
     for (int i = 0; i < color_count; i++)
         put_name(out, color_table[i].name, &count);
     text_put(out,
              "]},\n        {\"type\": \"string\","
-             " \"pattern\": \"^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$\"},\n        {\"type\": \"string\", "
+             " \"pattern\": \"^#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})$\"},\n        "
+             "{\"type\": \"string\", "
              "\"pattern\": \"^(srgb|linear)\\\\((#([0-9A-Fa-f]{3}|[0-9A-Fa-f]{6}|[0-9A-Fa-f]{8})");
     for (int i = 0; i < color_count; i++)
         text_format(out, "|%s", color_table[i].name);
@@ -177,7 +197,8 @@ static void put_words(Text *out)
         bool first = !i || word_table[i - 1].list != word_table[i].list;
         bool last = i + 1 == WORD_COUNT || word_table[i + 1].list != word_table[i].list;
         if (first)
-            text_format(out, "    \"%s\": {\"enum\": [null%s", describe_word_list(word_table[i].list),
+            text_format(out, "    \"%s\": {\"enum\": [null%s",
+                        describe_word_list(word_table[i].list),
                         word_of_truth(word_table[i].list, true) < 0 ? "" : ", false, true");
         text_format(out, ", \"%s\"%s", word_table[i].name, last ? "]},\n" : "");
     }
@@ -212,7 +233,8 @@ static void put_kind_names(Text *out, Kind kind)
     bool material = kind_table[kind].lowering == LOWERING_MATERIAL, more = has_preset(kind);
     for (int i = 0; i < alias_count; i++)
         more |= alias_table[i].kind == kind;
-    text_format(out, "        \"%s\": {\"%s", material ? "material" : "map", more ? "enum\": [" : "const\": ");
+    text_format(out, "        \"%s\": {\"%s", material ? "material" : "map",
+                more ? "enum\": [" : "const\": ");
     put_name(out, kind_table[kind].name, &count);
     for (int i = 0; i < alias_count; i++)
         if (alias_table[i].kind == kind)
@@ -239,10 +261,11 @@ static void open_kind(Text *out, Kind kind, const char *suffix)
     bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
     text_format(out, "    \"%s%s\": {\n      \"description\": ", kind_table[kind].name, suffix);
     json_string(out, kind_table[kind].doc);
-    text_format(out,
-                ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
-                "      \"properties\": {\n",
-                material ? "material" : "map");
+    text_format(
+        out,
+        ",\n      \"type\": \"object\", \"required\": [\"%s\"], \"additionalProperties\": false,\n"
+        "      \"properties\": {\n",
+        material ? "material" : "map");
     put_kind_names(out, kind);
 }
 
@@ -261,8 +284,8 @@ static void put_document(Text *out, Kind kind)
     const KindRow *row = &kind_table[kind];
     open_kind(out, kind, "Document");
     for (int i = row->first; i < row->first + row->count; i++)
-        text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s/properties/%s\"}", param_table[i].name, row->name,
-                    param_table[i].name);
+        text_format(out, ",\n        \"%s\": {\"$ref\": \"#/$defs/%s/properties/%s\"}",
+                    param_table[i].name, row->name, param_table[i].name);
     text_put(out, ",\n" BESIDE "\n      }\n    },\n");
 }
 
@@ -276,7 +299,8 @@ static void put_choice(Text *out, const char *name, bool material, const char *m
     const char *comma = "";
     for (int kind = 0; kind < KIND_COUNT; kind++)
         if ((kind_table[kind].lowering == LOWERING_MATERIAL) == material) {
-            text_format(out, "%s\n          {\"$ref\": \"#/$defs/%s\"}", comma, kind_table[kind].name);
+            text_format(out, "%s\n          {\"$ref\": \"#/$defs/%s\"}", comma,
+                        kind_table[kind].name);
             comma = ",";
         }
     text_put(out, "\n        ]}\n      ]\n    },\n");
@@ -295,34 +319,36 @@ static void put_top(Text *out)
 static void put_outermost(Text *out)
 {
     describe_open_key(out, "defs", DOCUMENT_KEY_defs);
-    text_put(
-        out,
-        "      \"type\": [\"object\", \"null\"],\n"
-        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
-        "{\"$ref\": \"#/$defs/definition\"}]}\n"
-        "    },\n"
-        "    \"sceneDefs\": {\n"
-        "      \"description\": \"Maps and materials to refer to by `ref:`; and, of a scene, objects for "
-        "Instances.\",\n"
-        "      \"type\": [\"object\", \"null\"],\n"
-        "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, {\"$ref\": \"#/$defs/material\"}, "
-        "{\"$ref\": \"#/$defs/definition\"}, {\"$ref\": \"#/$defs/scene_object\"}]}\n"
-        "    },\n"
-        );
+    text_put(out, "      \"type\": [\"object\", \"null\"],\n"
+                  "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, "
+                  "{\"$ref\": \"#/$defs/material\"}, "
+                  "{\"$ref\": \"#/$defs/definition\"}]}\n"
+                  "    },\n"
+                  "    \"sceneDefs\": {\n"
+                  "      \"description\": \"Maps and materials to refer to by `ref:`; and, of a "
+                  "scene, objects for "
+                  "Instances.\",\n"
+                  "      \"type\": [\"object\", \"null\"],\n"
+                  "      \"additionalProperties\": {\"anyOf\": [{\"$ref\": \"#/$defs/map\"}, "
+                  "{\"$ref\": \"#/$defs/material\"}, "
+                  "{\"$ref\": \"#/$defs/definition\"}, {\"$ref\": \"#/$defs/scene_object\"}]}\n"
+                  "    },\n");
     describe_open_key(out, "include", DOCUMENT_KEY_include);
-    text_put(out, "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": {\"type\": \"string\"}}]\n    },\n");
+    text_put(out, "      \"anyOf\": [{\"type\": \"string\"}, {\"type\": \"array\", \"items\": "
+                  "{\"type\": \"string\"}}]\n    },\n");
     describe_open_key(out, "colors", DOCUMENT_KEY_colors);
     text_put(out,
-        "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
-        "    },\n"
-        "    \"definitions\": {\n"
-        "      \"description\": \"Definitions alone, for other documents to include; or a scene.\",\n"
-        "      \"type\": \"object\", \"additionalProperties\": false, \"minProperties\": 1,\n"
-        "      \"not\": {\"required\": [\"colors\"], \"maxProperties\": 1},\n"
-        "      \"properties\": {\n"
-        "        \"defs\": {\"$ref\": \"#/$defs/sceneDefs\"},\n"
-        "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
-        "        \"colors\": {\"$ref\": \"#/$defs/colors\"}");
+             "      \"enum\": [\"linear\", \"srgb\", null], \"default\": \"linear\"\n"
+             "    },\n"
+             "    \"definitions\": {\n"
+             "      \"description\": \"Definitions alone, for other documents to include; or a "
+             "scene.\",\n"
+             "      \"type\": \"object\", \"additionalProperties\": false, \"minProperties\": 1,\n"
+             "      \"not\": {\"required\": [\"colors\"], \"maxProperties\": 1},\n"
+             "      \"properties\": {\n"
+             "        \"defs\": {\"$ref\": \"#/$defs/sceneDefs\"},\n"
+             "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
+             "        \"colors\": {\"$ref\": \"#/$defs/colors\"}");
     describe_scene_keys(out);
     text_put(out, "\n      }\n    },\n");
 }
@@ -331,13 +357,16 @@ static void put_materials_document(Text *out)
 {
     describe_open_key(out, "materialsDocument", DOCUMENT_KEY_materials);
     text_format(out,
-                "      \"type\": \"object\", \"required\": [\"materials\"], \"additionalProperties\": false,\n"
+                "      \"type\": \"object\", \"required\": [\"materials\"], "
+                "\"additionalProperties\": false,\n"
                 "      \"properties\": {\n"
                 "        \"materials\": {\n"
                 "          \"description\": \"A material a name.\",\n"
-                "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": {\"$ref\": "
+                "          \"type\": \"object\", \"minProperties\": 1, \"additionalProperties\": "
+                "{\"$ref\": "
                 "\"#/$defs/material\"},\n"
-                "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", \"maxLength\": %d}\n"
+                "          \"propertyNames\": {\"pattern\": \"^[A-Za-z][A-Za-z0-9_.-]*$\", "
+                "\"maxLength\": %d}\n"
                 "        },\n"
                 "        \"defs\": {\"$ref\": \"#/$defs/sceneDefs\"},\n"
                 "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"
@@ -351,8 +380,9 @@ void describe_beside(Text *out) { text_put(out, BESIDE); }
 
 char *describe_document_schema(const char *ref, const char *document)
 {
-    static const char any_value[] = "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
-                                    "{\"$ref\": \"#/$defs/param\"},\n        {\"$ref\": \"#/$defs/shorthand\"},\n";
+    static const char any_value[] =
+        "        {\"type\": \"null\"},\n        {\"$ref\": \"#/$defs/constant\"},\n        "
+        "{\"$ref\": \"#/$defs/param\"},\n        {\"$ref\": \"#/$defs/shorthand\"},\n";
     Arena arena = {0};
     Text out = text_new(&arena);
     text_put(&out, "{\n  \"$schema\": \"https://json-schema.org/draft/2020-12/schema\",\n"
@@ -372,9 +402,8 @@ char *describe_document_schema(const char *ref, const char *document)
     text_format(&out, "    \"refDocument\": %s,\n", document ? document : any_ref_document);
     describe_open_key(&out, "param", DOCUMENT_KEY_param);
     text_format(&out, fixed_definitions, LIMIT_NAME);
-    text_put(
-        &out,
-        "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, {\"$ref\": \"#/$defs/param\"}]},\n");
+    text_put(&out, "    \"constantOrParam\": {\"anyOf\": [{\"$ref\": \"#/$defs/constant\"}, "
+                   "{\"$ref\": \"#/$defs/param\"}]},\n");
     describe_formula_schema(&out);
     put_color(&out);
     put_waves(&out);
@@ -396,5 +425,6 @@ char *describe_document_schema(const char *ref, const char *document)
 
 char *matc_schema(const char *of)
 {
-    return !of || !strcmp(of, "document") ? describe_document_schema(NULL, NULL) : describe_file(of);
+    return !of || !strcmp(of, "document") ? describe_document_schema(NULL, NULL)
+                                          : describe_file(of);
 }

@@ -13,9 +13,12 @@ const char *describe_word_list(ParamKind list) { return word_list_names[list]; }
 static const char *definition_of(const ParamRow *param)
 {
     static const char *const names[] = {
-        [PARAM_Map] = "map",     [PARAM_Material] = "anyMaterial", [PARAM_Float] = "number", [PARAM_Int] = "whole",
-        [PARAM_Bool] = "bool",   [PARAM_Vec3] = "vector",          [PARAM_Wave] = "wave",    [PARAM_Image] = "file",
-        [PARAM_Items] = "items", [PARAM_Transform] = "transform",   [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
+        [PARAM_Map] = "map",         [PARAM_Material] = "anyMaterial",
+        [PARAM_Float] = "number",    [PARAM_Int] = "whole",
+        [PARAM_Bool] = "bool",       [PARAM_Vec3] = "vector",
+        [PARAM_Wave] = "wave",       [PARAM_Image] = "file",
+        [PARAM_Items] = "items",     [PARAM_Transform] = "transform",
+        [PARAM_Formula] = "formula", [PARAM_Maps] = "maps",
         [PARAM_List] = "mapList",
     };
     return param_is_word(param)           ? describe_word_list(param->type)

@@ -17,12 +17,16 @@ int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
 
 int attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }
 
-static const char *type_of(const MeshAttribute *attribute) { return type_table[attribute->type].name; }
+static const char *type_of(const MeshAttribute *attribute)
+{
+    return type_table[attribute->type].name;
+}
 
 const char *attribute_declaration(const Ir *ir, int attribute)
 {
     Text text = text_new(ir->arena);
-    text_format(&text, "%s attribute_%s", type_of(ir->graph->attributes[attribute]), ir->graph->attributes[attribute]->name);
+    text_format(&text, "%s attribute_%s", type_of(ir->graph->attributes[attribute]),
+                ir->graph->attributes[attribute]->name);
     return text.at;
 }
 
@@ -57,7 +61,8 @@ void attribute_hand_on(Text *out, const Interface *interface)
     }
 }
 
-static void put_change(Text *out, const MeshAttribute *attribute, AttributePart part, AttributeChanges form)
+static void put_change(Text *out, const MeshAttribute *attribute, AttributePart part,
+                       AttributeChanges form)
 {
     text_put(out, form == ATTRIBUTE_CHANGES_declared ? "" : "    ");
     if (form != ATTRIBUTE_CHANGES_shared)
@@ -74,7 +79,8 @@ static void put_change(Text *out, const MeshAttribute *attribute, AttributePart 
 void attribute_put_changes(Text *out, const Interface *interface, AttributeChanges form)
 {
     for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
-        for (int part = ATTRIBUTE_by_x; interface->attribute_changes[i] && part <= ATTRIBUTE_by_y; part++)
+        for (int part = ATTRIBUTE_by_x; interface->attribute_changes[i] && part <= ATTRIBUTE_by_y;
+             part++)
             put_change(out, interface->ir->graph->attributes[i], (AttributePart)part, form);
 }
 
@@ -101,8 +107,12 @@ int attribute_list(const Ir *ir, MatcAttribute list[LIMIT_ATTRIBUTES])
         const char *declaration = attribute_declaration(ir, i);
         Text varying = text_new(ir->arena);
         attribute_put_name(&varying, own, ATTRIBUTE_value);
-        MatcAttribute attribute = {own->name, strchr(declaration, ' ') + 1, varying.at, type_table[own->type].lanes,
-                                   ATTRIBUTE_FIRST_LOCATION + i, {0}};
+        MatcAttribute attribute = {own->name,
+                                   strchr(declaration, ' ') + 1,
+                                   varying.at,
+                                   type_table[own->type].lanes,
+                                   ATTRIBUTE_FIRST_LOCATION + i,
+                                   {0}};
         memcpy(attribute.initial, own->initial, sizeof attribute.initial);
         if (used[i])
             list[count++] = attribute;

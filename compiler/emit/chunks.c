@@ -1,5 +1,5 @@
-/* Chunks by name and variant; the first that exists. Where the target has files of its own, as .110:
- * name.<choice>.110, name.110, name.<choice>, name. */
+/* Chunks by name and variant; the first that exists. Where the target has files of its own, as
+ * .110: name.<choice>.110, name.110, name.<choice>, name. */
 #include "compiler/emit/chunks.h"
 #include <string.h>
 
@@ -11,7 +11,8 @@ typedef struct {
 
 static bool is_variant(const Chunk *chunk, const char *name, int length)
 {
-    return !strncmp(chunk->name, name, (size_t)length) && (!chunk->name[length] || chunk->name[length] == '.');
+    return !strncmp(chunk->name, name, (size_t)length) &&
+           (!chunk->name[length] || chunk->name[length] == '.');
 }
 
 static Variants variants_of(const char *name, int length)
@@ -25,7 +26,8 @@ static Variants variants_of(const char *name, int length)
             high = middle;
     }
     Variants variants = {&chunk_table[low], 0, length};
-    while (low + variants.count < chunk_count && is_variant(variants.first + variants.count, name, length))
+    while (low + variants.count < chunk_count &&
+           is_variant(variants.first + variants.count, name, length))
         variants.count++;
     return variants;
 }

@@ -12,7 +12,8 @@ typedef struct {
 
 /* Adds one behind those that it needs. */
 void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk);
-/* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False if there is none. */
+/* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False
+ * if there is none. */
 bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
 /* One of them declares a uniform of that name. */
 bool chunks_declare(const Chunks *chunks, const char *name);

@@ -1,13 +1,18 @@
-/* The compute program: numbers of vertices in, out where they are displaced to, and their normals. It is of no pass: what refits an acceleration structure, bakes a mesh or
- * fills the buffer that all passes draw runs it once.
+/* The compute program: numbers of vertices in, out where they are displaced to, and their normals.
+ * It is of no pass: what refits an acceleration structure, bakes a mesh or fills the buffer that
+ * all passes draw runs it once.
  *
- * A mesh lies in one buffer of floats, interleaved or an attribute behind the other: of each attribute a uvec2 says where its first number is, and how many lie from vertex to
- * vertex. 0 of these: all have the same. What is written lies in the other buffer likewise; normals of which 0 lie between are not written.
+ * A mesh lies in one buffer of floats, interleaved or an attribute behind the other: of each
+ * attribute a uvec2 says where its first number is, and how many lie from vertex to vertex. 0 of
+ * these: all have the same. What is written lies in the other buffer likewise; normals of which 0
+ * lie between are not written.
  *
- *     position, normal and texture coordinate, interleaved:  matc_at_position (0, 8), matc_at_normal (3, 8), matc_at_texcoord (6, 8)
+ *     position, normal and texture coordinate, interleaved: matc_at_position (0, 8), matc_at_normal
+ *     (3, 8), matc_at_texcoord (6, 8)
  *
- * A position is displaced by attributes of displacement, as in the vertex program. The normal is that of the fragment program at this corner: by the attributes that it is shaded
- * with, and how the normal changes by u and v, which fragments find by themselves and a vertex has to be told. */
+ * A position is displaced by attributes of displacement, as in the vertex program. The normal is
+ * that of the fragment program at this corner: by the attributes that it is shaded with, and how
+ * the normal changes by u and v, which fragments find by themselves and a vertex has to be told. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/compute.h"
 #include "compiler/emit/emit_declare.h"
@@ -16,7 +21,8 @@
 #include "compiler/ir/std140.h"
 #include <string.h>
 
-/* Its uniforms lie where those of other stages' own do. Vulkan counts bindings of all kinds together, OpenGL each by itself, and has eight of buffers at least. */
+/* Its uniforms lie where those of other stages' own do. Vulkan counts bindings of all kinds
+ * together, OpenGL each by itself, and has eight of buffers at least. */
 enum {
     VERTICES_BLOCK = 83,
     READ_BUFFER = 0,
@@ -46,7 +52,10 @@ static const NormalFeed normal_feeds[] = {
     {INPUT_cornerDUV, "vec3 tangentUByV", "(matc_worldFromLocal * vec4(tangentUByV, 0.0)).xyz"},
     {INPUT_cornerDVV, "vec3 tangentVByV", "(matc_worldFromLocal * vec4(tangentVByV, 0.0)).xyz"},
 };
-enum { NORMAL_FEEDS = sizeof normal_feeds / sizeof *normal_feeds, MOST_READ = MOVE_ATTRIBUTES + NORMAL_FEEDS };
+enum {
+    NORMAL_FEEDS = sizeof normal_feeds / sizeof *normal_feeds,
+    MOST_READ = MOVE_ATTRIBUTES + NORMAL_FEEDS
+};
 
 static const char position[] = "vec3 position", normal[] = "vec3 normal";
 static const char *const written[] = {position, normal};
@@ -82,7 +91,8 @@ static int list_read(const VertexMove *move, const char *list[MOST_READ])
 }
 
 /* The block's members: of each a declaration, in their order; how many. */
-static int list_members(Arena *arena, const VertexMove *move, const char *list[MOST_READ + WRITTEN + 3])
+static int list_members(Arena *arena, const VertexMove *move,
+                        const char *list[MOST_READ + WRITTEN + 3])
 {
     const char *read[MOST_READ];
     const int reads = list_read(move, read);
@@ -104,26 +114,35 @@ static void put_buffers(Text *out, Arena *arena, const Job *job, const VertexMov
     const char *members[MOST_READ + WRITTEN + 3];
     const int count = list_members(arena, move, members);
     const bool vulkan = target_table[job->target].spirv;
-    text_format(out, "layout(local_size_x = %d) in;\nlayout(std140, binding = %d) uniform Vertices {\n", LOCAL_SIZE,
-                VERTICES_BLOCK);
+    text_format(out,
+                "layout(local_size_x = %d) in;\nlayout(std140, binding = %d) uniform Vertices {\n",
+                LOCAL_SIZE, VERTICES_BLOCK);
     for (int i = 0; i < count; i++)
         text_format(out, "    %s;\n", members[i]);
-    text_format(out, "};\nlayout(std430, binding = %d) readonly buffer Read {\n    float matc_read[];\n};\n",
-                vulkan ? VULKAN_READ_BUFFER : READ_BUFFER);
-    text_format(out, "layout(std430, binding = %d) writeonly buffer Written {\n    float matc_written[];\n};\n",
-                vulkan ? VULKAN_WRITTEN_BUFFER : WRITTEN_BUFFER);
+    text_format(
+        out,
+        "};\nlayout(std430, binding = %d) readonly buffer Read {\n    float matc_read[];\n};\n",
+        vulkan ? VULKAN_READ_BUFFER : READ_BUFFER);
+    text_format(
+        out,
+        "layout(std430, binding = %d) writeonly buffer Written {\n    float matc_written[];\n};\n",
+        vulkan ? VULKAN_WRITTEN_BUFFER : WRITTEN_BUFFER);
 }
 
 static void put_helpers(Text *out, bool coordinates)
 {
     if (coordinates)
-        text_put(out, "vec2 matc_vec2(uvec2 at, uint vertex) {\n    uint i = at.x + at.y * vertex;\n    return "
+        text_put(out, "vec2 matc_vec2(uvec2 at, uint vertex) {\n    uint i = at.x + at.y * "
+                      "vertex;\n    return "
                       "vec2(matc_read[i], matc_read[i + 1u]);\n}\n\n");
-    text_put(out, "vec3 matc_vec3(uvec2 at, uint vertex) {\n    uint i = at.x + at.y * vertex;\n    return "
-                  "vec3(matc_read[i], matc_read[i + 1u], matc_read[i + 2u]);\n}\n\n"
-                  "void matc_write(uvec2 at, uint vertex, vec3 value) {\n    uint i = at.x + at.y * vertex;\n"
-                  "    matc_written[i] = value.x;\n    matc_written[i + 1u] = value.y;\n    matc_written[i + 2u] = "
-                  "value.z;\n}\n\n");
+    text_put(
+        out,
+        "vec3 matc_vec3(uvec2 at, uint vertex) {\n    uint i = at.x + at.y * vertex;\n    return "
+        "vec3(matc_read[i], matc_read[i + 1u], matc_read[i + 2u]);\n}\n\n"
+        "void matc_write(uvec2 at, uint vertex, vec3 value) {\n    uint i = at.x + at.y * vertex;\n"
+        "    matc_written[i] = value.x;\n    matc_written[i + 1u] = value.y;\n    matc_written[i + "
+        "2u] = "
+        "value.z;\n}\n\n");
 }
 
 static void put_normal(Text *out, const VertexMove *move)
@@ -132,10 +151,13 @@ static void put_normal(Text *out, const VertexMove *move)
     text_put(out, "    if (matc_to_normal.y == 0u)\n        return; // nobody wants normals\n");
     for (int i = 0; turns && i < NORMAL_FEEDS; i++)
         if (move->normal_inputs[normal_feeds[i].input])
-            text_format(out, "    %s = %s;\n", input_table[normal_feeds[i].input].glsl, normal_feeds[i].expression);
+            text_format(out, "    %s = %s;\n", input_table[normal_feeds[i].input].glsl,
+                        normal_feeds[i].expression);
     text_format(out, "    vec3 matc_turned = matc_outNormalFromWorld * %s;\n",
                 turns ? "matc_displacedNormal()" : "(matc_worldNormalFromLocal * normal)");
-    text_put(out, "    matc_write(matc_to_normal, vertex, matc_turned / max(length(matc_turned), 1e-30));\n");
+    text_put(
+        out,
+        "    matc_write(matc_to_normal, vertex, matc_turned / max(length(matc_turned), 1e-30));\n");
 }
 
 static void put_main(Text *out, const VertexMove *move)
@@ -143,16 +165,19 @@ static void put_main(Text *out, const VertexMove *move)
     const char *read[MOST_READ];
     const int reads = list_read(move, read);
     text_format(out,
-                "// Groups may lie in two rows and more: one row has 65,535 at most.\nvoid main() {\n    uint vertex = "
+                "// Groups may lie in two rows and more: one row has 65,535 at most.\nvoid main() "
+                "{\n    uint vertex = "
                 "gl_GlobalInvocationID.x + gl_GlobalInvocationID.y * gl_NumWorkGroups.x * %du;\n",
                 LOCAL_SIZE);
     text_put(out, "    if (vertex >= matc_count)\n        return;\n");
     for (int i = 0; i < reads; i++)
-        text_format(out, "    %s = matc_%.4s(matc_at_%s, vertex);\n", read[i], read[i], name_of(read[i]));
+        text_format(out, "    %s = matc_%.4s(matc_at_%s, vertex);\n", read[i], read[i],
+                    name_of(read[i]));
     if (move)
         move_put(out, move);
     text_format(out, "    matc_write(matc_to_position, vertex, (matc_outFromWorld * %s).xyz);\n",
-                move ? "vec4(matc_worldPosition, 1.0)" : "(matc_worldFromLocal * vec4(position, 1.0))");
+                move ? "vec4(matc_worldPosition, 1.0)"
+                     : "(matc_worldFromLocal * vec4(position, 1.0))");
     put_normal(out, move);
     text_put(out, "}\n");
 }
@@ -180,7 +205,8 @@ const char *emit_compute(Session *session, const Job *job, const Interface *inte
     return out.at;
 }
 
-static void describe_members(Text *out, const char *key, const char *const *list, int count, int *size)
+static void describe_members(Text *out, const char *key, const char *const *list, int count,
+                             int *size)
 {
     text_put(out, ", ");
     json_key(out, key);
@@ -204,7 +230,8 @@ static void describe_block(Text *out, const char *key, const char *name, int bin
 
 void compute_describe(Text *out, const Job *job, const Interface *interface)
 {
-    static const char *const places[] = {"mat4 matc_worldFromLocal", "mat3 matc_worldNormalFromLocal"};
+    static const char *const places[] = {"mat4 matc_worldFromLocal",
+                                         "mat3 matc_worldNormalFromLocal"};
     const char *read[MOST_READ], *members[MOST_READ + WRITTEN + 3];
     const int reads = list_read(interface->compute, read),
               count = list_members(out->arena, interface->compute, members);

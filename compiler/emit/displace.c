@@ -1,4 +1,5 @@
-/* No program, but functions for stages that are written around them: where a point is displaced to, and what of a volume is solid. */
+/* No program, but functions for stages that are written around them: where a point is displaced to,
+ * and what of a volume is solid. */
 #include "compiler/emit/move.h"
 #include "compiler/emit/vertex.h"
 
@@ -10,26 +11,31 @@ static void put_displaced_head(Text *out, const char *name)
     text_put(out, ") {\n");
 }
 
-/* A point that is displaced by a function, whichever stage calls it: its arguments have the names of the vertex program's attributes. */
+/* A point that is displaced by a function, whichever stage calls it: its arguments have the names
+ * of the vertex program's attributes. */
 const char *emit_displace(Session *session, const Job *job, const Interface *interface)
 {
     const VertexMove *move = interface->move;
     Text out = text_new(session->arena);
-    text_format(&out, "// matc " MATC_VERSION ": where points of a displaced surface are, of pass %s\n",
+    text_format(&out,
+                "// matc " MATC_VERSION ": where points of a displaced surface are, of pass %s\n",
                 pass_table[job->pass].name);
     emit_place_uniforms(&out, job->target, move != NULL);
     if (move)
         text_format(&out, "%s\n%s", move->declarations, move->text);
     text_put(&out, move ? "" : "\n");
     if (move && move->volume) {
-        put_displaced_head(&out,
-                           "// What is solid along the unit normal in the world, of attributes in the object's space: "
-                           "from x to y, and from z to w; nothing where the second is no more.\nvec4 matc_solid");
+        put_displaced_head(
+            &out,
+            "// What is solid along the unit normal in the world, of attributes in the object's "
+            "space: "
+            "from x to y, and from z to w; nothing where the second is no more.\nvec4 matc_solid");
         move_put_inputs(&out, move);
         text_put(&out, "    return matc_displacement();\n}\n\n");
     }
-    put_displaced_head(&out, "// The point in the world of attributes in the object's space. All vertices of one "
-                             "position take the same ones, so that none tears off.\nvec3 matc_displaced");
+    put_displaced_head(
+        &out, "// The point in the world of attributes in the object's space. All vertices of one "
+              "position take the same ones, so that none tears off.\nvec3 matc_displaced");
     if (move)
         move_put(&out, move);
     text_format(&out, "    return %s;\n}\n",

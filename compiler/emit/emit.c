@@ -38,28 +38,35 @@ static bool needs_name(const Scope *e, Ref ref, int size)
     if (e->s.arm[ref] || (e->s.hoisted && e->s.hoisted[ref]))
         return true;
     if (emit_is_leaf(e->ir, ref))
-        return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0; /* of what is written in place */
+        /* of what is written in place */
+        return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0;
     if (e->s.uses[ref] > 1)
         return true;
     return (ir_is_head(e->ir, ref) && size > 1) || size > LARGEST_EXPRESSION;
 }
 
-/* A branch sets what is of its region, one after the other from `region` on by Schedule.mate; its sides are 0 and 1. */
+/* A branch sets what is of its region, one after the other from `region` on by Schedule.mate; its
+ * sides are 0 and 1. */
 static Ref side_value(const Scope *e, Ref ref, int side) { return ir_arg(e->ir, ref, 1 + side); }
 
 static void put_branch(Scope *e, Text *out, Ref region, int depth);
 
 /* It is computed in the block, for what is set there and nothing else. */
-static bool is_own(const Scope *e, Ref value, int block) { return e->s.uses[value] == 1 && e->s.block[value] == block; }
+static bool is_own(const Scope *e, Ref value, int block)
+{
+    return e->s.uses[value] == 1 && e->s.block[value] == block;
+}
 
-/* A branch by which a side sets all that the region sets, and nothing else, has the targets of this one: it is that; 0 is none. */
+/* A branch by which a side sets all that the region sets, and nothing else, has the targets of this
+ * one: it is that; 0 is none. */
 static Ref tail_of(const Scope *e, Ref region, int side)
 {
     const Ref tail = side_value(e, region, side);
     Ref ref = region, within = tail;
     do {
         Ref value = side_value(e, ref, side);
-        if (!e->s.arm[value] || e->s.arm[value] != e->s.arm[tail] || !is_own(e, value, e->s.arm[region] + side))
+        if (!e->s.arm[value] || e->s.arm[value] != e->s.arm[tail] ||
+            !is_own(e, value, e->s.arm[region] + side))
             return 0;
         within = e->s.mate[within];
         ref = e->s.mate[ref];
@@ -245,9 +252,11 @@ void emit_hoisted(Scope *e, Text *out, int depth)
     }
 }
 
-Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface, Arena *scratch)
+Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface,
+                     Arena *scratch)
 {
-    Scope e = {.session = session, .ir = ir, .job = job, .interface = interface, .scratch = scratch};
+    Scope e = {
+        .session = session, .ir = ir, .job = job, .interface = interface, .scratch = scratch};
     e.s = schedule_new(ir, scratch);
     e.names = ARENA_ARRAY(scratch, const char *, ir->count);
     e.size = ARENA_ARRAY(scratch, uint16_t, ir->count);

@@ -1,5 +1,5 @@
-/* Expressions, by the shape of an operation and its lines in ops.def. Parentheses stand where an operand binds less tightly than
- * its place asks for:
+/* Expressions, by the shape of an operation and its lines in ops.def. Parentheses stand where an
+ * operand binds less tightly than its place asks for:
  *
  *     sub(a, sub(b, c))    a - (b - c): the right operand of - has to bind more tightly than -
  *     sub(sub(a, b), c)    a - b - c */
@@ -69,7 +69,8 @@ static void put_attribute(Scope *e, Text *out, Ref ref)
     e->interface->attributes[attribute_of(payload)] = true;
     if (attribute_part(payload) != ATTRIBUTE_value)
         e->interface->attribute_changes[attribute_of(payload)] = true;
-    attribute_put_name(out, e->ir->graph->attributes[attribute_of(payload)], attribute_part(payload));
+    attribute_put_name(out, e->ir->graph->attributes[attribute_of(payload)],
+                       attribute_part(payload));
 }
 
 static void put_uniform(Scope *e, Text *out, Ref ref)
@@ -111,12 +112,13 @@ static void put_list(Scope *e, Text *out, Ref ref)
     text_char(out, ')');
 }
 
-/* GLSL lets a float stand for a vector in some operands of some functions; elsewhere it is written out. */
+/* GLSL lets a float stand for a vector in some operands of some functions; elsewhere it is written
+ * out. */
 static bool may_be_float(const IrNode *node, int i, bool both_bounds)
 {
     switch (node->op) {
-#define NARROW(name, condition)                                                                                        \
-    case OP_##name:                                                                                                    \
+#define NARROW(name, condition)                                                                    \
+    case OP_##name:                                                                                \
         return condition;
 #include "grammar/ops.def"
     default:
@@ -128,13 +130,14 @@ static void put_call(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
     bool by_lane = op_table[node->op].rule == RULE_widest;
-    bool bounds =
-        node->count == 3 && ir_lanes(e->ir, ir_arg(e->ir, ref, 1)) == 1 && ir_lanes(e->ir, ir_arg(e->ir, ref, 2)) == 1;
+    bool bounds = node->count == 3 && ir_lanes(e->ir, ir_arg(e->ir, ref, 1)) == 1 &&
+                  ir_lanes(e->ir, ir_arg(e->ir, ref, 2)) == 1;
     text_put(out, op_table[node->op].glsl);
     text_char(out, '(');
     for (int i = 0; i < node->count; i++) {
         Ref arg = ir_arg(e->ir, ref, i);
-        bool widen = by_lane && ir_lanes(e->ir, arg) < ir_lanes(e->ir, ref) && !may_be_float(node, i, bounds);
+        bool widen = by_lane && ir_lanes(e->ir, arg) < ir_lanes(e->ir, ref) &&
+                     !may_be_float(node, i, bounds);
         text_put(out, i ? ", " : "");
         if (widen) {
             text_put(out, type_table[node->type].name);
@@ -154,7 +157,8 @@ static void put_vec(Scope *e, Text *out, Ref ref)
     int lanes = type_table[node->type].lanes, equal = 1;
     while (equal < node->count && ir_arg(e->ir, ref, equal) == ir_arg(e->ir, ref, 0))
         equal++;
-    bool all = equal == node->count && node->count == lanes, three = equal == 3 && lanes == 4 && node->count == 4;
+    bool all = equal == node->count && node->count == lanes,
+         three = equal == 3 && lanes == 4 && node->count == 4;
     text_put(out, type_table[node->type].name);
     text_char(out, '(');
     for (int i = all || three ? equal - 1 : 0; i < node->count; i++) {
@@ -220,9 +224,9 @@ static void put_kernel_sum(Scope *e, Text *out, Ref ref)
 static void put_special(Scope *e, Text *out, Ref ref)
 {
     switch (ir_at(e->ir, ref)->op) {
-#define WRITE(name, function)                                                                                          \
-    case OP_##name:                                                                                                    \
-        function(e, out, ref);                                                                                         \
+#define WRITE(name, function)                                                                      \
+    case OP_##name:                                                                                \
+        function(e, out, ref);                                                                     \
         break;
 #include "grammar/ops.def"
     default:
@@ -233,8 +237,8 @@ static void put_special(Scope *e, Text *out, Ref ref)
 static int precedence_of(const IrNode *node)
 {
     switch (node->op) {
-#define PRECEDENCE(name, level)                                                                                        \
-    case OP_##name:                                                                                                    \
+#define PRECEDENCE(name, level)                                                                    \
+    case OP_##name:                                                                                \
         return PRECEDENCE_##level;
 #include "grammar/ops.def"
     default:

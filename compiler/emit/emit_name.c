@@ -15,7 +15,8 @@ static bool is_taken(const Scope *e, const char *name)
 {
     if (names_find(&e->ir->graph->uniform_names, name) >= 0 || names_find(&e->constants, name) >= 0)
         return true;
-    const int functions = strchr(name, '_') ? 0 : FUNCTION_COUNT; /* no function's name has one: test_tables */
+    /* no function's name has one: test_tables */
+    const int functions = strchr(name, '_') ? 0 : FUNCTION_COUNT;
     for (int i = 0; i < functions; i++) {
         const char *other = function_row(i)->name;
         if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */
@@ -52,7 +53,8 @@ const char *emit_new_name(Scope *e, const IrNode *node)
         text_put(&step, "_bits");
         return free_name(e, step.at);
     }
-    const bool head = node->flags & NODE_head, plain = !naming->given && (head || naming->valued != e->number);
+    const bool head = node->flags & NODE_head,
+               plain = !naming->given && (head || naming->valued != e->number);
     naming->given |= plain;
     naming->steps += !head || !plain;
     if (plain)
@@ -82,7 +84,8 @@ static const Lines *lines_of(Scope *e, uint32_t file)
     if (lines->count)
         return lines;
     ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->room, start);
-    for (const char *at = source->text; (at = memchr(at, '\n', (size_t)(source->text + source->size - at)));) {
+    for (const char *at = source->text;
+         (at = memchr(at, '\n', (size_t)(source->text + source->size - at)));) {
         start = (uint32_t)(++at - source->text);
         ARENA_PUSH(e->scratch, lines->starts, lines->count, lines->room, start);
     }
@@ -103,7 +106,8 @@ static size_t line_of(const Lines *lines, uint32_t offset)
     return low + 1;
 }
 
-/* The file's name without its folder, as programs do not depend on where matc runs. What a comment cannot have is an underscore. */
+/* The file's name without its folder, as programs do not depend on where matc runs. What a comment
+ * cannot have is an underscore. */
 static void put_file(Text *note, const char *path)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;
@@ -114,7 +118,8 @@ static void put_file(Text *note, const char *path)
 const char *emit_origin_note(Scope *e, const IrNode *node)
 {
     const Node *map = ir_origin_map(e->ir, node->origin);
-    if (!map || e->naming[node->origin].scope == e->number || map->span.file >= e->session->source_count)
+    if (!map || e->naming[node->origin].scope == e->number ||
+        map->span.file >= e->session->source_count)
         return "";
     Text note = text_new(e->scratch);
     put_file(&note, e->session->sources[map->span.file].name);

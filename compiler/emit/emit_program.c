@@ -27,7 +27,8 @@ static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
 static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
 {
     const IrFunction *function = &ir->functions[number];
-    const char *type = type_table[ir_type(ir, function->result)].name, *name = emit_function_name(session, ir, number);
+    const char *type = type_table[ir_type(ir, function->result)].name,
+               *name = emit_function_name(session, ir, number);
     text_format(out, "%s %sSum(", type, name);
     put_parameters(out, ir, function);
     bool scalar = ir_type(ir, function->result) == TYPE_float;
@@ -35,7 +36,8 @@ static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
     text_format(out, scalar ? "0.0;\n" : "%s(0.0);\n", type);
     for (int axis = 0; axis < 3; axis++) {
         emit_indent(out, axis + 1);
-        text_format(out, "for (float %c = -0.5; %c < 1.0; %c += 0.5)\n", "ijk"[axis], "ijk"[axis], "ijk"[axis]);
+        text_format(out, "for (float %c = -0.5; %c < 1.0; %c += 0.5)\n", "ijk"[axis], "ijk"[axis],
+                    "ijk"[axis]);
     }
     emit_indent(out, 4);
     text_format(out, "sum += %s(", name);
@@ -80,7 +82,8 @@ static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
     return count;
 }
 
-/* What some values need, with what the functions need that they run, and these in turn: who runs a function comes behind it. `run` has them. */
+/* What some values need, with what the functions need that they run, and these in turn: who runs a
+ * function comes behind it. `run` has them. */
 static IrReach needed_by(const Ir *ir, const Ref *roots, int count, bool *run, Arena *scratch)
 {
     IrReach reach = ir_reach_new(ir, scratch);
@@ -147,16 +150,18 @@ static void put_output(Scope *e, Text *out, const IrOutput *output)
     text_put(out, ";\n");
 }
 
-/* How inputs change over the screen is computed before any branch, as dFdx must be; functions read it from globals. */
+/* How inputs change over the screen is computed before any branch, as dFdx must be; functions read
+ * it from globals. */
 static void put_changes(Text *out, const Interface *interface, bool shared)
 {
     for (int i = 0; i < change_count; i++) {
         const InputRow *row = &input_table[change_table[i].input];
         if (shared && interface->inputs[change_table[i].input])
-            text_format(out, "    %s = %s(%s);\n", row->glsl, change_table[i].by, input_table[change_table[i].of].glsl);
-        else if (interface->inputs[change_table[i].input])
-            text_format(out, "    %s %s = %s(%s);\n", type_table[row->type].name, row->glsl, change_table[i].by,
+            text_format(out, "    %s = %s(%s);\n", row->glsl, change_table[i].by,
                         input_table[change_table[i].of].glsl);
+        else if (interface->inputs[change_table[i].input])
+            text_format(out, "    %s %s = %s(%s);\n", type_table[row->type].name, row->glsl,
+                        change_table[i].by, input_table[change_table[i].of].glsl);
     }
 }
 
@@ -197,7 +202,8 @@ static void put_main(Scope *e, Text *out)
     text_put(out, "void main() {\n");
     put_changes(out, e->interface, ir->function_count > 0);
     attribute_put_changes(out, e->interface,
-                          ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared : ATTRIBUTE_CHANGES_whole);
+                          ir->function_count > 0 ? ATTRIBUTE_CHANGES_shared
+                                                 : ATTRIBUTE_CHANGES_whole);
     text_add(out, body.at, body.size);
     text_put(out, "}\n");
 }
@@ -216,12 +222,13 @@ static Interface joined(Session *session, const Ir *ir, const Interface *a, cons
     Interface all = new_interface(session, ir);
     const Interface *const both[] = {a, b};
     memcpy(all.inputs, a->inputs, sizeof all.inputs);
-    memcpy(all.attributes, a->attributes, sizeof all.attributes); /* no vertex stage computes with them */
+    /* no vertex stage computes with them */
+    memcpy(all.attributes, a->attributes, sizeof all.attributes);
     all.instances = a->instances;
     all.members = a->members || b->members;
     for (int i = 0; i < INPUT_COUNT; i++)
-        all.inputs[i] |=
-            b->inputs[i] && (input_table[i].source == SOURCE_draw || input_table[i].source == SOURCE_object);
+        all.inputs[i] |= b->inputs[i] && (input_table[i].source == SOURCE_draw ||
+                                          input_table[i].source == SOURCE_object);
     for (int k = 0; k < 2; k++) {
         for (int i = 0; i < ir->graph->uniform_count; i++) {
             all.uniforms[i] |= both[k]->uniforms[i];
@@ -243,8 +250,10 @@ static void put_chunks(Text *out, const Chunks *chunks)
     }
 }
 
-/* The text of a VertexMove: its inputs are variables, since functions of filters read them too, and there are two settings of them. `normal` may be 0. */
-static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own, Ref normal)
+/* The text of a VertexMove: its inputs are variables, since functions of filters read them too, and
+ * there are two settings of them. `normal` may be 0. */
+static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own,
+                             Ref normal)
 {
     Arena scratch = {0};
     const Ref root = ir_output_of(ir, OUT_displacement)->value, both[] = {root, normal};
@@ -253,19 +262,23 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
     put_functions(&e, &functions, functions_of(ir, both, normal ? 2 : 1, &scratch));
     emit_scope_open(&e, NULL, &root, 1);
     text_format(&functions, "// How far the point moves: %s.\n%s matc_displacement() {\n",
-                ir_type(ir, root) == TYPE_float  ? "along its normal"
-                : ir_type(ir, root) == TYPE_vec4 ? "what is solid along its normal, from x to y and from z to w"
-                                                 : "along dP/du, dP/dv and its normal",
+                ir_type(ir, root) == TYPE_float ? "along its normal"
+                : ir_type(ir, root) == TYPE_vec4
+                    ? "what is solid along its normal, from x to y and from z to w"
+                    : "along dP/du, dP/dv and its normal",
                 type_table[ir_type(ir, root)].name);
     put_result(&e, &functions, root);
     if (normal) {
         emit_scope_open(&e, NULL, &normal, 1);
-        text_put(&functions, "// The unit normal of what the surface comes to be.\nvec3 matc_displacedNormal() {\n");
+        text_put(
+            &functions,
+            "// The unit normal of what the surface comes to be.\nvec3 matc_displacedNormal() {\n");
         put_result(&e, &functions, normal);
     }
     for (int i = 0; i < INPUT_COUNT; i++)
         if (input_table[i].source == SOURCE_vertex && (own->inputs[i] || i == INPUT_vertexP))
-            text_format(&out, "%s %s;\n", type_table[input_table[i].type].name, input_table[i].glsl);
+            text_format(&out, "%s %s;\n", type_table[input_table[i].type].name,
+                        input_table[i].glsl);
     text_char(&out, '\n');
     put_chunks(&out, &own->chunks);
     text_add(&out, functions.at, functions.size);
@@ -274,7 +287,8 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
 }
 
 /* All but its declarations, which `own` gets. */
-static VertexMove *move_new(Session *session, const Ir *ir, const Job *job, Interface *own, Ref normal)
+static VertexMove *move_new(Session *session, const Ir *ir, const Job *job, Interface *own,
+                            Ref normal)
 {
     VertexMove *move = ARENA_NEW(session->arena, VertexMove);
     const Ref root = ir_output_of(ir, OUT_displacement)->value;
@@ -290,7 +304,8 @@ static VertexMove *move_new(Session *session, const Ir *ir, const Job *job, Inte
     return move;
 }
 
-static void declare_move(Session *session, const Ir *ir, const Job *job, VertexMove *move, Declared declared)
+static void declare_move(Session *session, const Ir *ir, const Job *job, VertexMove *move,
+                         Declared declared)
 {
     Text declarations = text_new(session->arena);
     emit_move_declarations(session, &declarations, ir, job, declared);
@@ -298,7 +313,8 @@ static void declare_move(Session *session, const Ir *ir, const Job *job, VertexM
 }
 
 /* The interface of all stages, of that of the fragment program. */
-static Interface with_move(Session *session, const Ir *ir, const Job *job, const Interface *fragment)
+static Interface with_move(Session *session, const Ir *ir, const Job *job,
+                           const Interface *fragment)
 {
     const IrOutput *normal = ir_output_of(ir, OUT_normal);
     Interface own, computed;
@@ -307,7 +323,8 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     VertexMove *move = move_new(session, ir, job, &own, 0),
                *compute = normal ? move_new(session, ir, job, &computed, normal->value) : move;
     Interface all =
-        joined(session, ir, fragment, normal ? &computed : &own); /* who computes normals computes heights */
+        /* who computes normals computes heights */
+        joined(session, ir, fragment, normal ? &computed : &own);
     declare_move(session, ir, job, move, (Declared){&own, &all});
     if (normal)
         declare_move(session, ir, job, compute, (Declared){&computed, &all});
@@ -318,13 +335,15 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job, const
     return all;
 }
 
-const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface, size_t *size)
+const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface,
+                          size_t *size)
 {
     Arena scratch = {0};
     Ref roots[MOST_OUTPUTS];
     Interface own = new_interface(session, ir);
     own.instances = job->instances;
-    Text functions = text_new(session->arena), body = text_new(session->arena), out = text_new(session->arena);
+    Text functions = text_new(session->arena), body = text_new(session->arena),
+         out = text_new(session->arena);
     Scope e = emit_scope_new(session, ir, job, &own, &scratch);
     put_functions(&e, &functions, functions_of(ir, roots, roots_of(ir, roots), &scratch));
     put_main(&e, &body);

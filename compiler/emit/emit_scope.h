@@ -6,8 +6,9 @@
 
 /* What the temporaries of an origin are called in a scope. */
 typedef struct {
-    int scope;        /* in which that is known: Scope.number */
-    int valued;       /* scope that computes the value, which then is called so; else the first step is */
+    int scope; /* in which that is known: Scope.number */
+    /* scope that computes the value, which then is called so; else the first step is */
+    int valued;
     const char *name; /* numbers behind it tell steps apart */
     int steps;        /* named so far */
     bool given;       /* to somebody */
@@ -28,33 +29,38 @@ typedef struct {
     Schedule s;
     const IrFunction *function; /* NULL: main */
     const char **names;         /* by Ref: its temporary, or NULL */
-    uint16_t *size;             /* by Ref: operations in its expression, where it is written in place */
-    uint8_t *done;              /* by Ref: its statement is written, or it needs none */
-    int number;                 /* of the scope, from 1 */
-    Naming *naming;             /* by origin */
-    FreshNames fresh;           /* temporaries of the scope */
-    Names constants;            /* members of the buffer */
-    Lines *lines;               /* by source */
+    /* by Ref: operations in its expression, where it is written in place */
+    uint16_t *size;
+    uint8_t *done;    /* by Ref: its statement is written, or it needs none */
+    int number;       /* of the scope, from 1 */
+    Naming *naming;   /* by origin */
+    FreshNames fresh; /* temporaries of the scope */
+    Names constants;  /* members of the buffer */
+    Lines *lines;     /* by source */
 } Scope;
 
 /* A scope to be opened; the arrays by Ref are those of all that are, one after the other. */
-Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface, Arena *scratch);
+Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface,
+                     Arena *scratch);
 /* Begins a function, or main (NULL), with nothing written yet. */
 void emit_scope_open(Scope *e, const IrFunction *function, const Ref *roots, int count);
 /* Spaces before a statement. */
 void emit_indent(Text *out, int depth);
-/* The statements of a block; those of the scope's own block that `root` needs and that are not written yet. */
+/* The statements of a block; those of the scope's own block that `root` needs and that are not
+ * written yet. */
 void emit_block(Scope *e, Text *out, int block, int depth);
 void emit_needed(Scope *e, Text *out, Ref root, int depth);
 /* The statements of all implicit derivatives, for a scope that discards: behind a discard they
  * are undefined. */
 void emit_hoisted(Scope *e, Text *out, int depth);
-/* Before them: a root that nothing else needs has no statement of its own, it is written where it goes; behind them: the comment that one would have. */
+/* Before them: a root that nothing else needs has no statement of its own, it is written where it
+ * goes; behind them: the comment that one would have. */
 void emit_leave(Scope *e, Ref root);
 void emit_left_note(Scope *e, Text *out, Ref root, int depth);
 /* emit_name.c: begins a scope, which is scheduled, with no names. */
 void emit_forget_names(Scope *e);
-/* A name for the node's temporary: "clay" for a map's value, "clay_1" for a step on its way, "diffuse_bits" for what is stored. */
+/* A name for the node's temporary: "clay" for a map's value, "clay_1" for a step on its way,
+ * "diffuse_bits" for what is stored. */
 const char *emit_new_name(Scope *e, const IrNode *node);
 /* "brick.yaml:8 clay", the first time that something of the map gets a statement; "" otherwise. */
 const char *emit_origin_note(Scope *e, const IrNode *node);

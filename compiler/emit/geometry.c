@@ -1,18 +1,23 @@
-/* The geometry program, and the vertex program that hands attributes on to it: one triangle in; out, row by row, as strips, matc_rows^2 of them. What the vertex program does with
- * attributes, this does with attributes that are mixed, at each point of the rows.
+/* The geometry program, and the vertex program that hands attributes on to it: one triangle in;
+ * out, row by row, as strips, matc_rows^2 of them. What the vertex program does with attributes,
+ * this does with attributes that are mixed, at each point of the rows.
  *
- *     matc_rows = 2:       0            two strips: 2 0 1 of the first row, whose upper points are 0 alone; then
+ *     matc_rows = 2: 0 two strips: 2 0 1 of the first row, whose upper points are 0 alone; then
  *                         / \           the second row's points and the first's in turn.
  *                        *---*
  *                       / \ / \
  *                      2---*---1
  *
- * A driver writes 1024 numbers of a triangle that it was given, or a few more: matc_rowsMost is how many rows are within that. For finer triangles the one that is given counts as
- * matc_parts^2, in rows as well, and an instance of the draw makes rows of each. Points of an edge are mixed by whole numbers over their sum, and so agree with the neighbour's. */
+ * A driver writes 1024 numbers of a triangle that it was given, or a few more: matc_rowsMost is how
+ * many rows are within that. For finer triangles the one that is given counts as matc_parts^2, in
+ * rows as well, and an instance of the draw makes rows of each. Points of an edge are mixed by
+ * whole numbers over their sum, and so agree with the neighbour's. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/emit_declare.h"
 
-/* Where its uniforms lie: in the last binding that every driver has, as the levels of tessellation do, which are of other programs; what every driver writes at least, of one triangle that it is given. */
+/* Where its uniforms lie: in the last binding that every driver has, as the levels of tessellation
+ * do, which are of other programs; what every driver writes at least, of one triangle that it is
+ * given. */
 enum { ROWS_BLOCK = 83, COMPONENTS = 1024, VERTICES = 256, POSITION_COMPONENTS = 4 };
 
 static int vertices_most(const Interface *interface)
@@ -42,10 +47,12 @@ static void put_first(Text *out, const Job *job, const VertexAttribute *list, in
         text_format(out, "layout(location = %d) in %s;\n", list[i].location, list[i].declaration);
     for (int i = 0; i < count; i++)
         emit_vertex_between(out, job, i, &list[i], "out %.*s matc_vertex_%s;\n");
-    emit_vertex_between(out, job, count, &(VertexAttribute){"int part", 0}, "flat out %.*s matc_vertex_%s;\n");
+    emit_vertex_between(out, job, count, &(VertexAttribute){"int part", 0},
+                        "flat out %.*s matc_vertex_%s;\n");
     text_put(out, "\nvoid main() {\n");
     for (int i = 0; i < count; i++)
-        text_format(out, "    matc_vertex_%s = %s;\n", emit_vertex_name(&list[i]), emit_vertex_name(&list[i]));
+        text_format(out, "    matc_vertex_%s = %s;\n", emit_vertex_name(&list[i]),
+                    emit_vertex_name(&list[i]));
     text_format(out, "    matc_vertex_part = %s;\n}\n",
                 target_table[job->target].spirv ? "gl_InstanceIndex" : "gl_InstanceID");
 }
@@ -53,21 +60,25 @@ static void put_first(Text *out, const Job *job, const VertexAttribute *list, in
 static void put_uniforms(Text *out, const Job *job)
 {
     if (target_table[job->target].locations)
-        text_format(out, "layout(std140, binding = %d) uniform Rows {\n    int matc_rows;\n    int matc_parts;\n};\n",
+        text_format(out,
+                    "layout(std140, binding = %d) uniform Rows {\n    int matc_rows;\n    int "
+                    "matc_parts;\n};\n",
                     ROWS_BLOCK);
     else
         text_put(out, "uniform int matc_rows;\nuniform int matc_parts;\n");
 }
 
 /* matc_point(): a point by weights of the corners, which are whole numbers. */
-static void put_point(Text *out, const Job *job, const Interface *interface, const VertexAttribute *list, int count)
+static void put_point(Text *out, const Job *job, const Interface *interface,
+                      const VertexAttribute *list, int count)
 {
-    text_put(
-        out,
-        "void matc_point(ivec3 weights) {\n    vec3 w = vec3(weights) / float(weights.x + weights.y + weights.z);\n");
+    text_put(out, "void matc_point(ivec3 weights) {\n    vec3 w = vec3(weights) / float(weights.x "
+                  "+ weights.y + weights.z);\n");
     for (int i = 0; i < count; i++) {
         const char *name = emit_vertex_name(&list[i]);
-        text_format(out, "    %s = matc_vertex_%s[0] * w.x + matc_vertex_%s[1] * w.y + matc_vertex_%s[2] * w.z;\n",
+        text_format(out,
+                    "    %s = matc_vertex_%s[0] * w.x + matc_vertex_%s[1] * w.y + "
+                    "matc_vertex_%s[2] * w.z;\n",
                     name, name, name, name);
     }
     emit_vertex_body(out, job, interface);
@@ -81,7 +92,8 @@ static void put_rows(Text *out, int rows)
                   "    while ((row + 1) * (row + 1) <= part)\n"
                   "        row++;\n"
                   "    int place = part - row * row, column = place / 2;\n"
-                  "    ivec3 a = ivec3(matc_parts - row, column, row - column), b = a + ivec3(-1, 1, 0), c = a + "
+                  "    ivec3 a = ivec3(matc_parts - row, column, row - column), b = a + ivec3(-1, "
+                  "1, 0), c = a + "
                   "ivec3(-1, 0, 1);\n"
                   "    if (place % 2 == 1) {\n"
                   "        a = ivec3(matc_parts - row - 1, column + 1, row - column);\n"
@@ -106,27 +118,33 @@ static void put_rows(Text *out, int rows)
 static void put_geometry(Text *out, const Job *job, const Interface *interface)
 {
     VertexAttribute list[VERTEX_ATTRIBUTES];
-    const int count = emit_vertex_attributes(job, interface, list), rows = rows_most(vertices_most(interface));
-    text_format(out, "layout(triangles) in;\nlayout(triangle_strip, max_vertices = %d) out;\n", rows * (rows + 2));
+    const int count = emit_vertex_attributes(job, interface, list),
+              rows = rows_most(vertices_most(interface));
+    text_format(out, "layout(triangles) in;\nlayout(triangle_strip, max_vertices = %d) out;\n",
+                rows * (rows + 2));
     for (int i = 0; i < count; i++)
         emit_vertex_between(out, job, i, &list[i], "in %.*s matc_vertex_%s[];\n");
-    emit_vertex_between(out, job, count, &(VertexAttribute){"int part", 0}, "flat in %.*s matc_vertex_%s[];\n");
+    emit_vertex_between(out, job, count, &(VertexAttribute){"int part", 0},
+                        "flat in %.*s matc_vertex_%s[];\n");
     for (int i = 0; i < count; i++)
-        text_format(out, "%s%s;\n", target_table[job->target].number >= 400 ? "precise " : "", list[i].declaration);
+        text_format(out, "%s%s;\n", target_table[job->target].number >= 400 ? "precise " : "",
+                    list[i].declaration);
     put_uniforms(out, job);
     emit_vertex_declarations(out, job, interface);
     put_point(out, job, interface, list, count);
     put_rows(out, rows);
 }
 
-const char *emit_geometry(Session *session, const Job *job, const Interface *interface, GeometryStage stage)
+const char *emit_geometry(Session *session, const Job *job, const Interface *interface,
+                          GeometryStage stage)
 {
     VertexAttribute list[VERTEX_ATTRIBUTES];
     const int count = emit_vertex_attributes(job, interface, list);
     Text out = text_new(session->arena);
     emit_version(&out, job->target);
     text_format(&out, "// matc " MATC_VERSION ": %s of pass %s\n\n",
-                stage == GEOMETRY_vertex ? "vertex program before the geometry program" : "geometry program",
+                stage == GEOMETRY_vertex ? "vertex program before the geometry program"
+                                         : "geometry program",
                 pass_table[job->pass].name);
     if (stage == GEOMETRY_vertex)
         put_first(&out, job, list, count);

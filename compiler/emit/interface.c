@@ -11,8 +11,8 @@ void emit_version(Text *out, Target target)
     if (row->enables)
         text_format(out, "#extension %s : enable\n", row->enables);
     if (row->precision)
-        text_format(out, "precision %s float;\nprecision %s int;\nprecision %s sampler2D;\n", row->precision,
-                    row->precision, row->precision);
+        text_format(out, "precision %s float;\nprecision %s int;\nprecision %s sampler2D;\n",
+                    row->precision, row->precision, row->precision);
 }
 
 /* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
@@ -28,7 +28,8 @@ int emit_table_binding(const Ir *ir, const Interface *interface, const char *nam
     for (size_t i = 0; i < ir->texture_count; i++)
         index += interface->textures[i];
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++) {
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name;
+             uniform++) {
             if (uniform->sampler && !strcmp(uniform->name, name))
                 return emit_texture_binding(index);
             index += uniform->sampler;
@@ -39,7 +40,8 @@ int emit_table_binding(const Ir *ir, const Interface *interface, const char *nam
 const char *emit_texture_name(Session *session, const Ir *ir, int texture)
 {
     Text name = text_new(session->arena);
-    text_format(&name, "%sTexture%d", ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
+    text_format(&name, "%sTexture%d",
+                ir->textures[texture].kind == TEXTURE_image ? "image" : "carpenter", texture);
     return name.at;
 }
 
@@ -48,26 +50,30 @@ void emit_varying(Text *out, Target target, Input input, const char *word)
     const InputRow *row = &input_table[input];
     if (target_table[target].locations)
         text_format(out, "layout(location = %d) ", emit_input_location(input));
-    text_format(out, "%s %s %s;\n", target_table[target].in_out ? word : "varying", type_table[row->type].name,
-                row->glsl);
+    text_format(out, "%s %s %s;\n", target_table[target].in_out ? word : "varying",
+                type_table[row->type].name, row->glsl);
 }
 
 static void put_members(Text *out, const Ir *ir, const char *prefix)
 {
     for (size_t i = 0; i < ir->constant_count; i++)
-        text_format(out, "%s%s %s;\n", prefix, type_table[ir->constants[i].type].name, ir->constants[i].name);
+        text_format(out, "%s%s %s;\n", prefix, type_table[ir->constants[i].type].name,
+                    ir->constants[i].name);
 }
 
-/* The numbers of all materials that share the program; which is an instance's own, its vertices say. */
+/* The numbers of all materials that share the program; which is an instance's own, its vertices
+ * say. */
 static void put_numbers(Text *out, const Ir *ir)
 {
     text_put(out, "struct Numbers {\n");
     put_members(out, ir, "    ");
-    text_format(out, "};\nlayout(std140, binding = %d) readonly buffer " CONSTANT_BLOCK_NAME " {\n", NUMBER_BUFFER);
+    text_format(out, "};\nlayout(std140, binding = %d) readonly buffer " CONSTANT_BLOCK_NAME " {\n",
+                NUMBER_BUFFER);
     text_put(out, "    Numbers matc_numbers[];\n};\n");
 }
 
-/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole: its offsets are promised. */
+/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole:
+ * its offsets are promised. */
 static void put_constants(Text *out, const Ir *ir, const Job *job)
 {
     bool block = target_table[job->target].blocks;
@@ -78,7 +84,8 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
         return;
     }
     if (target_table[job->target].locations)
-        text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n", CONSTANT_BLOCK);
+        text_format(out, "layout(std140, binding = %d) uniform " CONSTANT_BLOCK_NAME " {\n",
+                    CONSTANT_BLOCK);
     else if (block)
         text_put(out, "layout(std140) uniform " CONSTANT_BLOCK_NAME " {\n");
     put_members(out, ir, block ? "    " : "uniform ");
@@ -88,27 +95,32 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
 bool emit_is_uniform(const Interface *interface, Input input)
 {
     const InputSource source = input_table[input].source;
-    return interface->inputs[input] && (source == SOURCE_draw || (source == SOURCE_object && !interface->instances));
+    return interface->inputs[input] &&
+           (source == SOURCE_draw || (source == SOURCE_object && !interface->instances));
 }
 
-/* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns how many. */
+/* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns
+ * how many. */
 static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, const char *prefix)
 {
     int count = 0;
     for (int i = 0; i < INPUT_COUNT; i++)
         if (emit_is_uniform(interface, (Input)i)) {
-            text_format(out, "%s%s %s;\n", prefix, type_table[input_table[i].type].name, input_table[i].glsl);
+            text_format(out, "%s%s %s;\n", prefix, type_table[input_table[i].type].name,
+                        input_table[i].glsl);
             count++;
         }
     for (int i = 0; i < ir->graph->uniform_count; i++) {
         if (!interface->uniforms[i])
             continue;
-        const char *type = interface->counts[i] ? "int" : type_table[ir->graph->uniforms[i]->type].name;
+        const char *type =
+            interface->counts[i] ? "int" : type_table[ir->graph->uniforms[i]->type].name;
         text_format(out, "%s%s %s;\n", prefix, type, ir->graph->uniforms[i]->name);
         count++;
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++)
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name;
+             uniform++)
             if (!uniform->sampler) {
                 text_format(out, "%s%s %s;\n", prefix, uniform->type, uniform->name);
                 count++;
@@ -137,11 +149,13 @@ static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *j
     int index = 0;
     for (size_t i = 0; i < ir->texture_count; i++) {
         if (d.own->textures[i])
-            put_sampler(out, job->target, index, "sampler2D", emit_texture_name(session, ir, (int)i));
+            put_sampler(out, job->target, index, "sampler2D",
+                        emit_texture_name(session, ir, (int)i));
         index += d.all->textures[i];
     }
     for (size_t i = 0; i < d.all->chunks.count; i++)
-        for (const ChunkUniform *uniform = d.all->chunks.at[i]->uniforms; uniform->name; uniform++) {
+        for (const ChunkUniform *uniform = d.all->chunks.at[i]->uniforms; uniform->name;
+             uniform++) {
             if (uniform->sampler && has_chunk(&d.own->chunks, d.all->chunks.at[i]))
                 put_sampler(out, job->target, index, uniform->type, uniform->name);
             index += uniform->sampler;
@@ -194,7 +208,8 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
                     input_table[INPUT_object].glsl);
     put_plain(session, out, ir, job, d);
     if (ir->constant_count && job->instances)
-        text_format(out, "layout(location = %d) flat in uint matc_material;\n", emit_input_location(INPUT_COUNT));
+        text_format(out, "layout(location = %d) flat in uint matc_material;\n",
+                    emit_input_location(INPUT_COUNT));
     put_constants(out, ir, job);
     put_samplers(session, out, ir, job, d);
     for (int i = 0; i < ir->output_count; i++)

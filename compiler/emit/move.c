@@ -1,15 +1,18 @@
-/* Displacement in stages other than the fragment's: from attributes to matc_worldPosition, around matc_displacement(). */
+/* Displacement in stages other than the fragment's: from attributes to matc_worldPosition, around
+ * matc_displacement(). */
 #include "compiler/emit/move.h"
 
-/* What a vertex that is displaced is, before it is: by attributes of its own, which are the same for all vertices of one position, whatever
- * they have to shade with: at a hard edge, at a seam of texture coordinates. */
+/* What a vertex that is displaced is, before it is: by attributes of its own, which are the same
+ * for all vertices of one position, whatever they have to shade with: at a hard edge, at a seam of
+ * texture coordinates. */
 typedef struct {
     Input input;
     int attribute; /* of move_attributes; -1: the position */
     const char *expression;
 } MoveFeed;
-const char *const move_attributes[MOVE_ATTRIBUTES] = {"vec3 displacementNormal", "vec2 displacementTexcoord",
-                                                      "vec3 displacementTangentU", "vec3 displacementTangentV"};
+const char *const move_attributes[MOVE_ATTRIBUTES] = {
+    "vec3 displacementNormal", "vec2 displacementTexcoord", "vec3 displacementTangentU",
+    "vec3 displacementTangentV"};
 enum { MOVE_NORMAL, MOVE_TEXCOORD, MOVE_TANGENT_U, MOVE_TANGENT_V };
 static const MoveFeed move_feeds[] = {
     {INPUT_vertexP, -1, "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
@@ -36,7 +39,8 @@ void move_put_inputs(Text *out, const VertexMove *move)
 {
     for (int i = 0; i < MOVE_FEEDS; i++)
         if (move->inputs[move_feeds[i].input] || move_feeds[i].input == INPUT_vertexP)
-            text_format(out, "    %s = %s;\n", input_table[move_feeds[i].input].glsl, move_feeds[i].expression);
+            text_format(out, "    %s = %s;\n", input_table[move_feeds[i].input].glsl,
+                        move_feeds[i].expression);
 }
 
 void move_put(Text *out, const VertexMove *move)
@@ -45,18 +49,23 @@ void move_put(Text *out, const VertexMove *move)
     text_put(out, "    vec3 matc_up = matc_worldNormalFromLocal * displacementNormal;\n");
     if (move->volume) {
         text_put(out, "    vec4 matc_heights = matc_displacement();\n"
-                      "    float matc_top = max(matc_heights.x < matc_heights.y ? matc_heights.y : -1e30, matc_heights.z < matc_heights.w ? matc_heights.w : -1e30);\n"
-                      "    matc_worldPosition += (matc_top > -1e30 ? matc_top : 0.0) * matc_up / max(length(matc_up), 1e-30);\n");
+                      "    float matc_top = max(matc_heights.x < matc_heights.y ? matc_heights.y : "
+                      "-1e30, matc_heights.z < matc_heights.w ? matc_heights.w : -1e30);\n"
+                      "    matc_worldPosition += (matc_top > -1e30 ? matc_top : 0.0) * matc_up / "
+                      "max(length(matc_up), 1e-30);\n");
         return;
     }
     if (!move->along_tangents) {
-        text_put(out, "    matc_worldPosition += matc_displacement() * matc_up / max(length(matc_up), 1e-30);\n");
+        text_put(out, "    matc_worldPosition += matc_displacement() * matc_up / "
+                      "max(length(matc_up), 1e-30);\n");
         return;
     }
-    text_put(out, "    vec3 matc_move = matc_displacement();\n"
-                  "    vec3 matc_alongU = (matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz;\n"
-                  "    vec3 matc_alongV = (matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz;\n"
-                  "    matc_worldPosition += matc_move.x * matc_alongU / max(length(matc_alongU), 1e-30)\n"
-                  "        + matc_move.y * matc_alongV / max(length(matc_alongV), 1e-30)\n"
-                  "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
+    text_put(
+        out,
+        "    vec3 matc_move = matc_displacement();\n"
+        "    vec3 matc_alongU = (matc_worldFromLocal * vec4(displacementTangentU, 0.0)).xyz;\n"
+        "    vec3 matc_alongV = (matc_worldFromLocal * vec4(displacementTangentV, 0.0)).xyz;\n"
+        "    matc_worldPosition += matc_move.x * matc_alongU / max(length(matc_alongU), 1e-30)\n"
+        "        + matc_move.y * matc_alongV / max(length(matc_alongV), 1e-30)\n"
+        "        + matc_move.z * matc_up / max(length(matc_up), 1e-30);\n");
 }

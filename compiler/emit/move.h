@@ -10,6 +10,7 @@ extern const char *const move_attributes[MOVE_ATTRIBUTES];
 void move_mark(const VertexMove *move, bool attribute[MOVE_ATTRIBUTES]);
 /* Sets the variables that matc_displacement() reads. */
 void move_put_inputs(Text *out, const VertexMove *move);
-/* The displaced position in the world, as matc_worldPosition. Of a volume it is the highest, and where nothing is solid the surface's own. */
+/* The displaced position in the world, as matc_worldPosition. Of a volume it is the highest, and
+ * where nothing is solid the surface's own. */
 void move_put(Text *out, const VertexMove *move);
 #endif

@@ -58,7 +58,8 @@ static void put_offset(Text *out, const Job *job, const char *type, int *size)
 }
 
 /* `size` is that of the uniform block so far. */
-static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface, int *size)
+static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface,
+                       int *size)
 {
     List list = open_list(out, "inputs");
     for (int i = 0; i < INPUT_COUNT; i++) {
@@ -89,7 +90,8 @@ static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface 
     close_list(&list);
 }
 
-static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interface *interface, int *size_of_block)
+static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interface *interface,
+                         int *size_of_block)
 {
     List list = open_list(out, "uniforms");
     for (int i = 0; i < ir->graph->uniform_count; i++) {
@@ -108,7 +110,8 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
         text_put(out, "]}");
     }
     for (size_t i = 0; i < interface->chunks.count; i++)
-        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name; uniform++) {
+        for (const ChunkUniform *uniform = interface->chunks.at[i]->uniforms; uniform->name;
+             uniform++) {
             if (uniform->sampler)
                 continue;
             next(&list);
@@ -118,17 +121,18 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
         }
     close_list(&list);
     if (*size_of_block)
-        text_format(out, ",\n  \"block\": {\"name\": \"Material\", \"binding\": %d, \"size\": %d}", MATERIAL_BLOCK,
-                    std140_size(*size_of_block));
+        text_format(out, ",\n  \"block\": {\"name\": \"Material\", \"binding\": %d, \"size\": %d}",
+                    MATERIAL_BLOCK, std140_size(*size_of_block));
 }
 
-/* The numbers from a buffer: members of a block of its own. The manifest of a batch has every material's numbers; a program's
- * reflection does not change with them. */
+/* The numbers from a buffer: members of a block of its own. The manifest of a batch has every
+ * material's numbers; a program's reflection does not change with them. */
 static void put_constants(Text *out, const Ir *ir, const Job *job)
 {
     if (!ir->constant_count)
         return;
-    text_format(out, ",\n  \"constants\": {\"block\": \"" CONSTANT_BLOCK_NAME "\", \"size\": %d", constants_size(ir));
+    text_format(out, ",\n  \"constants\": {\"block\": \"" CONSTANT_BLOCK_NAME "\", \"size\": %d",
+                constants_size(ir));
     if (target_table[job->target].locations)
         text_format(out, ", \"binding\": %d", CONSTANT_BLOCK);
     List list = {out, true};
@@ -148,7 +152,8 @@ static bool is_of_vertices(const Interface *interface, const MatcTexture *textur
 {
     if (!interface->fragment_textures)
         return false;
-    return made_by >= 0 ? !interface->fragment_textures[made_by] : !chunks_declare(&interface->fragment_chunks, texture->name);
+    return made_by >= 0 ? !interface->fragment_textures[made_by]
+                        : !chunks_declare(&interface->fragment_chunks, texture->name);
 }
 
 /* Down to one texel. */
@@ -160,7 +165,8 @@ static int level_count(const MatcTexture *t)
     return count;
 }
 
-static void put_textures(Session *session, Text *out, const Ir *ir, const Job *job, const Interface *interface)
+static void put_textures(Session *session, Text *out, const Ir *ir, const Job *job,
+                         const Interface *interface)
 {
     MatcTexture *textures;
     int *made_by, count = texture_list(session, ir, interface, &textures, &made_by);
@@ -175,14 +181,16 @@ static void put_textures(Session *session, Text *out, const Ir *ir, const Job *j
         if (made_by[i] >= 0 && ir->textures[made_by[i]].srgb)
             json_next(out, "colorspace", "srgb");
         json_next(out, "filter", t->mipmaps ? "mipmaps" : "nearest");
-        text_format(out, ", \"levels\": %d, \"anisotropy\": %d", t->mipmaps ? level_count(t) : 1, t->anisotropy);
+        text_format(out, ", \"levels\": %d, \"anisotropy\": %d", t->mipmaps ? level_count(t) : 1,
+                    t->anisotropy);
         json_next(out, "wrap", t->wrap);
         if (!strcmp(t->wrap, "clamp_to_border"))
             text_put(out, ", \"border\": [0, 0, 0, 0]");
         text_put(out, ", \"origin\": \"bottom-left\", ");
         if (target_table[job->target].locations)
             text_format(out, "\"binding\": %d, ",
-                        made_by[i] >= 0 ? emit_texture_binding(i) : emit_table_binding(ir, interface, t->name));
+                        made_by[i] >= 0 ? emit_texture_binding(i)
+                                        : emit_table_binding(ir, interface, t->name));
         if (is_of_vertices(interface, t, made_by[i]))
             text_put(out, "\"stage\": \"vertex\", ");
         if (t->path)
@@ -206,7 +214,8 @@ static void put_outputs(Text *out, const Ir *ir, const Job *job)
         json_member(out, "kind", color ? "color" : output->kind == OUT_depth ? "depth" : "discard");
         if (color) {
             text_format(out, ", \"location\": %d", output->index);
-            json_next(out, "format", layout ? format_table[job->layout->formats[output->index]].name : "float");
+            json_next(out, "format",
+                      layout ? format_table[job->layout->formats[output->index]].name : "float");
         }
         text_put(out, "}");
     }
@@ -228,8 +237,8 @@ static void put_vector(Text *out, const char *name, const double v[3])
 /* What a renderer needs to light a scene with a SunSkyLight. */
 static void put_sky(Text *out, const GraphSky *sky)
 {
-    text_format(out, ",\n  \"sky\": {\"disableLight\": %s, \"disableSun\": %s", sky->light ? "false" : "true",
-                sky->disc ? "false" : "true");
+    text_format(out, ",\n  \"sky\": {\"disableLight\": %s, \"disableSun\": %s",
+                sky->light ? "false" : "true", sky->disc ? "false" : "true");
     put_vector(out, "sun", sky->sun);
     put_vector(out, "sunIrradiance", sky->irradiance);
     text_char(out, '}');
@@ -238,7 +247,10 @@ static void put_sky(Text *out, const GraphSky *sky)
 static void put_displacement(Text *out, const VertexMove *move, double bound)
 {
     text_put(out, ",\n  \"displacement\": {");
-    json_member(out, "along", move->along_tangents ? "tangents" : move->volume ? "volume" : "normal");
+    json_member(out, "along",
+                move->along_tangents ? "tangents"
+                : move->volume       ? "volume"
+                                     : "normal");
     if (isfinite(bound)) {
         text_put(out, ", \"bound\": ");
         text_double(out, bound);
@@ -246,7 +258,8 @@ static void put_displacement(Text *out, const VertexMove *move, double bound)
     text_char(out, '}');
 }
 
-const char *emit_reflection(Session *session, const Ir *ir, const Job *job, const Reflected *program)
+const char *emit_reflection(Session *session, const Ir *ir, const Job *job,
+                            const Reflected *program)
 {
     const Interface *interface = program->interface;
     Text text = text_new(session->arena), *out = &text;

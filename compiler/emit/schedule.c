@@ -1,15 +1,20 @@
-/* Placement by one sweep from users to operands: a node's block is the nearest common one of its uses.
+/* Placement by one sweep from users to operands: a node's block is the nearest common one of its
+ * uses.
  *
- *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch
- *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that holds both of its uses
+ *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch v lies in
+ *     main's block, b in the first arm and c in the second, a in main: the nearest that holds both
+ *     of its uses
  *
- * Branches by one condition in one block are joined to a region, so that what several of them need, and nothing else, is in an arm, too:
+ * Branches by one condition in one block are joined to a region, so that what several of them need,
+ * and nothing else, is in an arm, too:
  *
- *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1)      if (t) { a = ..; v = sin(a); w = a; } else { v = 0; w = 1; }
+ *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1) if (t) { a = ..; v =
+ *     sin(a); w = a; } else { v = 0; w = 1; }
  *
- * One that another is made of, by way of what stands outside, cannot be in its region. So regions have stages, from the end of the scope: a
- * node's is the greatest of its users', and one more where that is of a region. A branch joins a region of no smaller stage than its own;
- * what is written by falling stages, of each the regions first, has operands before users. */
+ * One that another is made of, by way of what stands outside, cannot be in its region. So regions
+ * have stages, from the end of the scope: a node's is the greatest of its users', and one more
+ * where that is of a region. A branch joins a region of no smaller stage than its own; what is
+ * written by falling stages, of each the regions first, has operands before users. */
 #include "compiler/emit/schedule.h"
 
 enum { BRANCH_COST = 40 }; /* scalar operations in an arm from which on a branch pays */
@@ -54,7 +59,8 @@ static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
 /* Whether a branch, all users of which were met, may be of the region that is open. */
 static bool joins(const Schedule *s, const Condition *condition, Ref ref)
 {
-    return condition->open && s->block[condition->open] == s->block[ref] && s->stage[condition->open] >= s->stage[ref];
+    return condition->open && s->block[condition->open] == s->block[ref] &&
+           s->stage[condition->open] >= s->stage[ref];
 }
 
 static void join(Schedule *s, Ref ref, Ref open)
@@ -66,7 +72,8 @@ static void join(Schedule *s, Ref ref, Ref open)
     s->regions = true;
 }
 
-/* Uses of a select's operands: the arms in blocks of their own, the condition where the select is, once a region. */
+/* Uses of a select's operands: the arms in blocks of their own, the condition where the select is,
+ * once a region. */
 static void use_arms(const Ir *ir, Schedule *s, Ref ref)
 {
     Condition *condition = condition_of(ir, s, ref);
@@ -88,7 +95,10 @@ static void use_arms(const Ir *ir, Schedule *s, Ref ref)
     use(s, ir_arg(ir, ref, 2), s->arm[ref] + 1, stage);
 }
 
-static double node_cost(const Ir *ir, Ref ref) { return ir_applies(ir, ref) ? BRANCH_COST : ir_cost(ir, ref); }
+static double node_cost(const Ir *ir, Ref ref)
+{
+    return ir_applies(ir, ref) ? BRANCH_COST : ir_cost(ir, ref);
+}
 
 static void clear(Schedule *s)
 {
@@ -105,7 +115,8 @@ static void clear(Schedule *s)
     }
 }
 
-/* Counts the branches of each condition, and finds a stage for all of them: that of the first by all that is known before any is joined. */
+/* Counts the branches of each condition, and finds a stage for all of them: that of the first by
+ * all that is known before any is joined. */
 static void find_conditions(const Ir *ir, Schedule *s)
 {
     bool several = false;
@@ -198,7 +209,8 @@ static bool demote(const Ir *ir, Schedule *s)
     return demoted;
 }
 
-/* Brings the nodes, which fall by number, in an order in which regions are whole. Of a region its greatest stands for all. */
+/* Brings the nodes, which fall by number, in an order in which regions are whole. Of a region its
+ * greatest stands for all. */
 static void order(Schedule *s)
 {
     uint32_t stages = 0;
@@ -275,7 +287,8 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
 /* It may be a branch: there is something to skip in an arm. */
 static bool has_arms(const Ir *ir, Ref ref)
 {
-    return ir_is(ir, ref, OP_select) && (ir_at(ir, ir_arg(ir, ref, 1))->count || ir_at(ir, ir_arg(ir, ref, 2))->count);
+    return ir_is(ir, ref, OP_select) &&
+           (ir_at(ir, ir_arg(ir, ref, 1))->count || ir_at(ir, ir_arg(ir, ref, 2))->count);
 }
 
 void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches)

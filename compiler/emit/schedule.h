@@ -1,6 +1,7 @@
-/* Where each node of a scope (main or one function) is computed: in the scope itself, or in one arm of a select that is
- * written as if/else because its arms are costly. A node lies in the innermost block that holds all of its uses, so nothing
- * is set in one branch and read in another. Selects by one condition are a region: one if/else that sets all of them. */
+/* Where each node of a scope (main or one function) is computed: in the scope itself, or in one arm
+ * of a select that is written as if/else because its arms are costly. A node lies in the innermost
+ * block that holds all of its uses, so nothing is set in one branch and read in another. Selects by
+ * one condition are a region: one if/else that sets all of them. */
 #ifndef MATC_SCHEDULE_H
 #define MATC_SCHEDULE_H
 #include "compiler/ir/ir.h"
@@ -19,15 +20,21 @@ typedef struct {
     size_t block_count, block_room;
     bool regions; /* there are some */
     bool derives; /* the program has implicit derivatives */
-    uint8_t *hoisted; /* by Ref: an implicit derivative that gets a statement, or it would stand in a
-                         condition; NULL: there is none */
+    /* by Ref: an implicit derivative that gets a statement, or it would stand in a condition; NULL:
+     * there is none */
+    uint8_t *hoisted;
     int *block;     /* by Ref: where it lies */
     Ref *next;      /* by Ref */
     uint32_t *uses; /* by Ref: in this scope */
-    int *arm; /* by Ref of a select written as if/else: its block for true; the one for false is the next; else 0 */
-    Ref *mate;       /* by Ref: of a region the next greater, of its greatest the least; itself where it is in none */
+    /* by Ref of a select written as if/else: its block for true; the one for false is the next;
+     * else 0 */
+    int *arm;
+    /* by Ref: of a region the next greater, of its greatest the least; itself where it is in
+     * none */
+    Ref *mate;
     uint8_t *branch; /* by Ref: a select that is written as if/else */
-    uint32_t *stage; /* by Ref: how many regions there are at most behind it, one after the other; schedule.c */
+    /* by Ref: how many regions there are at most behind it, one after the other; schedule.c */
+    uint32_t *stage;
     struct Condition *conditions; /* by Ref of a condition; schedule.c */
 } Schedule;
 

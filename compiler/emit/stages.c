@@ -7,13 +7,15 @@ static bool has_stages(Session *session, const Job *job, bool has, DiagKind othe
 {
     if (has && job->pass != PASS_plane && job->pass != PASS_sky && !job->instances)
         return true;
-    diag_add(session, NO_SPAN, otherwise, target_table[job->target].name, pass_table[job->pass].name);
+    diag_add(session, NO_SPAN, otherwise, target_table[job->target].name,
+             pass_table[job->pass].name);
     return false;
 }
 
 static bool accept(Session *session, const Job *job, const EmitStages *made)
 {
-    const ValidateStages stages = {{made->vertex, made->control, made->evaluation, made->geometry, made->fragment, made->compute}};
+    const ValidateStages stages = {{made->vertex, made->control, made->evaluation, made->geometry,
+                                    made->fragment, made->compute}};
     const char *log = "";
     if (!session->options->validate || validate_stages(session, job->target, &stages, &log))
         return true;
@@ -21,18 +23,21 @@ static bool accept(Session *session, const Job *job, const EmitStages *made)
     return false;
 }
 
-bool emit_tessellation_stages(Session *session, const Job *job, const Interface *interface, EmitStages *made)
+bool emit_tessellation_stages(Session *session, const Job *job, const Interface *interface,
+                              EmitStages *made)
 {
     if (!has_stages(session, job, target_table[job->target].tessellation, DIAG_no_tessellation))
         return false;
-    *made = (EmitStages){.fragment = made->fragment,
-                         .vertex = emit_tessellation(session, job, interface, TESSELLATION_vertex),
-                         .control = emit_tessellation(session, job, interface, TESSELLATION_control),
-                         .evaluation = emit_tessellation(session, job, interface, TESSELLATION_eval)};
+    *made =
+        (EmitStages){.fragment = made->fragment,
+                     .vertex = emit_tessellation(session, job, interface, TESSELLATION_vertex),
+                     .control = emit_tessellation(session, job, interface, TESSELLATION_control),
+                     .evaluation = emit_tessellation(session, job, interface, TESSELLATION_eval)};
     return accept(session, job, made);
 }
 
-bool emit_geometry_stages(Session *session, const Job *job, const Interface *interface, EmitStages *made)
+bool emit_geometry_stages(Session *session, const Job *job, const Interface *interface,
+                          EmitStages *made)
 {
     if (!has_stages(session, job, target_table[job->target].geometry, DIAG_no_geometry))
         return false;
@@ -42,7 +47,8 @@ bool emit_geometry_stages(Session *session, const Job *job, const Interface *int
     return accept(session, job, made);
 }
 
-bool emit_compute_stage(Session *session, const Job *job, const Interface *interface, EmitStages *made)
+bool emit_compute_stage(Session *session, const Job *job, const Interface *interface,
+                        EmitStages *made)
 {
     if (!has_stages(session, job, target_table[job->target].compute, DIAG_no_compute))
         return false;

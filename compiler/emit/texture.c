@@ -22,7 +22,8 @@ static const Table tables[] = {
     {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, TEXELS_R8},
 };
 
-/* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10, which takes samples). */
+/* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10,
+ * which takes samples). */
 static bool *averaged_textures(Session *session, const Ir *ir, const Interface *interface)
 {
     bool from_mipmaps = false, *averaged = ARENA_ARRAY(session->arena, bool, ir->texture_count + 1);
@@ -37,15 +38,19 @@ static bool *averaged_textures(Session *session, const Ir *ir, const Interface *
 /* By an Address, in the order of words.def. */
 static const char *wrap_name(Word wrap)
 {
-    static const char *const names[] = {"repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border"};
+    static const char *const names[] = {"repeat", "mirrored_repeat", "clamp_to_edge",
+                                        "clamp_to_border"};
     return names[wrap - WORD_Address_repeat];
 }
 
 static MatcTexture of_document(Session *session, const Ir *ir, int i, bool averaged)
 {
     const IrTexture *t = &ir->textures[i];
-    MatcTexture texture = {
-        .name = emit_texture_name(session, ir, i), .width = t->width, .height = t->height, .lanes = 1, .anisotropy = 1};
+    MatcTexture texture = {.name = emit_texture_name(session, ir, i),
+                           .width = t->width,
+                           .height = t->height,
+                           .lanes = 1,
+                           .anisotropy = 1};
     texture.format = texels_table[t->texels].name;
     texture.wrap = wrap_name(t->wrap);
     if (t->kind == TEXTURE_image) {
@@ -58,7 +63,8 @@ static MatcTexture of_document(Session *session, const Ir *ir, int i, bool avera
     return texture;
 }
 
-int texture_list(Session *session, const Ir *ir, const Interface *interface, MatcTexture **list, int **made_by)
+int texture_list(Session *session, const Ir *ir, const Interface *interface, MatcTexture **list,
+                 int **made_by)
 {
     enum { TABLE_COUNT = sizeof tables / sizeof *tables };
     int count = 0;
@@ -89,7 +95,8 @@ static const float *relief(Session *session, const Node *node)
     double n[6][4];
     for (int i = 0; i < 6; i++)
         value_number(&node->params[i + 1], TYPE_float, n[i]);
-    const CarpenterRelief carpenter = {n[0][0], n[1][0], n[2][0], (int64_t)n[3][0], (int)n[4][0], (int)n[5][0]};
+    const CarpenterRelief carpenter = {n[0][0],          n[1][0],      n[2][0],
+                                       (int64_t)n[3][0], (int)n[4][0], (int)n[5][0]};
     float *texels = ARENA_ARRAY(session->arena, float, carpenter.width *carpenter.height);
     carpenter_bake(&carpenter, texels);
     return texels;

@@ -1,4 +1,5 @@
-/* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the layout's rows. */
+/* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the
+ * layout's rows. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/unpack_shared.h"
 #include "compiler/layout/layout.h"
@@ -60,9 +61,13 @@ static void put_chunks(Session *session, Text *out, const Job *job)
         put_chunk(out, job, chunks.at[i]->body);
 }
 
-static const char *in_space(const Job *job) { return job->normals == NORMALS_world ? "in the world" : "in eye space"; }
+static const char *in_space(const Job *job)
+{
+    return job->normals == NORMALS_world ? "in the world" : "in eye space";
+}
 
-/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member, SURFACE_NORMALS_<space> for where the normal is. */
+/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member, SURFACE_NORMALS_<space>
+ * for where the normal is. */
 static void put_struct(Text *out, const Job *job)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -73,10 +78,11 @@ static void put_struct(Text *out, const Job *job)
     text_put(out, "struct Surface {\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (slot == SLOT_normal && comes_back(job, SLOT_normal))
-            text_format(out, "    vec3 normal; // Shading normal %s, unit length.\n", in_space(job));
+            text_format(out, "    vec3 normal; // Shading normal %s, unit length.\n",
+                        in_space(job));
         else if (comes_back(job, (Slot)slot))
-            text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name, slot_table[slot].name,
-                        slot_table[slot].doc);
+            text_format(out, "    %s %s; // %s\n", type_table[slot_table[slot].type].name,
+                        slot_table[slot].name, slot_table[slot].doc);
     text_put(out, "};\n\n");
 }
 
@@ -130,7 +136,8 @@ static void put_destination(Text *out, SlotLane to)
 }
 
 /* The number of a piece whose lanes belong to several slots is kept, then dealt out. */
-static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
+static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent,
+                      int index)
 {
     static const char *const types[] = {"float", "float", "vec2", "vec3", "vec4"};
     text_format(out, "%s%s group%d = ", indent, types[piece->count], index);
@@ -145,7 +152,8 @@ static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, co
     }
 }
 
-static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent, int index)
+static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent,
+                      int index)
 {
     const SlotLane *source = &piece->field->source[piece->first];
     if (piece->count > 1 && !piece_is_slot(piece)) {
@@ -212,9 +220,11 @@ static void put_pieces(Text *out, const Job *job, const Placement *placement,
 }
 
 /* A slot that is not stored: the same for all of the case or the layout, or as absent ones are. */
-static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot, const char *indent)
+static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot,
+                      const char *indent)
 {
-    const FixedRow *own = layout_case_fixed(of, slot), *fixed = own ? own : layout_fixed(layout, slot);
+    const FixedRow *own = layout_case_fixed(of, slot),
+                   *fixed = own ? own : layout_fixed(layout, slot);
     const bool single = type_table[slot_table[slot].type].lanes == 1;
     text_format(out, "%ssurface.%s = %s%s", indent, slot_table[slot].name,
                 single ? "" : type_table[slot_table[slot].type].name, single ? "" : "(");
@@ -225,7 +235,8 @@ static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slo
     text_put(out, single ? ";\n" : ");\n");
 }
 
-/* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits of a half float. */
+/* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits
+ * of a half float. */
 static void put_samplers(Text *out, const Job *job)
 {
     const TargetRow *target = &target_table[job->target];
@@ -233,8 +244,9 @@ static void put_samplers(Text *out, const Job *job)
         bool words = format_table[job->layout->formats[i]].words;
         if (target->locations)
             text_format(out, "layout(binding = %d) ", i);
-        text_format(out, "uniform %s%s%ssampler2D matc_gbuffer%d;\n", target->precision ? target->precision : "",
-                    target->precision ? " " : "", words ? "u" : "", i);
+        text_format(out, "uniform %s%s%ssampler2D matc_gbuffer%d;\n",
+                    target->precision ? target->precision : "", target->precision ? " " : "",
+                    words ? "u" : "", i);
     }
     text_char(out, '\n');
 }
@@ -243,8 +255,8 @@ static void put_samplers(Text *out, const Job *job)
 static void put_parameters(Text *out, const Job *job)
 {
     for (int i = 0; i < layout_targets(job->layout); i++)
-        text_format(out, "%s%s target%d", i ? ", " : "", format_table[job->layout->formats[i]].words ? "uvec4" : "vec4",
-                    i);
+        text_format(out, "%s%s target%d", i ? ", " : "",
+                    format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i);
 }
 
 /* From where the targets lie. */
@@ -254,7 +266,9 @@ static void put_fetching(Text *out, const Job *job)
     text_format(out, "\nSurface unpackSurface(%s) {\n    return unpackTexels(",
                 fetches ? "ivec2 pixel" : "vec2 coordinate");
     for (int i = 0; i < layout_targets(job->layout); i++)
-        text_format(out, fetches ? "%stexelFetch(matc_gbuffer%d, pixel, 0)" : "%stexture2D(matc_gbuffer%d, coordinate)",
+        text_format(out,
+                    fetches ? "%stexelFetch(matc_gbuffer%d, pixel, 0)"
+                            : "%stexture2D(matc_gbuffer%d, coordinate)",
                     i ? ", " : "", i);
     text_put(out, ");\n}\n");
 }
@@ -319,14 +333,15 @@ static void put_number(Text *out, const LayoutRow *layout)
     if (layout->further_count) {
         text_format(out, bits ? "    if (number == 0u && target%d." : "    if (target%d.", last);
         text_char(out, "xyzw"[format_table[layout->formats[last]].lanes - 1]);
-        text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1, plain);
+        text_format(out, " >> %d == 1u) number = %du", format_table[layout->formats[last]].bits - 1,
+                    plain);
         if (further.bits)
             text_format(out, " + (target0.x >> %d & %uu)", bits, (1u << further.bits) - 1);
         text_put(out, ";\n");
     }
     if (further.more_bits)
-        text_format(out, "    if (number == %du) number += target0.x >> %d & %uu;\n", plain + further.few,
-                    bits + further.bits, (1u << further.more_bits) - 1);
+        text_format(out, "    if (number == %du) number += target0.x >> %d & %uu;\n",
+                    plain + further.few, bits + further.bits, (1u << further.more_bits) - 1);
     text_put(out, "    ");
 }
 
@@ -355,10 +370,11 @@ const char *emit_unpack(Session *session, const Job *job)
 {
     const TargetRow *target = &target_table[job->target];
     Text out = text_new(session->arena);
-    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is %s.\n\n", job->layout->name,
-                in_space(job));
+    text_format(&out, "// matc " MATC_VERSION ": reads layout %s back. The normal is %s.\n\n",
+                job->layout->name, in_space(job));
     if (target->precision)
-        text_format(&out, "precision %s float;\nprecision %s int;\n", target->precision, target->precision);
+        text_format(&out, "precision %s float;\nprecision %s int;\n", target->precision,
+                    target->precision);
     put_samplers(&out, job);
     put_struct(&out, job);
     put_chunks(session, &out, job);

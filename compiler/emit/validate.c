@@ -1,5 +1,5 @@
-/* glslang's C interface. It is initialised once for the process, by whichever thread comes first, and never torn down: its
- * built-in symbol tables are most of the cost of a first compilation. */
+/* glslang's C interface. It is initialised once for the process, by whichever thread comes first,
+ * and never torn down: its built-in symbol tables are most of the cost of a first compilation. */
 #include "compiler/emit/validate.h"
 #include "compiler/base/bytes.h"
 #include "compiler/emit/linked.h"
@@ -25,20 +25,22 @@ typedef struct {
 static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
 {
     bool vulkan = target_table[target].spirv;
-    glslang_input_t input = {.language = GLSLANG_SOURCE_GLSL,
-                             .stage = stage,
-                             .client = vulkan ? GLSLANG_CLIENT_VULKAN : GLSLANG_CLIENT_NONE,
-                             .client_version = vulkan ? GLSLANG_TARGET_VULKAN_1_0 : GLSLANG_TARGET_OPENGL_450,
-                             .target_language = vulkan ? GLSLANG_TARGET_SPV : GLSLANG_TARGET_NONE,
-                             .target_language_version =
-                                 vulkan ? GLSLANG_TARGET_SPV_1_0 : (glslang_target_language_version_t)0,
-                             .code = code,
-                             .default_version = target_table[target].number,
-                             .default_profile = GLSLANG_NO_PROFILE,
-                             .messages = GLSLANG_MSG_DEFAULT_BIT,
-                             .resource = glslang_default_resource()};
+    glslang_input_t input = {
+        .language = GLSLANG_SOURCE_GLSL,
+        .stage = stage,
+        .client = vulkan ? GLSLANG_CLIENT_VULKAN : GLSLANG_CLIENT_NONE,
+        .client_version = vulkan ? GLSLANG_TARGET_VULKAN_1_0 : GLSLANG_TARGET_OPENGL_450,
+        .target_language = vulkan ? GLSLANG_TARGET_SPV : GLSLANG_TARGET_NONE,
+        .target_language_version =
+            vulkan ? GLSLANG_TARGET_SPV_1_0 : (glslang_target_language_version_t)0,
+        .code = code,
+        .default_version = target_table[target].number,
+        .default_profile = GLSLANG_NO_PROFILE,
+        .messages = GLSLANG_MSG_DEFAULT_BIT,
+        .resource = glslang_default_resource()};
     if (vulkan)
-        input.messages = (glslang_messages_t)(GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT);
+        input.messages =
+            (glslang_messages_t)(GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT);
     return input;
 }
 
@@ -49,11 +51,13 @@ static bool fail(Validation *v, const char *log)
     return false;
 }
 
-/* The text without what follows `//`: glslang reads every letter, and the lines keep their numbers. */
+/* The text without what follows `//`: glslang reads every letter, and the lines keep their
+ * numbers. */
 static const char *without_comments(Session *session, const char *code)
 {
     char *bare = arena_alloc(session->arena, strlen(code) + 1), *to = bare;
-    for (const char *comment; (comment = strstr(code, "//")); code = comment + strcspn(comment, "\n")) {
+    for (const char *comment; (comment = strstr(code, "//"));
+         code = comment + strcspn(comment, "\n")) {
         memcpy(to, code, (size_t)(comment - code));
         to += comment - code;
     }
@@ -84,7 +88,8 @@ static bool link_shaders(Validation *v, const char *vertex, const char *fragment
         (fragment && !parse(v, GLSLANG_STAGE_FRAGMENT, fragment)))
         return false;
     int messages = (int)input_for(v->target, GLSLANG_STAGE_FRAGMENT, "").messages;
-    return glslang_program_link(v->program, messages) || fail(v, glslang_program_get_info_log(v->program));
+    return glslang_program_link(v->program, messages) ||
+           fail(v, glslang_program_get_info_log(v->program));
 }
 
 static void close_validation(Validation *v)
@@ -95,7 +100,8 @@ static void close_validation(Validation *v)
         glslang_shader_delete(v->shaders[i]);
 }
 
-/* All that a fragment program and its vertex program can disagree about: the one's declarations, and the other. */
+/* All that a fragment program and its vertex program can disagree about: the one's declarations,
+ * and the other. */
 static Key interface_key(Target target, const ProgramTexts *texts)
 {
     Bytes bytes = {0};
@@ -112,7 +118,8 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     Validation v = {.session = session, .target = target};
     MatcLinked *linked = session->options ? session->options->linked : NULL;
     Key key = linked ? interface_key(target, texts) : (Key){0, 0};
-    bool known = linked_before(linked, key), fine = link_shaders(&v, known ? NULL : texts->vertex, texts->fragment);
+    bool known = linked_before(linked, key),
+         fine = link_shaders(&v, known ? NULL : texts->vertex, texts->fragment);
     if (fine && !known)
         linked_add(linked, key);
     *log = v.log;
@@ -120,9 +127,9 @@ bool validate(Session *session, Target target, const ProgramTexts *texts, const 
     return fine;
 }
 
-static const glslang_stage_t kinds[VALIDATE_STAGES] = {GLSLANG_STAGE_VERTEX,         GLSLANG_STAGE_TESSCONTROL,
-                                                       GLSLANG_STAGE_TESSEVALUATION, GLSLANG_STAGE_GEOMETRY,
-                                                       GLSLANG_STAGE_FRAGMENT,       GLSLANG_STAGE_COMPUTE};
+static const glslang_stage_t kinds[VALIDATE_STAGES] = {
+    GLSLANG_STAGE_VERTEX,   GLSLANG_STAGE_TESSCONTROL, GLSLANG_STAGE_TESSEVALUATION,
+    GLSLANG_STAGE_GEOMETRY, GLSLANG_STAGE_FRAGMENT,    GLSLANG_STAGE_COMPUTE};
 
 static bool link_stages(Validation *v, const ValidateStages *stages)
 {
@@ -133,10 +140,12 @@ static bool link_stages(Validation *v, const ValidateStages *stages)
     bool fine = v->program != NULL;
     for (int i = 0; i < VALIDATE_STAGES && fine; i++)
         fine = !stages->text[i] || parse(v, kinds[i], stages->text[i]);
-    return fine && (glslang_program_link(v->program, messages) || fail(v, glslang_program_get_info_log(v->program)));
+    return fine && (glslang_program_link(v->program, messages) ||
+                    fail(v, glslang_program_get_info_log(v->program)));
 }
 
-bool validate_stages(Session *session, Target target, const ValidateStages *stages, const char **log)
+bool validate_stages(Session *session, Target target, const ValidateStages *stages,
+                     const char **log)
 {
     Validation v = {.session = session, .target = target};
     const bool fine = link_stages(&v, stages);
@@ -145,7 +154,8 @@ bool validate_stages(Session *session, Target target, const ValidateStages *stag
     return fine;
 }
 
-/* The words of one stage more, in bytes. glslang 12 and before put them behind those of earlier stages, of which `all` is what there was. */
+/* The words of one stage more, in bytes. glslang 12 and before put them behind those of earlier
+ * stages, of which `all` is what there was. */
 static void take_words(Validation *v, int stage, ValidateWords *words, size_t *all)
 {
     glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};
@@ -155,14 +165,16 @@ static void take_words(Validation *v, int stage, ValidateWords *words, size_t *a
     int first = 0;
     while (first < stage && !words->at[first])
         first++;
-    const bool behind = first < stage && size > *all && !memcmp(at, words->at[first], words->size[first]);
+    const bool behind =
+        first < stage && size > *all && !memcmp(at, words->at[first], words->size[first]);
     const size_t from = behind ? *all : 0;
     words->size[stage] = size - from;
     words->at[stage] = arena_string(v->session->arena, at + from, size - from);
     *all = size;
 }
 
-bool validate_to_spirv(Session *session, const ValidateStages *stages, ValidateWords *words, const char **log)
+bool validate_to_spirv(Session *session, const ValidateStages *stages, ValidateWords *words,
+                       const char **log)
 {
     Validation v = {.session = session, .target = TARGET_spirv};
     const bool fine = link_stages(&v, stages);

@@ -1,4 +1,5 @@
-/* The vertex program that goes with a fragment program: it computes the varyings in use and nothing else. */
+/* The vertex program that goes with a fragment program: it computes the varyings in use and nothing
+ * else. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/vertex.h"
@@ -17,10 +18,14 @@ typedef struct {
 } Feed;
 
 static const Feed feeds[] = {
-    {INPUT_P, "vec3 position", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
-    {INPUT_N, "vec3 normal", "mat3 matc_worldNormalFromLocal", "matc_worldNormalFromLocal * normal"},
-    {INPUT_DU, "vec3 tangentU", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentU, 0.0)).xyz"},
-    {INPUT_DV, "vec3 tangentV", "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(tangentV, 0.0)).xyz"},
+    {INPUT_P, "vec3 position", "mat4 matc_worldFromLocal",
+     "(matc_worldFromLocal * vec4(position, 1.0)).xyz"},
+    {INPUT_N, "vec3 normal", "mat3 matc_worldNormalFromLocal",
+     "matc_worldNormalFromLocal * normal"},
+    {INPUT_DU, "vec3 tangentU", "mat4 matc_worldFromLocal",
+     "(matc_worldFromLocal * vec4(tangentU, 0.0)).xyz"},
+    {INPUT_DV, "vec3 tangentV", "mat4 matc_worldFromLocal",
+     "(matc_worldFromLocal * vec4(tangentV, 0.0)).xyz"},
     {INPUT_U, "vec2 texcoord", NULL, "texcoord"},
     {INPUT_X, "vec3 position", NULL, "position"},
     {INPUT_XU, "vec3 tangentU", NULL, "tangentU"},
@@ -33,7 +38,8 @@ enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
 static const char base_attribute[] = "vec3 basePosition";
 enum { BASE_LOCATION = ATTRIBUTE_FIRST_LOCATION - 1 };
 static const Feed base_feeds[] = {
-    {INPUT_P, base_attribute, "mat4 matc_worldFromLocal", "(matc_worldFromLocal * vec4(basePosition, 1.0)).xyz"},
+    {INPUT_P, base_attribute, "mat4 matc_worldFromLocal",
+     "(matc_worldFromLocal * vec4(basePosition, 1.0)).xyz"},
     {INPUT_X, base_attribute, NULL, "basePosition"},
 };
 
@@ -46,10 +52,11 @@ static const Feed *feed_of(const Job *job, int i)
 }
 
 /* Attribute locations are fixed: an engine binds a mesh once for all programs. */
-static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord", "vec3 tangentU",
-                                         "vec3 tangentV"};
+static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord",
+                                         "vec3 tangentU", "vec3 tangentV"};
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
-                                       "mat3 matc_worldNormalFromLocal", "mat3 matc_eyeNormalFromLocal"};
+                                       "mat3 matc_worldNormalFromLocal",
+                                       "mat3 matc_eyeNormalFromLocal"};
 static const char *const screen_uniforms[] = {"mat4 matc_worldFromClip"};
 enum {
     ATTRIBUTE_COUNT = 5,
@@ -68,7 +75,8 @@ static void put_attributes(Text *out, Target target, const bool *used)
             text_format(out, "layout(location = %d) in %s;\n", i, attributes[i]);
 }
 
-static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names, int count)
+static void put_uniforms(Text *out, Target target, const bool *used, const char *const *names,
+                         int count)
 {
     bool block = target_table[target].locations;
     if (block)
@@ -82,7 +90,8 @@ static void put_uniforms(Text *out, Target target, const bool *used, const char 
 
 void emit_place_uniforms(Text *out, Target target, bool normal)
 {
-    put_uniforms(out, target, (bool[UNIFORM_COUNT]){[0] = true, [UNIFORM_normal] = normal}, uniforms, UNIFORM_COUNT);
+    put_uniforms(out, target, (bool[UNIFORM_COUNT]){[0] = true, [UNIFORM_normal] = normal},
+                 uniforms, UNIFORM_COUNT);
 }
 
 static void mark(const char *const *list, int count, const char *name, bool *used)
@@ -108,13 +117,17 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
 static void put_instances(Text *out, bool random)
 {
     text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
-    text_put(out, "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n    uint material;\n");
+    text_put(out, "struct Instance {\n    mat4 worldFromLocal;\n    mat3 worldNormalFromLocal;\n   "
+                  " uint material;\n");
     text_put(out, random ? "    float object;\n};\n" : "};\n");
-    text_format(out, "layout(std140, binding = %d) readonly buffer Instances {\n    Instance matc_instances[];\n};\n",
+    text_format(out,
+                "layout(std140, binding = %d) readonly buffer Instances {\n    Instance "
+                "matc_instances[];\n};\n",
                 INSTANCE_BUFFER);
     text_format(out, "layout(std140, binding = %d) uniform View {\n", DRAW_BLOCK);
     text_put(out, "    mat4 matc_clipFromWorld;\n    mat3 matc_eyeNormalFromWorld;\n};\n");
-    text_format(out, "layout(location = %d) flat out uint matc_material;\n", emit_input_location(INPUT_COUNT));
+    text_format(out, "layout(location = %d) flat out uint matc_material;\n",
+                emit_input_location(INPUT_COUNT));
     if (random)
         text_format(out, "layout(location = %d) flat out float %s;\n", emit_object_location(),
                     input_table[INPUT_object].glsl);
@@ -133,15 +146,19 @@ static void put_own(Text *out, const bool *used, bool random)
 {
     text_put(out, "    mat4 matc_worldFromLocal = matc_instances[matc_instance].worldFromLocal;\n");
     if (used[UNIFORM_normal] || used[UNIFORM_eye_normal])
-        text_put(out, "    mat3 matc_worldNormalFromLocal = matc_instances[matc_instance].worldNormalFromLocal;\n");
+        text_put(out, "    mat3 matc_worldNormalFromLocal = "
+                      "matc_instances[matc_instance].worldNormalFromLocal;\n");
     text_put(out, "    matc_material = matc_instances[matc_instance].material;\n");
     if (random)
-        text_format(out, "    %s = matc_instances[matc_instance].object;\n", input_table[INPUT_object].glsl);
+        text_format(out, "    %s = matc_instances[matc_instance].object;\n",
+                    input_table[INPUT_object].glsl);
 }
 
-int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAttribute list[VERTEX_ATTRIBUTES])
+int emit_vertex_attributes(const Job *job, const Interface *interface,
+                           VertexAttribute list[VERTEX_ATTRIBUTES])
 {
-    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0}, move[MOVE_ATTRIBUTES] = {0};
+    bool attribute[ATTRIBUTE_COUNT] = {0}, uniform[UNIFORM_COUNT] = {0},
+         move[MOVE_ATTRIBUTES] = {0};
     int count = 0;
     mark_used(interface, attribute, uniform);
     for (int i = 0; i < ATTRIBUTE_COUNT; i++)
@@ -156,7 +173,8 @@ int emit_vertex_attributes(const Job *job, const Interface *interface, VertexAtt
         list[count++] = (VertexAttribute){base_attribute, BASE_LOCATION};
     for (int i = 0; i < LIMIT_ATTRIBUTES; i++)
         if (interface->attributes[i])
-            list[count++] = (VertexAttribute){attribute_declaration(interface->ir, i), ATTRIBUTE_FIRST_LOCATION + i};
+            list[count++] = (VertexAttribute){attribute_declaration(interface->ir, i),
+                                              ATTRIBUTE_FIRST_LOCATION + i};
     return count;
 }
 
@@ -165,7 +183,8 @@ const char *emit_vertex_name(const VertexAttribute *attribute)
     return attribute->declaration + strcspn(attribute->declaration, " ") + 1;
 }
 
-void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute, const char *form)
+void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute,
+                         const char *form)
 {
     if (target_table[job->target].locations)
         text_format(out, "layout(location = %d) ", number);
@@ -199,13 +218,15 @@ void emit_vertex_body(Text *out, const Job *job, const Interface *interface)
         put_own(out, uniform, interface->inputs[INPUT_object]);
     for (int i = 0; i < FEED_COUNT; i++)
         if (interface->inputs[feeds[i].input])
-            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl, expression_of(feed_of(job, i), job));
+            text_format(out, "    %s = %s;\n", input_table[feeds[i].input].glsl,
+                        expression_of(feed_of(job, i), job));
     attribute_hand_on(out, interface);
     if (interface->move)
         move_put(out, interface->move);
     text_put(out, interface->move
                       ? "    gl_Position = matc_clipFromWorld * vec4(matc_worldPosition, 1.0);\n}\n"
-                      : "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * vec4(position, 1.0));\n}\n");
+                      : "    gl_Position = matc_clipFromWorld * (matc_worldFromLocal * "
+                        "vec4(position, 1.0));\n}\n");
 }
 
 static void rasterised(Text *out, const Job *job, const Interface *interface)
@@ -214,7 +235,8 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     const int count = emit_vertex_attributes(job, interface, list);
     for (int i = 0; i < count; i++)
         if (target_table[job->target].in_out)
-            text_format(out, "layout(location = %d) in %s;\n", list[i].location, list[i].declaration);
+            text_format(out, "layout(location = %d) in %s;\n", list[i].location,
+                        list[i].declaration);
         else
             text_format(out, "attribute %s;\n", list[i].declaration);
     emit_vertex_declarations(out, job, interface);
@@ -222,8 +244,9 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     emit_vertex_body(out, job, interface);
 }
 
-/* One triangle that covers the screen. The ray is the direction in which clip space's z changes at a corner, times what makes
- * it linear over the screen even where the near plane is oblique; it leads away from the eye whichever way z runs. */
+/* One triangle that covers the screen. The ray is the direction in which clip space's z changes at
+ * a corner, times what makes it linear over the screen even where the near plane is oblique; it
+ * leads away from the eye whichever way z runs. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
     const char *index = target_table[job->target].index;
@@ -236,13 +259,15 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     }
     text_put(out, "\nvoid main() {\n");
     if (index)
-        text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n", index, index);
+        text_format(out, "    vec2 corner = vec2(%s == 1 ? 3.0 : -1.0, %s == 2 ? 3.0 : -1.0);\n",
+                    index, index);
     else
         text_put(out, "    vec2 corner = position.xy;\n");
     if (ray)
         text_put(out, "    vec4 point = matc_worldFromClip * vec4(corner, 0.0, 1.0);\n"
                       "    vec4 ahead = matc_worldFromClip[2];\n"
-                      "    worldRay = (ahead.xyz * point.w - point.xyz * ahead.w) * (ahead.w > 0.0 ? -1.0 : 1.0);\n");
+                      "    worldRay = (ahead.xyz * point.w - point.xyz * ahead.w) * (ahead.w > 0.0 "
+                      "? -1.0 : 1.0);\n");
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
@@ -253,7 +278,8 @@ const char *emit_vertex(Session *session, const Job *job, const Interface *inter
 {
     Text out = text_new(session->arena);
     emit_version(&out, job->target);
-    text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n", pass_table[job->pass].name);
+    text_format(&out, "// matc " MATC_VERSION ": vertex program of pass %s\n\n",
+                pass_table[job->pass].name);
     if (is_screen(job))
         full_screen(&out, job, interface);
     else
@@ -276,7 +302,8 @@ void emit_describe_part(Text *out, const char *declaration, const char *key, int
     text_char(out, '}');
 }
 
-/* The mesh's own, what moves its points, where a point was before, and those that the document names. */
+/* The mesh's own, what moves its points, where a point was before, and those that the document
+ * names. */
 static void describe_attributes(Text *out, const Job *job, const Interface *interface,
                                 const bool attribute[ATTRIBUTE_COUNT])
 {
@@ -293,7 +320,8 @@ static void describe_attributes(Text *out, const Job *job, const Interface *inte
     for (int i = 0; i < MOVE_ATTRIBUTES; i++)
         if (moves[i]) {
             text_put(out, ", ");
-            emit_describe_part(out, move_attributes[i], "location", in_out ? FIRST_MOVE_LOCATION + i : -1);
+            emit_describe_part(out, move_attributes[i], "location",
+                               in_out ? FIRST_MOVE_LOCATION + i : -1);
         }
     if (job->moved && !screen && (interface->inputs[INPUT_P] || interface->inputs[INPUT_X])) {
         text_put(out, ", ");
@@ -318,7 +346,8 @@ static int describe_uniforms(Text *out, const Job *job, const bool uniform[UNIFO
     for (int i = 0, first = 1; i < (screen ? 1 : UNIFORM_COUNT); i++)
         if (uniform[i]) {
             text_put(out, first ? "" : ", ");
-            emit_describe_part(out, names[i], "offset", offsets ? std140_offset(names[i], &size) : -1);
+            emit_describe_part(out, names[i], "offset",
+                               offsets ? std140_offset(names[i], &size) : -1);
             first = 0;
         }
     return size;
@@ -338,7 +367,7 @@ void emit_describe_vertex(Text *out, const Job *job, const Interface *interface)
     const int size = describe_uniforms(out, job, uniform);
     text_put(out, "]");
     if (target->locations && size)
-        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}", DRAW_BLOCK,
-                    std140_size(size));
+        text_format(out, ", \"block\": {\"name\": \"Draw\", \"binding\": %d, \"size\": %d}",
+                    DRAW_BLOCK, std140_size(size));
     text_put(out, "}");
 }

@@ -1,9 +1,11 @@
-/* Formulas: text -> steps. A formula is read (formula_read.c) into steps of which operands come before their users, then its names and widths
- * are found (formula_check.c). Whoever evaluates it goes through the steps once, in their order, without recursion: lowering makes IR of
- * each, formula_value numbers in double.
+/* Formulas: text -> steps. A formula is read (formula_read.c) into steps of which operands come
+ * before their users, then its names and widths are found (formula_check.c). Whoever evaluates it
+ * goes through the steps once, in their order, without recursion: lowering makes IR of each,
+ * formula_value numbers in double.
  *
- *     2 * u + sin(v)       0 number 2   1 value u   2 multiply 0 1   3 value v   4 sin 3   5 add 2 4
- *     c = u * u; c + c     0 value u    1 multiply 0 0   2 add 1 1: a local is the step that it was given */
+ *     2 * u + sin(v)       0 number 2   1 value u   2 multiply 0 1   3 value v   4 sin 3   5 add 2
+ * 4 c = u * u; c + c     0 value u    1 multiply 0 0   2 add 1 1: a local is the step that it was
+ * given */
 #ifndef MATC_FORMULA_H
 #define MATC_FORMULA_H
 #include "compiler/base/names.h"
@@ -11,15 +13,17 @@
 #include "grammar/expression_tables.h"
 
 typedef enum {
-    FORMULA_number, /* number */
-    FORMULA_value,  /* row: a Quantity */
-    FORMULA_input,  /* row: which of the inputs */
+    FORMULA_number,    /* number */
+    FORMULA_value,     /* row: a Quantity */
+    FORMULA_input,     /* row: which of the inputs */
     FORMULA_attribute, /* row: which of the document's attributes */
-    FORMULA_name,   /* until it is checked: a value or an input */
-    FORMULA_term,   /* row: a Term, of its arguments */
-    FORMULA_power,  /* of its argument, with a whole number that stands there itself: number */
-    FORMULA_lanes,  /* of its argument, two bits each: row; width of them */
-    FORMULA_list, /* a vector of its arguments' lanes; row: so many, 0 as there are; a single number is in all of them */
+    FORMULA_name,      /* until it is checked: a value or an input */
+    FORMULA_term,      /* row: a Term, of its arguments */
+    FORMULA_power,     /* of its argument, with a whole number that stands there itself: number */
+    FORMULA_lanes,     /* of its argument, two bits each: row; width of them */
+    /* a vector of its arguments' lanes; row: so many, 0 as there are; a single number is in all of
+     * them */
+    FORMULA_list,
     FORMULA_fault, /* what could not be read, and was said */
 } FormulaKind;
 
@@ -69,9 +73,11 @@ typedef struct {
     void (*color)(void *user, uint32_t start, uint32_t end, const double *lanes);
     /* Where bytes of the text stand in the source. */
     Span (*span)(void *user, uint32_t start, uint32_t end);
-    /* An input by its name, and its width; FORMULA_UNKNOWN; FORMULA_SAID: it is one, and has a fault that was reported. */
+    /* An input by its name, and its width; FORMULA_UNKNOWN; FORMULA_SAID: it is one, and has a
+     * fault that was reported. */
     int (*input)(void *user, const char *name, const FormulaStep *step, int *width);
-    /* The number of an attribute of the mesh; FORMULA_SAID: it cannot be one, which was reported. */
+    /* The number of an attribute of the mesh; FORMULA_SAID: it cannot be one, which was
+     * reported. */
     int (*attribute)(void *user, const FormulaAttribute *given);
     /* Names of inputs, for suggestions. */
     NameChoice names;
@@ -87,10 +93,11 @@ typedef struct {
     double quantity[QUANTITY_COUNT][4]; /* constants are not looked at */
     const double (*inputs)[4];
     const double (*attributes)[4]; /* the document's; a number in all lanes */
-    const void *noise;   /* ReferenceContext */
-    double (*values)[4]; /* room for formula->count */
+    const void *noise;             /* ReferenceContext */
+    double (*values)[4];           /* room for formula->count */
 } FormulaPoint;
-/* The value in double precision, of formula->width lanes: the references' half of expression.def. */
+/* The value in double precision, of formula->width lanes: the references' half of
+ * expression.def. */
 void formula_value(const Formula *formula, const FormulaPoint *point, double result[4]);
 
 /* A step's argument. */
@@ -99,5 +106,6 @@ static inline uint32_t formula_argument(const Formula *formula, const FormulaSte
     return formula->arguments[step->first + i];
 }
 /* A new step of these arguments; its number. formula_stack.c */
-uint32_t formula_add(Session *session, Formula *formula, FormulaStep step, const uint32_t *arguments, uint32_t count);
+uint32_t formula_add(Session *session, Formula *formula, FormulaStep step,
+                     const uint32_t *arguments, uint32_t count);
 #endif

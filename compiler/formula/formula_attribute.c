@@ -1,6 +1,8 @@
-/* attribute("wetness", float, 0): what the mesh has at its vertices. Its words are no values, so that it is read here and not as other calls are.
+/* attribute("wetness", float, 0): what the mesh has at its vertices. Its words are no values, so
+ * that it is read here and not as other calls are.
  *
- *     attribute("name", type [, default])    type: float, vec2, vec3, vec4; default: a number, a list of numbers, a colour; without one 0 */
+ *     attribute("name", type [, default])    type: float, vec2, vec3, vec4; default: a number, a
+ *                                            list of numbers, a colour; without one 0 */
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
@@ -9,7 +11,8 @@ enum { LONGEST_NAME = LIMIT_NAME - 16 }; /* in a shader it has a word in front, 
 static void say(FormulaReader *r, const char *what)
 {
     r->faults++;
-    diag_add(r->session, formula_token_span(r), DIAG_formula_attribute, what, formula_token_text(r->s, r->token));
+    diag_add(r->session, formula_token_span(r), DIAG_formula_attribute, what,
+             formula_token_text(r->s, r->token));
 }
 
 /* Takes a symbol, or says that it is missing. */
@@ -44,7 +47,8 @@ static bool read_name(FormulaReader *r, FormulaAttribute *made)
     made->name = arena_string(r->session->arena, text, size - 2);
     if (!is_name(made->name, size - 2)) {
         r->faults++;
-        diag_add(r->session, formula_token_span(r), DIAG_attribute_name, made->name, (int)LONGEST_NAME);
+        diag_add(r->session, formula_token_span(r), DIAG_attribute_name, made->name,
+                 (int)LONGEST_NAME);
         return false;
     }
     formula_next(r);

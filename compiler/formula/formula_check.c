@@ -1,5 +1,5 @@
-/* Steps -> steps with names and widths. Operands come before their users, so one walk does. What is faulty has no width, and what is made of
- * it is not said again. */
+/* Steps -> steps with names and widths. Operands come before their users, so one walk does. What is
+ * faulty has no width, and what is made of it is not said again. */
 #include "compiler/formula/formula_lex.h"
 #include <math.h>
 #include <string.h>
@@ -15,7 +15,10 @@ typedef struct {
     bool failed;
 } Check;
 
-static Span span_of(const Check *c, const FormulaStep *step) { return c->s->span(c->s->user, step->start, step->end); }
+static Span span_of(const Check *c, const FormulaStep *step)
+{
+    return c->s->span(c->s->user, step->start, step->end);
+}
 
 static const FormulaStep *argument(const Check *c, const FormulaStep *step, uint32_t i)
 {
@@ -24,20 +27,23 @@ static const FormulaStep *argument(const Check *c, const FormulaStep *step, uint
 
 static const char *width_text(int width)
 {
-    static const char *const words[] = {"a condition", "a number", "two lanes", "three lanes", "four lanes"};
+    static const char *const words[] = {"a condition", "a number", "two lanes", "three lanes",
+                                        "four lanes"};
     return width < 0 ? "something" : words[width];
 }
 
 /* What has so many lanes. */
 static const char *holder_text(int width)
 {
-    static const char *const words[] = {"a condition", "a number", "a value of two lanes", "a value of three lanes", "a value of four lanes"};
+    static const char *const words[] = {"a condition", "a number", "a value of two lanes",
+                                        "a value of three lanes", "a value of four lanes"};
     return width < 0 ? "something" : words[width];
 }
 
 static const char *lane_names(int width)
 {
-    static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv", "xyz, rgb or uvw"};
+    static const char *const names[] = {"xyzw, rgba or uvw", "x, r or u", "xy, rg or uv",
+                                        "xyz, rgb or uvw"};
     return width < 0 || width == MOST_LANES ? names[0] : names[width];
 }
 
@@ -54,19 +60,23 @@ static const char *value_name(const void *user, int i)
     const Check *c = user;
     const int local = i - QUANTITY_COUNT, input = local - (int)c->locals->count;
     const NameChoice *inputs = &c->s->names;
-    return local < 0 ? quantity_table[i].name : input < 0 ? c->locals->at[local] : inputs->name(inputs->user, input);
+    return local < 0   ? quantity_table[i].name
+           : input < 0 ? c->locals->at[local]
+                       : inputs->name(inputs->user, input);
 }
 
 static const char *value_suggested(const Check *c, const char *name)
 {
-    return diag_suggest(c->session, name, value_name, c, QUANTITY_COUNT + (int)c->locals->count + c->s->names.count);
+    return diag_suggest(c->session, name, value_name, c,
+                        QUANTITY_COUNT + (int)c->locals->count + c->s->names.count);
 }
 
 /* A built-in value that is an attribute of the mesh. */
 static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
 {
     const double all = row->number;
-    const FormulaAttribute given = {row->attribute, row->type, {all, all, all, all}, step->start, step->end};
+    const FormulaAttribute given = {
+        row->attribute, row->type, {all, all, all, all}, step->start, step->end};
     const int number = c->s->attribute(c->s->user, &given);
     if (number < 0)
         return fail(c);
@@ -130,13 +140,14 @@ static bool whole_of(const Check *c, const FormulaStep *step, double *number)
     return plain->kind == FORMULA_number && plain->number == trunc(plain->number);
 }
 
-static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row, const FormulaStep *given)
+static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row,
+                        const FormulaStep *given)
 {
     double number;
     if (whole_of(c, given, &number) && number >= row->whole_low && number <= row->whole_high)
         return true;
-    diag_add(c->session, span_of(c, given->end ? given : step), DIAG_formula_whole, row->name, row->whole_low,
-             row->whole_high);
+    diag_add(c->session, span_of(c, given->end ? given : step), DIAG_formula_whole, row->name,
+             row->whole_low, row->whole_high);
     return false;
 }
 
@@ -147,7 +158,9 @@ static const char *width_mend(int wanted, int width)
         return "; `[a, 0]` has three, of an a of two";
     if (wanted == 2 && width > 2)
         return "; `a.xy` has two";
-    return wanted == 3 && width == 4 ? "; `a.xyz` has three" : wanted == 1 && width > 1 ? "; `a.x` is one" : "";
+    return wanted == 3 && width == 4  ? "; `a.xyz` has three"
+           : wanted == 1 && width > 1 ? "; `a.x` is one"
+                                      : "";
 }
 
 /* One argument against its letter. *widest: of those of any width. */
@@ -163,8 +176,8 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
         return check_whole(c, step, row, given);
     if (letter == 'g' && width != WIDTH_condition) {
         if (*widest > 1 && width > 1 && width != *widest) {
-            diag_add(c->session, span_of(c, step), DIAG_formula_widths, term_symbol((Term)step->row),
-                     width_text(*widest), width_text(width));
+            diag_add(c->session, span_of(c, step), DIAG_formula_widths,
+                     term_symbol((Term)step->row), width_text(*widest), width_text(width));
             return false;
         }
         *widest = width > *widest ? width : *widest;
@@ -173,7 +186,8 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
     if (letter != 'g' && (width == wanted || (width == 1 && wanted > 1)))
         return true;
     diag_add(c->session, span_of(c, step), DIAG_formula_argument, term_symbol((Term)step->row),
-             letter == 'g' ? "numbers" : width_text(wanted), width_text(width), letter == 'g' ? "" : width_mend(wanted, width));
+             letter == 'g' ? "numbers" : width_text(wanted), width_text(width),
+             letter == 'g' ? "" : width_mend(wanted, width));
     return false;
 }
 
@@ -181,7 +195,8 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
 static void make_power(Check *c, FormulaStep *step)
 {
     double number;
-    if (step->row != TERM_pow || !whole_of(c, argument(c, step, 1), &number) || fabs(number) > MOST_POWER)
+    if (step->row != TERM_pow || !whole_of(c, argument(c, step, 1), &number) ||
+        fabs(number) > MOST_POWER)
         return;
     step->kind = FORMULA_power;
     step->number = number;
@@ -194,7 +209,8 @@ static int check_term(Check *c, FormulaStep *step)
     const TermRow *row = &term_table[step->row];
     int widest = 1;
     if (step->count != (uint32_t)row->count) {
-        diag_add(c->session, span_of(c, step), DIAG_formula_arguments, row->name, count_text(c, row), (int)step->count);
+        diag_add(c->session, span_of(c, step), DIAG_formula_arguments, row->name,
+                 count_text(c, row), (int)step->count);
         return fail(c);
     }
     for (uint32_t i = 0; i < step->count; i++)
@@ -214,9 +230,10 @@ static int check_lanes(Check *c, const FormulaStep *step)
     const int size = (int)(step->end - step->start);
     for (int i = 0; i < step->width; i++)
         if (width < 1 || (step->row >> 2 * i & 3) >= width) {
-            const char *letters = arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
-            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, holder_text(width), letters + (*letters == '.'),
-                     lane_names(width));
+            const char *letters =
+                arena_string(c->session->arena, c->s->text + step->start, (size_t)size);
+            diag_add(c->session, span_of(c, step), DIAG_formula_lanes, holder_text(width),
+                     letters + (*letters == '.'), lane_names(width));
             return fail(c);
         }
     return step->width;
@@ -228,7 +245,8 @@ static int check_list(Check *c, const FormulaStep *step)
     for (uint32_t i = 0; i < step->count; i++) {
         const int width = argument(c, step, i)->width;
         if (width == WIDTH_condition) {
-            diag_add(c->session, span_of(c, step), DIAG_formula_argument, "a vector", "numbers", width_text(width), "");
+            diag_add(c->session, span_of(c, step), DIAG_formula_argument, "a vector", "numbers",
+                     width_text(width), "");
             return fail(c);
         }
         lanes += width;
@@ -239,8 +257,8 @@ static int check_list(Check *c, const FormulaStep *step)
         return lanes;
     if (step->row)
         diag_add(c->session, span_of(c, step), DIAG_formula_vector,
-                 arena_string(c->session->arena, c->s->text + step->start, step->end - step->start), (int)step->row,
-                 lanes);
+                 arena_string(c->session->arena, c->s->text + step->start, step->end - step->start),
+                 (int)step->row, lanes);
     else
         diag_add(c->session, span_of(c, step), DIAG_formula_list, lanes);
     return fail(c);
@@ -289,7 +307,8 @@ static bool jumps(const Formula *f, const FormulaStep *step)
 static void measure(Check *c, uint32_t number)
 {
     const FormulaStep *step = &c->f->steps[number];
-    c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input || step->kind == FORMULA_attribute;
+    c->varies[number] = step->kind == FORMULA_value || step->kind == FORMULA_input ||
+                        step->kind == FORMULA_attribute;
     c->f->meshed |= step->kind == FORMULA_attribute;
     for (uint32_t i = 0; i < step->count; i++)
         c->varies[number] |= c->varies[formula_argument(c->f, step, i)];

@@ -1,4 +1,5 @@
-/* What authors of other languages write, and what it is here: names of foreign.def, and of colours. */
+/* What authors of other languages write, and what it is here: names of foreign.def, and of
+ * colours. */
 #include "compiler/base/diag.h"
 #include "compiler/base/text.h"
 #include "compiler/formula/formula_lex.h"

@@ -1,4 +1,5 @@
-/* A formula's text as numbers, colours, names and symbols. Of what is longest: "<=" before "<", "1.5e3" as one number. */
+/* A formula's text as numbers, colours, names and symbols. Of what is longest: "<=" before "<",
+ * "1.5e3" as one number. */
 #include "compiler/formula/formula_lex.h"
 #include "compiler/library/srgb.h"
 #include <math.h>
@@ -14,7 +15,8 @@ static uint32_t digits_end(const FormulaSource *s, uint32_t at)
     return at;
 }
 
-/* digits [ "." digits ] [ e [ sign ] digits ]; a point alone is none. A point that letters follow is that of lanes. */
+/* digits [ "." digits ] [ e [ sign ] digits ]; a point alone is none. A point that letters follow
+ * is that of lanes. */
 static uint32_t number_end(const FormulaSource *s, uint32_t at)
 {
     uint32_t end = digits_end(s, at);
@@ -32,8 +34,10 @@ static uint32_t number_end(const FormulaSource *s, uint32_t at)
 
 static void read_number(const FormulaSource *s, Token *token)
 {
-    const char *alone = arena_string(s->session->arena, s->text + token->start, formula_token_size(*token));
-    token->kind = text_number(alone, formula_token_size(*token), &token->number) && fabs(token->number) <= 3.4e38
+    const char *alone =
+        arena_string(s->session->arena, s->text + token->start, formula_token_size(*token));
+    token->kind = text_number(alone, formula_token_size(*token), &token->number) &&
+                          fabs(token->number) <= 3.4e38
                       ? TOKEN_number
                       : TOKEN_other;
 }
@@ -54,7 +58,9 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
     const uint32_t size = formula_token_size(*token) - 1;
     const int each = size == 3 ? 1 : 2, lanes = size == 8 ? 4 : 3;
     for (int i = 0; i < lanes; i++)
-        color[i] = (text_hex_digit(digits[i * each]) * 16 + text_hex_digit(digits[i * each + each - 1])) / 255.0;
+        color[i] =
+            (text_hex_digit(digits[i * each]) * 16 + text_hex_digit(digits[i * each + each - 1])) /
+            255.0;
     if (s->color)
         s->color(s->user, token->start, token->end, color);
     for (int i = 0; s->srgb && i < 3; i++)
@@ -65,7 +71,8 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
 /* No operator begins with it. */
 static bool is_structure(char c)
 {
-    return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' || c == '?' || c == ':';
+    return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' ||
+           c == '?' || c == ':';
 }
 
 /* "**", which other languages have for "^", and "//" are one, so that they are told as one. */
@@ -111,7 +118,8 @@ Token formula_token(const FormulaSource *s, uint32_t at)
         token.end = text_end(s, at);
     } else if ((token.end = symbol_end(s, at, &token.symbol)) > at) {
         const char symbol[] = {c, token.end > at + 1 ? s->text[at + 1] : 0};
-        const bool foreign = formula_mark(symbol) == formula_mark("**") || formula_mark(symbol) == formula_mark("//");
+        const bool foreign = formula_mark(symbol) == formula_mark("**") ||
+                             formula_mark(symbol) == formula_mark("//");
         token.kind = foreign ? TOKEN_other : TOKEN_symbol;
         token.mark = foreign ? 0 : formula_mark(symbol);
     } else {
@@ -126,7 +134,8 @@ const char *formula_token_text(const FormulaSource *s, Token token)
 {
     if (token.kind == TOKEN_end)
         return "the end of the formula";
-    const uint32_t size = formula_token_size(token) < LIMIT_NAME ? formula_token_size(token) : LIMIT_NAME;
+    const uint32_t size =
+        formula_token_size(token) < LIMIT_NAME ? formula_token_size(token) : LIMIT_NAME;
     Text text = text_new(s->session->arena);
     text_format(&text, "'%.*s'", (int)size, s->text + token.start);
     return text.at;

@@ -36,11 +36,15 @@ static inline uint16_t formula_mark(const char *symbol)
 {
     return (uint16_t)((uint8_t)symbol[0] | (uint8_t)symbol[1] << 8);
 }
-static inline bool formula_token_is(const Token *token, const char *symbol) { return token->mark == formula_mark(symbol); }
+static inline bool formula_token_is(const Token *token, const char *symbol)
+{
+    return token->mark == formula_mark(symbol);
+}
 /* How many lanes a colour has, and what they are. */
 int formula_color(const FormulaSource *source, const Token *token, double color[4]);
 /* For messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
-/* "; here it is mix(a, b, share)": of a name that nothing has. NULL: it is not known from anywhere else. formula_foreign.c */
+/* "; here it is mix(a, b, share)": of a name that nothing has. NULL: it is not known from anywhere
+ * else. formula_foreign.c */
 const char *formula_foreign(Session *session, const char *name);
 #endif

@@ -25,8 +25,10 @@ static void open_call(FormulaReader *r, Token name)
         const char *called = formula_word(r, name), *hint = formula_foreign(r->session, called);
         r->faults++;
         hint = hint ? hint
-                    : diag_suggest(r->session, called, function_name, NULL, TERM_COUNT + vector_count + SPECIAL_COUNT);
-        diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function, called, hint);
+                    : diag_suggest(r->session, called, function_name, NULL,
+                                   TERM_COUNT + vector_count + SPECIAL_COUNT);
+        diag_add(r->session, formula_span(r, name.start, name.end), DIAG_formula_no_function,
+                 called, hint);
     }
     formula_wait(r, wait);
 }
@@ -38,7 +40,8 @@ static void read_name(FormulaReader *r, Token name)
     if (local >= 0)
         formula_push(r, r->local_steps[local]);
     else
-        formula_push_step(r, (FormulaStep){.kind = FORMULA_name, .start = name.start, .end = name.end});
+        formula_push_step(
+            r, (FormulaStep){.kind = FORMULA_name, .start = name.start, .end = name.end});
 }
 
 static void push_color(FormulaReader *r)
@@ -59,8 +62,8 @@ static bool prefix(FormulaReader *r)
 {
     for (int i = r->token.symbol; i < symbol_count; i++)
         if (symbol_table[i].level == level_prefix && formula_is(r, symbol_table[i].text)) {
-            formula_wait(r, (FormulaWait){WAIT_prefix, level_prefix, symbol_table[i].term, r->operand_count,
-                                          r->token.start, r->token.end});
+            formula_wait(r, (FormulaWait){WAIT_prefix, level_prefix, symbol_table[i].term,
+                                          r->operand_count, r->token.start, r->token.end});
             formula_next(r);
             return true;
         }
@@ -76,15 +79,17 @@ bool formula_operand(FormulaReader *r)
     if (formula_read_if(r))
         return true;
     if (formula_is(r, "(") || formula_is(r, "[")) {
-        formula_wait(r, (FormulaWait){formula_is(r, "(") ? WAIT_group : WAIT_list, level_none, 0, r->operand_count,
-                                      token.start, token.end});
+        formula_wait(r, (FormulaWait){formula_is(r, "(") ? WAIT_group : WAIT_list, level_none, 0,
+                                      r->operand_count, token.start, token.end});
         formula_next(r);
         return false;
     }
     switch (token.kind) {
     case TOKEN_number:
-        formula_push_step(
-            r, (FormulaStep){.kind = FORMULA_number, .number = token.number, .start = token.start, .end = token.end});
+        formula_push_step(r, (FormulaStep){.kind = FORMULA_number,
+                                           .number = token.number,
+                                           .start = token.start,
+                                           .end = token.end});
         break;
     case TOKEN_color:
         push_color(r);
@@ -95,7 +100,8 @@ bool formula_operand(FormulaReader *r)
             read_name(r, token);
             return true;
         }
-        if (formula_special_named(r->s->text + token.start, formula_token_size(token)) == SPECIAL_attribute) {
+        if (formula_special_named(r->s->text + token.start, formula_token_size(token)) ==
+            SPECIAL_attribute) {
             formula_read_attribute(r, token);
             return true;
         }
@@ -116,7 +122,8 @@ bool formula_operand(FormulaReader *r)
         return false;
     default: /* it is left to whoever takes what is behind a value */
         r->faults++;
-        diag_add(r->session, formula_token_span(r), DIAG_formula_wants, formula_token_text(r->s, r->token));
+        diag_add(r->session, formula_token_span(r), DIAG_formula_wants,
+                 formula_token_text(r->s, r->token));
         formula_push_fault(r);
         return true;
     }

@@ -28,11 +28,14 @@ static void read_lanes(FormulaReader *r)
     const uint32_t start = r->token.start;
     formula_next(r);
     const char *letters = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "";
-    FormulaStep step = {.kind = FORMULA_lanes, .start = start, .end = r->token.end, .width = (int8_t)strlen(letters)};
+    FormulaStep step = {.kind = FORMULA_lanes,
+                        .start = start,
+                        .end = r->token.end,
+                        .width = (int8_t)strlen(letters)};
     if (!*letters || r->token.start != start + 1 || !is_swizzle(letters)) {
         r->faults++;
-        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, "a value", letters,
-                 "xyzw, rgba or uvw");
+        diag_add(r->session, formula_span(r, start, r->token.end), DIAG_formula_lanes, "a value",
+                 letters, "xyzw, rgba or uvw");
         step = (FormulaStep){.kind = FORMULA_fault, .start = start, .end = start + 1};
     }
     for (int i = 0; step.kind == FORMULA_lanes && letters[i]; i++)
@@ -50,11 +53,13 @@ static void read_index(FormulaReader *r)
     const Token index = r->token;
     formula_next(r);
     step.end = r->token.end;
-    if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number || index.number < 0 ||
-        index.number >= FORMULA_MOST_LANES) {
+    if (index.kind != TOKEN_number || !formula_is(r, "]") || index.number != (int)index.number ||
+        index.number < 0 || index.number >= FORMULA_MOST_LANES) {
         r->faults++;
-        diag_add(r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",
-                 arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)), "xyzw, rgba or uvw");
+        diag_add(
+            r->session, formula_span(r, step.start, step.end), DIAG_formula_lanes, "a value",
+            arena_string(r->session->arena, r->s->text + index.start, formula_token_size(index)),
+            "xyzw, rgba or uvw");
         step.kind = FORMULA_fault;
     } else {
         step.row = index.number;
@@ -75,7 +80,8 @@ void formula_say(FormulaReader *r, DiagKind kind)
 static void push_defaults(FormulaReader *r, const TermRow *row, int given)
 {
     for (int i = given; row->least && i >= row->least && i < row->count; i++)
-        formula_push_step(r, (FormulaStep){.kind = FORMULA_number, .number = row->initial[i - row->least]});
+        formula_push_step(
+            r, (FormulaStep){.kind = FORMULA_number, .number = row->initial[i - row->least]});
 }
 
 /* ")" or "]": what it closes is applied. */
@@ -101,7 +107,9 @@ static void close_open(FormulaReader *r, bool bracket)
         return;
     if (wait.kind == WAIT_call && wait.row != TERM_none)
         push_defaults(r, &term_table[wait.row], (int)(r->operand_count - wait.base));
-    step.kind = wait.kind == WAIT_list ? FORMULA_list : wait.row == TERM_none ? FORMULA_fault : FORMULA_term;
+    step.kind = wait.kind == WAIT_list  ? FORMULA_list
+                : wait.row == TERM_none ? FORMULA_fault
+                                        : FORMULA_term;
     formula_apply(r, step, r->operand_count - wait.base);
 }
 
@@ -123,8 +131,8 @@ static bool read_comma(FormulaReader *r)
 /* ":" */
 static void read_colon(FormulaReader *r)
 {
-    for (FormulaWait *wait = formula_top(r); wait && !formula_is_open(wait) && wait->kind != WAIT_question;
-         wait = formula_top(r))
+    for (FormulaWait *wait = formula_top(r);
+         wait && !formula_is_open(wait) && wait->kind != WAIT_question; wait = formula_top(r))
         formula_reduce(r);
     FormulaWait *question = formula_top(r);
     if (question && question->kind == WAIT_question) {
@@ -145,7 +153,8 @@ static const SymbolRow *infix_of(const FormulaReader *r)
     return NULL;
 }
 
-/* A value of a local is followed by what begins the next part: a name and its '=', or a value on a line of its own, with no bracket open. */
+/* A value of a local is followed by what begins the next part: a name and its '=', or a value on a
+ * line of its own, with no bracket open. */
 static bool lacks_semicolon(const FormulaReader *r)
 {
     bool line = false;
@@ -175,7 +184,8 @@ static void say_no_operator(FormulaReader *r)
     if (foreign)
         diag_add(r->session, formula_token_span(r), DIAG_formula_unknown, word, hint);
     else
-        diag_add(r->session, formula_token_span(r), DIAG_formula_operator, formula_token_text(r->s, r->token));
+        diag_add(r->session, formula_token_span(r), DIAG_formula_operator,
+                 formula_token_text(r->s, r->token));
     if (foreign) {
         formula_next(r);
         formula_reduce_to(r, level_or, true);
@@ -207,8 +217,8 @@ bool formula_operator(FormulaReader *r, bool *ended)
     const SymbolRow *infix = infix_of(r);
     if (infix) {
         formula_reduce_to(r, infix->level, infix->level != level_power);
-        formula_wait(
-            r, (FormulaWait){WAIT_infix, infix->level, infix->term, r->operand_count, r->token.start, r->token.end});
+        formula_wait(r, (FormulaWait){WAIT_infix, infix->level, infix->term, r->operand_count,
+                                      r->token.start, r->token.end});
         formula_next(r);
         return false;
     }
@@ -224,8 +234,8 @@ bool formula_operator(FormulaReader *r, bool *ended)
     }
     if (formula_is(r, "?")) {
         formula_reduce_to(r, level_or, true);
-        formula_wait(
-            r, (FormulaWait){WAIT_question, level_choose, TERM_choose, r->operand_count, r->token.start, r->token.end});
+        formula_wait(r, (FormulaWait){WAIT_question, level_choose, TERM_choose, r->operand_count,
+                                      r->token.start, r->token.end});
         formula_next(r);
         return false;
     }
@@ -250,7 +260,8 @@ bool formula_operator(FormulaReader *r, bool *ended)
     }
     if (lacks_semicolon(r)) {
         r->faults++;
-        diag_add(r->session, formula_token_span(r), DIAG_formula_semicolon, formula_token_text(r->s, r->token));
+        diag_add(r->session, formula_token_span(r), DIAG_formula_semicolon,
+                 formula_token_text(r->s, r->token));
         *ended = true;
         return true;
     }

@@ -1,4 +1,5 @@
-/* What other languages write where a formula has something else: told once, with what to write, and passed over as a whole. */
+/* What other languages write where a formula has something else: told once, with what to write, and
+ * passed over as a whole. */
 #include "compiler/formula/formula_reader.h"
 #include "compiler/base/text.h"
 #include <string.h>
@@ -40,7 +41,8 @@ static IfParts find_parts(const FormulaReader *r)
         const Token *t = &c.behind;
         const bool opens = formula_token_is(t, "(") || formula_token_is(t, "[");
         const bool closes = formula_token_is(t, ")") || formula_token_is(t, "]");
-        if (t->kind == TOKEN_end || (!depth && (closes || formula_token_is(t, ";") || formula_token_is(t, ","))))
+        if (t->kind == TOKEN_end ||
+            (!depth && (closes || formula_token_is(t, ";") || formula_token_is(t, ","))))
             return c;
         const bool yes = !depth && is_called(r, t, "then"), no = !depth && is_called(r, t, "else");
         if (yes || no) {
@@ -61,8 +63,8 @@ static IfParts find_parts(const FormulaReader *r)
 static const char *choice_text(const FormulaReader *r, const IfParts *c)
 {
     const uint32_t start = c->condition.start;
-    if (!c->condition.end || !c->yes.end || !c->no.end || c->nested || c->no.end - start > LONGEST_CHOICE ||
-        memchr(r->s->text + start, '\n', c->no.end - start))
+    if (!c->condition.end || !c->yes.end || !c->no.end || c->nested ||
+        c->no.end - start > LONGEST_CHOICE || memchr(r->s->text + start, '\n', c->no.end - start))
         return "condition ? value : value";
     Text text = text_new(r->session->arena);
     const Part parts[] = {c->condition, c->yes, c->no};
@@ -99,7 +101,8 @@ static bool is_comment(const FormulaReader *r)
 void formula_pass_other(FormulaReader *r)
 {
     uint32_t end = r->token.end;
-    for (const bool comment = is_comment(r); comment && end < r->s->size && r->s->text[end] != '\n';)
+    for (const bool comment = is_comment(r);
+         comment && end < r->s->size && r->s->text[end] != '\n';)
         end++;
     r->token = formula_token(r->s, end);
 }
@@ -128,7 +131,8 @@ void formula_say_other(FormulaReader *r)
     if (formula_is_large(r))
         hint = "; a float holds at most 3.4e38";
     r->faults++;
-    diag_add(r->session, formula_token_span(r), DIAG_formula_other, formula_token_text(r->s, r->token), hint);
+    diag_add(r->session, formula_token_span(r), DIAG_formula_other,
+             formula_token_text(r->s, r->token), hint);
 }
 
 /* -- Letters after numbers, decimal commas, `return` */
@@ -145,16 +149,22 @@ static bool is_suffix_of_c(const char *letters)
 /* The number that ends directly before the token, or NULL. */
 static const FormulaStep *number_before(const FormulaReader *r)
 {
-    const FormulaStep *step = r->operand_count ? &r->f->steps[r->operands[r->operand_count - 1]] : NULL;
-    return step && step->kind == FORMULA_number && step->end > step->start && step->end == r->token.start ? step : NULL;
+    const FormulaStep *step =
+        r->operand_count ? &r->f->steps[r->operands[r->operand_count - 1]] : NULL;
+    return step && step->kind == FORMULA_number && step->end > step->start &&
+                   step->end == r->token.start
+               ? step
+               : NULL;
 }
 
 /* Advice on what to write instead of "2u", "45deg", "0.5f", "0x1F". */
-static const char *without_suffix(const FormulaReader *r, const FormulaStep *number, const char *letters)
+static const char *without_suffix(const FormulaReader *r, const FormulaStep *number,
+                                  const char *letters)
 {
     const int digits = (int)(number->end - number->start);
     const char *written = r->s->text + number->start;
-    const bool known = quantity_named(letters, (uint32_t)strlen(letters)) != QUANTITY_none || names_find(&r->locals, letters) >= 0;
+    const bool known = quantity_named(letters, (uint32_t)strlen(letters)) != QUANTITY_none ||
+                       names_find(&r->locals, letters) >= 0;
     Text text = text_new(r->session->arena);
     if (!strncmp(letters, "deg", 3))
         text_format(&text, "angles are in radians, %.*s * pi / 180", digits, written);
@@ -180,8 +190,8 @@ bool formula_read_suffix(FormulaReader *r)
         return false;
     const Token whole = {.kind = TOKEN_name, .start = number->start, .end = letters.end};
     r->faults++;
-    diag_add(r->session, formula_span(r, whole.start, whole.end), DIAG_formula_suffix, formula_token_text(r->s, whole),
-             without_suffix(r, number, word));
+    diag_add(r->session, formula_span(r, whole.start, whole.end), DIAG_formula_suffix,
+             formula_token_text(r->s, whole), without_suffix(r, number, word));
     r->token = behind;
     return true;
 }
@@ -194,12 +204,12 @@ bool formula_say_decimal(FormulaReader *r)
         start--;
     const Token behind = formula_token(r->s, r->token.end);
     const bool fraction = start > 0 && text[start - 1] == '.';
-    if (start == r->token.start || fraction || behind.kind != TOKEN_number || behind.start != r->token.end ||
-        !text_is_digit(text[behind.start]))
+    if (start == r->token.start || fraction || behind.kind != TOKEN_number ||
+        behind.start != r->token.end || !text_is_digit(text[behind.start]))
         return false;
     Text number = text_new(r->session->arena);
-    text_format(&number, "%.*s.%.*s", (int)(comma - text - start), text + start, (int)formula_token_size(behind),
-                text + behind.start);
+    text_format(&number, "%.*s.%.*s", (int)(comma - text - start), text + start,
+                (int)formula_token_size(behind), text + behind.start);
     r->faults++;
     diag_add(r->session, formula_span(r, start, behind.end), DIAG_decimal_comma, number.at, "");
     formula_next(r);
@@ -209,7 +219,8 @@ bool formula_say_decimal(FormulaReader *r)
 void formula_pass_return(FormulaReader *r)
 {
     const Token behind = formula_token(r->s, r->token.end);
-    if (!is_called(r, &r->token, "return") || (!begins_value(&behind) && !formula_token_is(&behind, "[")))
+    if (!is_called(r, &r->token, "return") ||
+        (!begins_value(&behind) && !formula_token_is(&behind, "[")))
         return;
     r->faults++;
     diag_add(r->session, formula_token_span(r), DIAG_formula_return);

@@ -1,7 +1,8 @@
 /* Text -> steps, by precedence, with two stacks of its own, so that no nesting needs the caller's.
  *
  *     1 + 2 * u ^ 2      operands 1           operators +
- *                        operands 1 2 u 2     operators + * ^: each binds tighter than the one before, so it waits on it
+ *                        operands 1 2 u 2     operators + * ^: each binds tighter than the one
+ *                                             before, so it waits on it
  *                        at the end ^, * and + are applied, the last one first
  *
  * Behind a fault reading goes on as well as it can, so that one run tells several. */
@@ -17,11 +18,14 @@ static uint32_t read_value(FormulaReader *r)
         behind = behind ? formula_operator(r, &ended) : formula_operand(r);
     if (!ended) /* after so many faults what waits may lack its operands */
         return 0;
-    for (formula_reduce_to(r, level_none, true); r->wait_count; formula_reduce_to(r, level_none, true)) {
+    for (formula_reduce_to(r, level_none, true); r->wait_count;
+         formula_reduce_to(r, level_none, true)) {
         const FormulaWait *open = &r->waits[--r->wait_count];
         if (r->faults++ < FORMULA_MOST_FAULTS)
-            diag_add(r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
-                     formula_token_text(r->s, (Token){.kind = TOKEN_name, .start = open->start, .end = open->end}));
+            diag_add(
+                r->session, formula_span(r, open->start, open->end), DIAG_formula_not_closed,
+                formula_token_text(
+                    r->s, (Token){.kind = TOKEN_name, .start = open->start, .end = open->end}));
     }
     return r->operand_count ? r->operands[0] : 0;
 }
@@ -41,11 +45,13 @@ static void read_local(FormulaReader *r)
     const Token name = r->token;
     const char *called = formula_word(r, name);
     const uint32_t size = formula_token_size(name);
-    const bool word = term_named(called, size) != TERM_none || quantity_named(called, size) != QUANTITY_none ||
-                      vector_named(called, size) || formula_special_named(called, size) != SPECIAL_none;
+    const bool word = term_named(called, size) != TERM_none ||
+                      quantity_named(called, size) != QUANTITY_none || vector_named(called, size) ||
+                      formula_special_named(called, size) != SPECIAL_none;
     if (word || names_find(&r->locals, called) >= 0) {
         r->faults++;
-        diag_add(r->session, formula_token_span(r), word ? DIAG_formula_hides : DIAG_formula_local, called);
+        diag_add(r->session, formula_token_span(r), word ? DIAG_formula_hides : DIAG_formula_local,
+                 called);
     }
     formula_next(r);
     formula_next(r);
@@ -94,9 +100,11 @@ static void read_parts(FormulaReader *r)
 
 Formula *formula_read(const FormulaSource *source)
 {
-    FormulaReader r = {.s = source, .session = source->session, .f = ARENA_NEW(source->session->arena, Formula)};
+    FormulaReader r = {
+        .s = source, .session = source->session, .f = ARENA_NEW(source->session->arena, Formula)};
     if (source->size > LIMIT_FORMULA)
-        return diag_add(r.session, source->span(source->user, 0, 1), DIAG_formula_long, LIMIT_FORMULA);
+        return diag_add(r.session, source->span(source->user, 0, 1), DIAG_formula_long,
+                        LIMIT_FORMULA);
     formula_next(&r);
     if (r.token.kind == TOKEN_end)
         return diag_add(r.session, source->span(source->user, 0, source->size), DIAG_formula_empty);

@@ -1,4 +1,5 @@
-/* What the parts of the reader of formulas share: the operands and the operators that wait for them. */
+/* What the parts of the reader of formulas share: the operands and the operators that wait for
+ * them. */
 #ifndef MATC_FORMULA_READER_H
 #define MATC_FORMULA_READER_H
 #include "compiler/formula/formula_lex.h"
@@ -6,7 +7,15 @@
 enum { FORMULA_MOST_FAULTS = 8, FORMULA_MOST_LANES = 4 };
 
 /* What waits for operands: an operator, an open bracket, or half of a choice. */
-typedef enum { WAIT_infix, WAIT_prefix, WAIT_question, WAIT_colon, WAIT_group, WAIT_list, WAIT_call } FormulaWaitKind;
+typedef enum {
+    WAIT_infix,
+    WAIT_prefix,
+    WAIT_question,
+    WAIT_colon,
+    WAIT_group,
+    WAIT_list,
+    WAIT_call
+} FormulaWaitKind;
 typedef struct {
     FormulaWaitKind kind;
     OperatorLevel level;
@@ -35,7 +44,10 @@ static inline Span formula_span(const FormulaReader *r, uint32_t start, uint32_t
 {
     return r->s->span(r->s->user, start, end);
 }
-static inline Span formula_token_span(const FormulaReader *r) { return formula_span(r, r->token.start, r->token.end); }
+static inline Span formula_token_span(const FormulaReader *r)
+{
+    return formula_span(r, r->token.start, r->token.end);
+}
 static inline void formula_next(FormulaReader *r) { r->token = formula_token(r->s, r->token.end); }
 static inline bool formula_is(const FormulaReader *r, const char *symbol)
 {
@@ -47,7 +59,8 @@ static inline const char *formula_word(const FormulaReader *r, Token token)
 }
 /* Says a fault of the token. */
 void formula_say(FormulaReader *r, DiagKind kind);
-/* The same of a character that no formula has, or of a number that no float holds. formula_other.c */
+/* The same of a character that no formula has, or of a number that no float holds.
+ * formula_other.c */
 void formula_say_other(FormulaReader *r);
 static inline bool formula_is_large(const FormulaReader *r)
 {
@@ -64,7 +77,8 @@ bool formula_say_decimal(FormulaReader *r);
 void formula_pass_return(FormulaReader *r);
 /* Goes on behind it; behind a comment of another language, at the next line. */
 void formula_pass_other(FormulaReader *r);
-/* Says that there is no `if c then a else b`, and stands for all of it. False: no such thing stands here. */
+/* Says that there is no `if c then a else b`, and stands for all of it. False: no such thing stands
+ * here. */
 bool formula_read_if(FormulaReader *r);
 
 void formula_push(FormulaReader *r, uint32_t step);
@@ -86,6 +100,7 @@ void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left);
 bool formula_operand(FormulaReader *r);
 /* attribute(...), from its bracket on. formula_attribute.c */
 void formula_read_attribute(FormulaReader *r, Token name);
-/* Reads behind a value. False: another one is wanted next. *ended: it is whole. formula_operator.c */
+/* Reads behind a value. False: another one is wanted next. *ended: it is whole.
+ * formula_operator.c */
 bool formula_operator(FormulaReader *r, bool *ended);
 #endif

@@ -1,7 +1,8 @@
 /* The operands of a formula that is being read, and the operators that wait for theirs. */
 #include "compiler/formula/formula_reader.h"
 
-uint32_t formula_add(Session *session, Formula *f, FormulaStep step, const uint32_t *arguments, uint32_t count)
+uint32_t formula_add(Session *session, Formula *f, FormulaStep step, const uint32_t *arguments,
+                     uint32_t count)
 {
     step.first = (uint32_t)f->argument_count;
     step.count = count;
@@ -23,7 +24,8 @@ void formula_push_step(FormulaReader *r, FormulaStep step)
 
 void formula_push_fault(FormulaReader *r)
 {
-    formula_push_step(r, (FormulaStep){.kind = FORMULA_fault, .start = r->token.start, .end = r->token.end});
+    formula_push_step(
+        r, (FormulaStep){.kind = FORMULA_fault, .start = r->token.start, .end = r->token.end});
 }
 
 void formula_wait(FormulaReader *r, FormulaWait wait)
@@ -34,16 +36,19 @@ void formula_wait(FormulaReader *r, FormulaWait wait)
 void formula_apply(FormulaReader *r, FormulaStep step, size_t count)
 {
     r->operand_count -= count;
-    const uint32_t made = formula_add(r->session, r->f, step, r->operands + r->operand_count, (uint32_t)count);
+    const uint32_t made =
+        formula_add(r->session, r->f, step, r->operands + r->operand_count, (uint32_t)count);
     formula_push(r, made);
 }
 
 void formula_reduce(FormulaReader *r)
 {
     const FormulaWait wait = r->waits[--r->wait_count];
-    const FormulaStep step = {.kind = FORMULA_term, .row = wait.row, .start = wait.start, .end = wait.end};
+    const FormulaStep step = {
+        .kind = FORMULA_term, .row = wait.row, .start = wait.start, .end = wait.end};
     if (wait.kind == WAIT_question) {
-        if (r->faults++ < FORMULA_MOST_FAULTS) /* to find a place takes as long as what stands before it */
+        /* to find a place takes as long as what stands before it */
+        if (r->faults++ < FORMULA_MOST_FAULTS)
             diag_add(r->session, formula_span(r, wait.start, wait.end), DIAG_formula_choice, "':'");
         formula_push_fault(r);
     }
@@ -55,7 +60,8 @@ void formula_reduce(FormulaReader *r)
 
 void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left)
 {
-    for (FormulaWait *wait = formula_top(r); wait && !formula_is_open(wait); wait = formula_top(r)) {
+    for (FormulaWait *wait = formula_top(r); wait && !formula_is_open(wait);
+         wait = formula_top(r)) {
         if (wait->level < level || (wait->level == level && !from_left))
             return;
         formula_reduce(r);

@@ -1,5 +1,6 @@
-/* Formulas in double precision: the VALUE lines of expression.def, which are written from the mathematics and share nothing with the IR that
- * lowering makes. A condition is 1 or 0. A number goes with every lane: values of one lane are kept in all four. */
+/* Formulas in double precision: the VALUE lines of expression.def, which are written from the
+ * mathematics and share nothing with the IR that lowering makes. A condition is 1 or 0. A number
+ * goes with every lane: values of one lane are kept in all four. */
 #include "compiler/formula/formula.h"
 #include "compiler/library/reference.h"
 #include "compiler/library/references.h"
@@ -16,8 +17,14 @@ typedef struct {
 } Whole;
 
 static double quotient(double a, double b) { return fabs(b) < LEAST_DIVISOR ? 0 : a / b; }
-static double remainder_of(double a, double b) { return fabs(b) < LEAST_DIVISOR ? 0 : a - b * floor(a / b); }
-static double share_of(double low, double high, double x) { return fmin(fmax(quotient(x - low, high - low), 0), 1); }
+static double remainder_of(double a, double b)
+{
+    return fabs(b) < LEAST_DIVISOR ? 0 : a - b * floor(a / b);
+}
+static double share_of(double low, double high, double x)
+{
+    return fmin(fmax(quotient(x - low, high - low), 0), 1);
+}
 
 static double dot_lanes(const double *a, const double *b, int lanes)
 {
@@ -52,7 +59,10 @@ static void luminance_of(const Whole *w, double *result)
 }
 
 static void dot_of(const Whole *w, double *result) { *result = dot_lanes(w->a, w->b, w->lanes); }
-static void length_of(const Whole *w, double *result) { *result = sqrt(dot_lanes(w->a, w->a, w->lanes)); }
+static void length_of(const Whole *w, double *result)
+{
+    *result = sqrt(dot_lanes(w->a, w->a, w->lanes));
+}
 
 static void distance_of(const Whole *w, double *result)
 {
@@ -70,7 +80,10 @@ static void cross_of(const Whole *w, double *result)
     }
 }
 
-static void unit_of(const Whole *w, double *result) { reference_of(FN_safeNormalize)(NULL, w->a, result); }
+static void unit_of(const Whole *w, double *result)
+{
+    reference_of(FN_safeNormalize)(NULL, w->a, result);
+}
 
 static void reflection_of(const Whole *w, double *result)
 {
@@ -86,7 +99,8 @@ static void turned_by(const Whole *w, double *result)
     result[1] = s * w->a[0] + c * w->a[1];
 }
 
-/* Of a hue in turns: red is full within a sixth of 0, and 0 beyond a third; green and blue lie a third and two thirds on. */
+/* Of a hue in turns: red is full within a sixth of 0, and 0 beyond a third; green and blue lie a
+ * third and two thirds on. */
 static void rgb_of(const Whole *w, double *result)
 {
     for (int i = 0; i < 3; i++) {
@@ -118,11 +132,15 @@ static void odd_of(const Whole *w, double *result)
 /* A function of octaves of a position. */
 static void octaves(const Whole *w, Function function, const double *after, double *result)
 {
-    const double args[6] = {w->a[0], w->a[1], w->a[2], after[0], clamp(after[1], -16, 16), clamp(after[2], -16, 16)};
+    const double args[6] = {
+        w->a[0], w->a[1], w->a[2], after[0], clamp(after[1], -16, 16), clamp(after[2], -16, 16)};
     reference_of(function)(w->noise, args, result);
 }
 
-static void noise_at(const Whole *w, double *result) { octaves(w, FN_turbulence, (const double[]){1, 2, .5}, result); }
+static void noise_at(const Whole *w, double *result)
+{
+    octaves(w, FN_turbulence, (const double[]){1, 2, .5}, result);
+}
 static void noises_at(const Whole *w, double *result)
 {
     octaves(w, FN_vectorTurbulence, (const double[]){1, 2, .5}, result);
@@ -175,14 +193,17 @@ static void worley_at(const Whole *w, double *result)
     reference_of((Function)(FN_FIRST_MAP + KIND_Worley))(w->noise, args, result);
 }
 
-static void random_at(const Whole *w, double *result) { reference_of(FN_cellRandom)(w->noise, w->a, result); }
+static void random_at(const Whole *w, double *result)
+{
+    reference_of(FN_cellRandom)(w->noise, w->a, result);
+}
 
 static bool whole_value(Term term, const Whole *w, double *result)
 {
     switch (term) {
-#define VALUE_WHOLE(name, function)                                                                                    \
-    case TERM_##name:                                                                                                  \
-        function(w, result);                                                                                           \
+#define VALUE_WHOLE(name, function)                                                                \
+    case TERM_##name:                                                                              \
+        function(w, result);                                                                       \
         return true;
 #include "grammar/expression.def"
     default:
@@ -195,8 +216,8 @@ static double lane_value(Term term, const double *x)
 {
     const double a = x[0], b = x[1], c = x[2], d = x[3], e = x[4];
     switch (term) {
-#define VALUE(name, value)                                                                                             \
-    case TERM_##name:                                                                                                  \
+#define VALUE(name, value)                                                                         \
+    case TERM_##name:                                                                              \
         return value;
 #include "grammar/expression.def"
     default:
@@ -216,7 +237,8 @@ static double whole_power(double a, int n)
 /* A number is found once, and kept in all lanes. */
 static int lanes_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
 
-static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point, double *result)
+static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
+                       double *result)
 {
     static const double zeros[4];
     const double *args[TERM_MOST_ARGUMENTS] = {zeros, zeros, zeros, zeros, zeros};
@@ -231,13 +253,14 @@ static void term_value(const Formula *f, const FormulaStep *step, const FormulaP
     if (whole_value((Term)step->row, &whole, result))
         return;
     for (int lane = 0; lane < lanes_of(step); lane++) {
-        const double x[TERM_MOST_ARGUMENTS] = {args[0][lane], args[1][lane], args[2][lane], args[3][lane],
-                                               args[4][lane]};
+        const double x[TERM_MOST_ARGUMENTS] = {args[0][lane], args[1][lane], args[2][lane],
+                                               args[3][lane], args[4][lane]};
         result[lane] = lane_value((Term)step->row, x);
     }
 }
 
-static void list_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point, double *result)
+static void list_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
+                       double *result)
 {
     int lanes = 0;
     for (uint32_t i = 0; i < step->count; i++) {
@@ -247,24 +270,26 @@ static void list_value(const Formula *f, const FormulaStep *step, const FormulaP
     }
 }
 
-static void step_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point, double *result)
+static void step_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
+                       double *result)
 {
     const double *a = step->count ? point->values[formula_argument(f, step, 0)] : NULL;
     for (int lane = 0; lane < lanes_of(step); lane++)
-        result[lane] = step->kind == FORMULA_number  ? step->number
-                       : step->kind == FORMULA_value ? point->quantity[step->row][lane]
-                       : step->kind == FORMULA_input ? point->inputs[step->row][lane]
+        result[lane] = step->kind == FORMULA_number      ? step->number
+                       : step->kind == FORMULA_value     ? point->quantity[step->row][lane]
+                       : step->kind == FORMULA_input     ? point->inputs[step->row][lane]
                        : step->kind == FORMULA_attribute ? point->attributes[step->row][lane]
-                       : step->kind == FORMULA_power ? whole_power(a[lane], (int)step->number)
-                       : step->kind == FORMULA_lanes ? a[step->row >> 2 * lane & 3]
-                                                     : 0;
+                       : step->kind == FORMULA_power     ? whole_power(a[lane], (int)step->number)
+                       : step->kind == FORMULA_lanes     ? a[step->row >> 2 * lane & 3]
+                                                         : 0;
     if (step->kind == FORMULA_term)
         term_value(f, step, point, result);
     if (step->kind == FORMULA_list)
         list_value(f, step, point, result);
     for (int lane = 1; step->width <= 1 && lane < 4; lane++)
         result[lane] = result[0];
-    if (step->kind == FORMULA_list && step->count == 1 && f->steps[formula_argument(f, step, 0)].width == 1)
+    if (step->kind == FORMULA_list && step->count == 1 &&
+        f->steps[formula_argument(f, step, 0)].width == 1)
         for (int lane = 1; lane < 4; lane++)
             result[lane] = result[0];
 }

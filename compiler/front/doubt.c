@@ -1,8 +1,10 @@
-/* Warnings about what shows nothing. Every node is asked for groups of channels by those above it, and asks those below it in turn;
- * as inputs come before their users, one walk from the last node to the first knows what each is asked for.
+/* Warnings about what shows nothing. Every node is asked for groups of channels by those above it,
+ * and asks those below it in turn; as inputs come before their users, one walk from the last node
+ * to the first knows what each is asked for.
  *
  *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
- *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that on: nobody sees its u and v. */
+ *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that
+ *     on: nobody sees its u and v. */
 #include "compiler/formula/formula.h"
 #include "compiler/front/doubt.h"
 #include "grammar/lobe_table.h"
@@ -10,7 +12,8 @@
 #include <string.h>
 
 static const double LEAST_FUZZ = .2; /* as surface_principled.glsl has it */
-enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 }; /* a colour's greatest lane from which on whole lanes look like bytes */
+/* a colour's greatest lane from which on whole lanes look like bytes */
+enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
 /* What a node is asked for. The first two begin as MOVES_xyz and MOVES_uv of tables.h. */
 typedef enum {
@@ -27,10 +30,10 @@ typedef enum {
 
 typedef struct {
     Session *session;
-    unsigned *asked;     /* by node's index: Asked */
-    const Node **reader; /* by node's index: one of those that ask */
+    unsigned *asked;        /* by node's index: Asked */
+    const Node **reader;    /* by node's index: one of those that ask */
     const unsigned *models; /* the graph's */
-    bool saying;         /* what all are asked for is known */
+    bool saying;            /* what all are asked for is known */
 } Doubts;
 
 /* Lanes of a number, or of a param's default. */
@@ -55,12 +58,14 @@ static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
     diag_add(d->session, span, DIAG_byte_color, hex.at);
 }
 
-/* `diffuse: 128` is a grey as bytes have it, unless it may be a light of that strength. `diffuse: 112233`: as many digits as a colour has. */
+/* `diffuse: 128` is a grey as bytes have it, unless it may be a light of that strength. `diffuse:
+ * 112233`: as many digits as a colour has. */
 static void doubt_single(const Doubts *d, const Value *value, double lane, bool light)
 {
     const char *text = d->session->sources[value->span.file].text + value->span.start;
     const size_t size = value->span.end - value->span.start;
-    if (value->kind == VALUE_number && strspn(text, "0123456789") == size && (size == 6 || size == 8)) {
+    if (value->kind == VALUE_number && strspn(text, "0123456789") == size &&
+        (size == 6 || size == 8)) {
         Text hex = text_new(d->session->arena);
         text_format(&hex, "#%.*s", (int)size, text);
         diag_add(d->session, value->span, DIAG_byte_color, hex.at);
@@ -134,7 +139,8 @@ static unsigned asked_of_point(const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
     const unsigned groups = is->kind == VALUE_formula ? is->formula->groups : 0;
-    const unsigned coordinates = (groups >> GROUP_X & 1 ? ASKED_xyz : 0) | (groups >> GROUP_U & 1 ? ASKED_uv : 0);
+    const unsigned coordinates =
+        (groups >> GROUP_X & 1 ? ASKED_xyz : 0) | (groups >> GROUP_U & 1 ? ASKED_uv : 0);
     return coordinates | (groups & ~(1u << GROUP_X | 1u << GROUP_U) ? ASKED_other : 0);
 }
 
@@ -184,7 +190,8 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return ASKED_color | ASKED_shape;
     if (strstr(param->name, "hininess"))
         return ASKED_shininess;
-    if ((node->kind == KIND_Principled || node->kind == KIND_Layer) && !param_is_colored((int)(param - param_table)))
+    if ((node->kind == KIND_Principled || node->kind == KIND_Layer) &&
+        !param_is_colored((int)(param - param_table)))
         return ASKED_color | ASKED_light; /* a number of any size */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
@@ -198,7 +205,8 @@ static void ask_below(Doubts *d, const Node *node, unsigned asked)
         const ParamRow *param = &param_table[row->first + i];
         const Value *value = &node->params[i];
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
-            ask(d, node, value->items->item[k].input, node->kind == KIND_Expression ? ASKED_other | shape : asked);
+            ask(d, node, value->items->item[k].input,
+                node->kind == KIND_Expression ? ASKED_other | shape : asked);
         if (value->kind != VALUE_node || param->type != PARAM_Map)
             continue;
         const bool input = !strcmp(param->name, "input") || !strcmp(param->name, "coatNormal");
@@ -230,8 +238,10 @@ static void doubt_use(const Doubts *d, const Node *node)
         diag_add(d->session, node->span, DIAG_no_color, name,
                  through ? "its input's comes through as it is" : "it is black, with alpha 0");
     else if (moves && !moved && asked & (ASKED_uv | ASKED_xyz))
-        diag_add(d->session, node->span, DIAG_unread_transform, kind_table[d->reader[node->index]->kind].name,
-                 asked & ASKED_xyz ? "x, y and z" : "u and v", name, mover(asked & (ASKED_uv | ASKED_xyz)));
+        diag_add(d->session, node->span, DIAG_unread_transform,
+                 kind_table[d->reader[node->index]->kind].name,
+                 asked & ASKED_xyz ? "x, y and z" : "u and v", name,
+                 mover(asked & (ASKED_uv | ASKED_xyz)));
 }
 
 /* A map that is asked for something, and lacks what it would show: its picture, its items. */
@@ -252,11 +262,14 @@ static void doubt_lack(const Doubts *d, const Node *node)
     }
 }
 
-/* The material that displaces where this one shows its front: itself, or one within switches. NULL: none. */
+/* The material that displaces where this one shows its front: itself, or one within switches. NULL:
+ * none. */
 static const Node *displaced_front(const Node *material)
 {
     while (material && !graph_displaces(material)) {
-        const Value *front = material->kind == KIND_SideSwitch ? node_param(material, P_SideSwitch_frontShader) : NULL;
+        const Value *front = material->kind == KIND_SideSwitch
+                                 ? node_param(material, P_SideSwitch_frontShader)
+                                 : NULL;
         material = front && front->kind == VALUE_node ? front->node : NULL;
     }
     return material;
@@ -269,7 +282,9 @@ static bool same_map(const Value *a, const Value *b)
 
 static const Value *first_map(const Displacement *d)
 {
-    return d->volume->kind == VALUE_node ? d->volume : d->height->kind == VALUE_node ? d->height : d->vector;
+    return d->volume->kind == VALUE_node   ? d->volume
+           : d->height->kind == VALUE_node ? d->height
+                                           : d->vector;
 }
 
 /* What a volume takes the place of, and what counts for volumes alone. */
@@ -290,13 +305,15 @@ static void doubt_volume(const Doubts *d, const Node *node)
 static void doubt_back(const Doubts *d, const Node *node)
 {
     const Value *back = node_param(node, P_SideSwitch_backShader);
-    const Node *shape = displaced_front(node), *other = back->kind == VALUE_node ? displaced_front(back->node) : NULL;
+    const Node *shape = displaced_front(node),
+               *other = back->kind == VALUE_node ? displaced_front(back->node) : NULL;
     if (!other || other == shape)
         return;
     const Displacement has = graph_displacement(other);
     const Value *height = first_map(&has);
     const Displacement seen = shape ? graph_displacement(shape) : has;
-    if (!shape || !same_map(seen.height, has.height) || !same_map(seen.vector, has.vector) || !same_map(seen.volume, has.volume))
+    if (!shape || !same_map(seen.height, has.height) || !same_map(seen.vector, has.vector) ||
+        !same_map(seen.volume, has.volume))
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
@@ -314,7 +331,8 @@ static void doubt_layered(const Doubts *d, const Node *base)
 /* Where there is fuzz, a number that the lobe does not go down to. */
 static void doubt_fuzz(const Doubts *d, const Node *node)
 {
-    const Value *rough = node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
+    const Value *rough =
+        node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
     const double *lanes;
     if (!rough || value_is_zero(node_param(node, P_Principled_fuzz)))
         return;
@@ -325,21 +343,24 @@ static void doubt_fuzz(const Doubts *d, const Node *node)
         diag_add(d->session, span, DIAG_narrow_fuzz);
 }
 
-/* A Mix of materials one of which would move the surface; or one material of two whose slots mean other things. */
+/* A Mix of materials one of which would move the surface; or one material of two whose slots mean
+ * other things. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
     const char *name = node->kind == KIND_MixMaterial ? "Mix" : node_written_name(node);
     unsigned models = 0;
     for (int i = 0; i < row->count; i++)
-        if (param_table[row->first + i].type == PARAM_Material && node->params[i].kind == VALUE_node)
+        if (param_table[row->first + i].type == PARAM_Material &&
+            node->params[i].kind == VALUE_node)
             models |= d->models[node->params[i].node->index];
     if (node->kind == KIND_Layer && models & MODEL_LOBE(LOBE_coat))
         diag_add(d->session, node->span, DIAG_two_coats);
     const Value *base = node->kind == KIND_Layer ? node_param(node, P_Layer_base) : NULL;
     if (base && base->kind == VALUE_node)
         doubt_layered(d, base->node);
-    if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 && models >> MODEL_Principled & 1)
+    if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 &&
+        models >> MODEL_Principled & 1)
         diag_add(d->session, node->span, DIAG_mixed_models, name);
     for (int i = 0; i < row->count; i++) {
         const Value *value = &node->params[i];
@@ -357,7 +378,8 @@ static void doubt_shape(const Doubts *d, const Node *node)
     if (is->kind != VALUE_formula)
         return;
     if (is->formula->meshed)
-        diag_add(d->session, node->span, DIAG_displaced_attribute, "attributes of the mesh as their defaults");
+        diag_add(d->session, node->span, DIAG_displaced_attribute,
+                 "attributes of the mesh as their defaults");
     if (is->formula->groups >> GROUP_O & 1)
         diag_add(d->session, node->span, DIAG_displaced_attribute, "objectRandom as 0");
 }
@@ -367,8 +389,8 @@ static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);
     if (section == SECTION_material)
-        doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node), doubt_fuzz(d, node),
-            doubt_volume(d, node), doubt_normals(d->session, node);
+        doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node),
+            doubt_fuzz(d, node), doubt_volume(d, node), doubt_normals(d->session, node);
     if (node->kind == KIND_SideSwitch)
         doubt_back(d, node);
     if (section == SECTION_transform || section == SECTION_normal)
@@ -382,8 +404,7 @@ static void say(Doubts *d, const Node *node)
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
 {
     Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
-                ARENA_ARRAY(session->arena, const Node *, graph->node_count),
-                graph->models, false};
+                ARENA_ARRAY(session->arena, const Node *, graph->node_count), graph->models, false};
     for (size_t i = count; i--;)
         ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
     d.saying = true;

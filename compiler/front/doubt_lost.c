@@ -1,4 +1,5 @@
-/* Warnings about parts of a physically based material that no G-buffer holds, or not as they are: UNSTORED and PARTED of materials.def. */
+/* Warnings about parts of a physically based material that no G-buffer holds, or not as they are:
+ * UNSTORED and PARTED of materials.def. */
 #include "compiler/front/doubt.h"
 
 static bool is_lost(const Node *node, int i)
@@ -11,7 +12,8 @@ static const char *parted(const Node *node, int i)
 {
     int weight;
     const char *what = param_parted(kind_table[node->kind].first + i, &weight);
-    const bool there = what && node->params[i].given && !value_is_zero(&node->params[i]) && !value_is_zero(node_param(node, weight));
+    const bool there = what && node->params[i].given && !value_is_zero(&node->params[i]) &&
+                       !value_is_zero(node_param(node, weight));
     return there && value_is_zero(node_param(node, P_Principled_thinWalled)) ? what : NULL;
 }
 
@@ -21,8 +23,10 @@ void doubt_lost(Session *session, const Node *material)
         const char *what = parted(material, i);
         const Span span = material->params[i].span;
         if (is_lost(material, i))
-            diag_add(session, span, DIAG_unstored, node_written_param(material, i), node_written_name(material));
+            diag_add(session, span, DIAG_unstored, node_written_param(material, i),
+                     node_written_name(material));
         else if (what)
-            diag_add(session, span, DIAG_parted, node_written_param(material, i), node_written_name(material), what);
+            diag_add(session, span, DIAG_parted, node_written_param(material, i),
+                     node_written_name(material), what);
     }
 }

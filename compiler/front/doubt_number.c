@@ -1,10 +1,12 @@
-/* Warnings about constants that look as if they were meant in another unit, and about colours where a normal is wanted. */
+/* Warnings about constants that look as if they were meant in another unit, and about colours where
+ * a normal is wanted. */
 #include "compiler/base/text.h"
 #include "compiler/front/doubt.h"
 #include <math.h>
 #include <string.h>
 
-/* The first lane of a constant map, the greatest of a list of numbers, the default of a param; false: it is none of these. */
+/* The first lane of a constant map, the greatest of a list of numbers, the default of a param;
+ * false: it is none of these. */
 static bool lane_of(const Value *value, double *lane)
 {
     const bool map = value->kind == VALUE_node && value->node->kind == KIND_Constant;
@@ -34,9 +36,11 @@ static void put_meant(Text *out, const UnitRow *unit, double number)
 void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value)
 {
     double number;
-    if (!unit || unit == &unit_table[UNIT_gloss] || !lane_of(value, &number) || (number >= unit->low && number <= unit->high))
+    if (!unit || unit == &unit_table[UNIT_gloss] || !lane_of(value, &number) ||
+        (number >= unit->low && number <= unit->high))
         return;
-    Text is = text_new(session->arena), low = text_new(session->arena), high = text_new(session->arena);
+    Text is = text_new(session->arena), low = text_new(session->arena),
+         high = text_new(session->arena);
     Text meant = text_new(session->arena);
     text_plain(&is, number);
     text_plain(&low, round(unit->low * 1e3) / 1e3);
@@ -50,7 +54,8 @@ void doubt_unit(Session *session, const char *name, const UnitRow *unit, const V
 void doubt_units(Session *session, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    const bool made = node->written && node->written != node->kind; /* of another model's numbers, which were looked at as such */
+    /* of another model's numbers, which were looked at as such */
+    const bool made = node->written && node->written != node->kind;
     for (int i = 0; i < row->count && !made; i++) {
         const UnitRow *unit = unit_of(row->first + i);
         if (unit && node->params[i].given)
@@ -63,7 +68,8 @@ static bool is_plain(const Node *map)
 {
     const Section section = section_of(map->kind);
     const bool number = map->kind == KIND_Constant && type_table[map->params[0].type].lanes == 1;
-    return number || section == SECTION_surface || section == SECTION_volume || section == SECTION_dimensions;
+    return number || section == SECTION_surface || section == SECTION_volume ||
+           section == SECTION_dimensions;
 }
 
 void doubt_normals(Session *session, const Node *material)
@@ -75,13 +81,15 @@ void doubt_normals(Session *session, const Node *material)
         size_t name = 0;
         if (value->kind != VALUE_node || !is_plain(value->node))
             continue;
-        while (name < sizeof names / sizeof *names && strcmp(names[name], param_table[row->first + i].name) != 0)
+        while (name < sizeof names / sizeof *names &&
+               strcmp(names[name], param_table[row->first + i].name) != 0)
             name++;
         if (name == sizeof names / sizeof *names)
             continue;
         const bool direction = name >= 2;
         diag_add(session, value->span, direction ? DIAG_plain_direction : DIAG_plain_normal,
                  node_written_param(material, i),
-                 value->node->kind == KIND_Constant ? "a number" : kind_table[value->node->kind].name);
+                 value->node->kind == KIND_Constant ? "a number"
+                                                    : kind_table[value->node->kind].name);
     }
 }

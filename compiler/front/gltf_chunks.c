@@ -1,7 +1,13 @@
 #include "compiler/front/gltf_chunks.h"
 #include <string.h>
 
-enum { HEADER = 12, CHUNK = 8, CHUNK_JSON = 0x4E4F534A, CHUNK_BINARY = 0x004E4942, GLB_VERSION = 2 };
+enum {
+    HEADER = 12,
+    CHUNK = 8,
+    CHUNK_JSON = 0x4E4F534A,
+    CHUNK_BINARY = 0x004E4942,
+    GLB_VERSION = 2
+};
 
 static uint32_t word_at(const char *bytes)
 {
@@ -9,7 +15,8 @@ static uint32_t word_at(const char *bytes)
     return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
 }
 
-/* Twelve bytes (`glTF`, version, length of all), then chunks, each of a length, a kind and so many bytes: JSON, and one of a buffer.
+/* Twelve bytes (`glTF`, version, length of all), then chunks, each of a length, a kind and so many
+ * bytes: JSON, and one of a buffer.
  *     67 6C 54 46  02 00 00 00  44 00 00 00 | 30 00 00 00 4A 53 4F 4E {"asset": ...} */
 const char *gltf_chunks_of(Arena *arena, const char *bytes, size_t size, GltfChunks *chunks)
 {
@@ -18,9 +25,12 @@ const char *gltf_chunks_of(Arena *arena, const char *bytes, size_t size, GltfChu
         return "it does not begin as one";
     Text why = text_new(arena);
     if (word_at(bytes + 4) != GLB_VERSION)
-        return text_format(&why, "it is of version %u; version 2 is read", (unsigned)word_at(bytes + 4)), why.at;
+        return text_format(&why, "it is of version %u; version 2 is read",
+                           (unsigned)word_at(bytes + 4)),
+               why.at;
     if (word_at(bytes + 8) != size)
-        return text_format(&why, "its header says %u bytes, and it has %zu", (unsigned)word_at(bytes + 8), size),
+        return text_format(&why, "its header says %u bytes, and it has %zu",
+                           (unsigned)word_at(bytes + 8), size),
                why.at;
     for (size_t at = HEADER; at < size;) {
         const size_t left = size - at, length = left < CHUNK ? 0 : word_at(bytes + at);

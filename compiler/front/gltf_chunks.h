@@ -13,7 +13,8 @@ typedef struct {
 /* NULL, or what is wrong. */
 const char *gltf_chunks_of(Arena *arena, const char *bytes, size_t size, GltfChunks *chunks);
 
-/* The source's JSON takes the place of its bytes, where its name ends in .glb; false: the file is broken, and that was said. */
+/* The source's JSON takes the place of its bytes, where its name ends in .glb; false: the file is
+ * broken, and that was said. */
 bool gltf_chunks_open(Session *session, uint32_t file);
 
 /* Between a file's name and the number of one of its pictures: a fragment, RFC 6901. */

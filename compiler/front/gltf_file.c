@@ -35,7 +35,8 @@ static bool ends_in(const char *name, size_t size, const char *ending)
 bool gltf_file_has(const char *path)
 {
     const char *mark = strstr(path, GLTF_IMAGES);
-    return mark && (ends_in(path, (size_t)(mark - path), ".gltf") || ends_in(path, (size_t)(mark - path), ".glb"));
+    return mark && (ends_in(path, (size_t)(mark - path), ".gltf") ||
+                    ends_in(path, (size_t)(mark - path), ".glb"));
 }
 
 const Tree *gltf_file_value(const Tree *tree, const char *key)
@@ -49,8 +50,8 @@ size_t gltf_file_whole(const Tree *tree, size_t without)
     double value;
     if (!tree)
         return without;
-    return tree->kind == TREE_scalar && tree->plain && tree_number(tree, &value) && value >= 0 && value <= UINT32_MAX &&
-                   value == (double)(size_t)value
+    return tree->kind == TREE_scalar && tree->plain && tree_number(tree, &value) && value >= 0 &&
+                   value <= UINT32_MAX && value == (double)(size_t)value
                ? (size_t)value
                : SIZE_MAX;
 }
@@ -132,18 +133,22 @@ static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t num
     if (uri && uri->kind != TREE_scalar)
         return *why = "its buffer's uri is no text", false;
     if (uri)
-        return is_data(uri) ? decode_data(place->session, uri, bytes, why) : read_beside(place, uri->text, bytes, why);
+        return is_data(uri) ? decode_data(place->session, uri, bytes, why)
+                            : read_beside(place, uri->text, bytes, why);
     *bytes = (GltfBytes){file->binary, file->binary_size};
-    return (!number && file->binary) || (*why = "its buffer has no uri, and the file no binary chunk", false);
+    return (!number && file->binary) ||
+           (*why = "its buffer has no uri, and the file no binary chunk", false);
 }
 
 /* What a buffer holds, read once; NULL: `why`. */
-static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t number, const char **why)
+static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t number,
+                               const char **why)
 {
     if (!gltf_file_item(file->root, "buffers", number))
         return *why = "its bufferView names no buffer", NULL;
     if (!file->buffers)
-        file->buffers = ARENA_ARRAY(place->session->arena, Buffer, gltf_file_value(file->root, "buffers")->count);
+        file->buffers = ARENA_ARRAY(place->session->arena, Buffer,
+                                    gltf_file_value(file->root, "buffers")->count);
     Buffer *buffer = &file->buffers[number];
     if (!buffer->read && !read_buffer(place, file, number, buffer))
         buffer->bytes = (GltfBytes){0};
@@ -154,7 +159,8 @@ static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t nu
     return buffer->why ? NULL : buffer;
 }
 
-static bool read_view(const GltfPlace *place, GltfFile *file, const Tree *index, GltfBytes *bytes, const char **why)
+static bool read_view(const GltfPlace *place, GltfFile *file, const Tree *index, GltfBytes *bytes,
+                      const char **why)
 {
     const Tree *view = gltf_file_item(file->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
     const size_t number = gltf_file_whole(gltf_file_value(view, "buffer"), SIZE_MAX);
@@ -178,12 +184,14 @@ static void index_sources(Session *session, GltfFiles *files)
         const uint32_t number = (uint32_t)files->indexed;
         const char *path = session_path_beside(session, "", session->sources[number].name);
         if ((size_t)names_add(session->arena, &files->source_paths, path) == files->source_count)
-            ARENA_PUSH(session->arena, files->sources, files->source_count, files->source_room, number);
+            ARENA_PUSH(session->arena, files->sources, files->source_count, files->source_room,
+                       number);
     }
 }
 
 /* A source of that path: one that was read as a document, or read now. */
-static bool find_source(Session *session, GltfFiles *files, const char *path, uint32_t *found, const char **why)
+static bool find_source(Session *session, GltfFiles *files, const char *path, uint32_t *found,
+                        const char **why)
 {
     index_sources(session, files);
     const int known = names_find(&files->source_paths, path);
@@ -194,10 +202,12 @@ static bool find_source(Session *session, GltfFiles *files, const char *path, ui
     char *text = session_read_file(session, path, &size, why);
     if (!text)
         return false;
-    const Source source = {.name = path, .text = arena_string(session->arena, text, size), .size = size};
+    const Source source = {
+        .name = path, .text = arena_string(session->arena, text, size), .size = size};
     free(text);
     *found = (uint32_t)session->source_count;
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+               source);
     return gltf_chunks_open(session, *found) || (*why = "the file is broken", false);
 }
 
@@ -218,11 +228,13 @@ static GltfFile *file_of(Session *session, GltfFiles *files, const char *path)
     return file;
 }
 
-bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture, const char **why)
+bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture,
+                       const char **why)
 {
     const char *mark = strstr(path, GLTF_IMAGES), *number = mark + sizeof GLTF_IMAGES - 1;
     const size_t digits = strspn(number, "0123456789");
-    const GltfPlace place = {session, files, arena_string(session->arena, path, (size_t)(mark - path))};
+    const GltfPlace place = {session, files,
+                             arena_string(session->arena, path, (size_t)(mark - path))};
     GltfFile *file = file_of(session, files, place.path);
     if (!file->root)
         return *why = file->why, false;
@@ -236,7 +248,8 @@ bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, Glt
         return read_view(&place, file, view, picture, why);
     if (!uri || uri->kind != TREE_scalar)
         return *why = "the file says neither its uri nor its bufferView", false;
-    return is_data(uri) ? decode_data(session, uri, picture, why) : read_beside(&place, uri->text, picture, why);
+    return is_data(uri) ? decode_data(session, uri, picture, why)
+                        : read_beside(&place, uri->text, picture, why);
 }
 
 const Tree *gltf_file_root(const GltfPlace *place, const char **why)

@@ -3,7 +3,8 @@
 #include "grammar/lobe_table.h"
 #include <string.h>
 
-/* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else fills with 0, alpha with 1. */
+/* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else
+ * fills with 0, alpha with 1. */
 void graph_convert(int from_lanes, const double *from, int to_lanes, double *to)
 {
     double result[4] = {0, 0, 0, 1};
@@ -13,7 +14,10 @@ void graph_convert(int from_lanes, const double *from, int to_lanes, double *to)
             sum += from[i];
         result[0] = sum / from_lanes;
     } else {
-        for (int i = 0; i < (from_lanes == 1 && to_lanes < 4 ? to_lanes : from_lanes == 1 ? 3 : from_lanes); i++)
+        for (int i = 0; i < (from_lanes == 1 && to_lanes < 4 ? to_lanes
+                             : from_lanes == 1               ? 3
+                                                             : from_lanes);
+             i++)
             result[i] = from[from_lanes == 1 ? 0 : i];
     }
     memcpy(to, result, sizeof(double) * (size_t)to_lanes);
@@ -41,10 +45,14 @@ Displacement graph_displacement(const Node *material)
 bool graph_displaces(const Node *material)
 {
     const Displacement d = graph_displacement(material);
-    return d.height->kind == VALUE_node || d.vector->kind == VALUE_node || d.volume->kind == VALUE_node;
+    return d.height->kind == VALUE_node || d.vector->kind == VALUE_node ||
+           d.volume->kind == VALUE_node;
 }
 
-bool graph_displaces_volume(const Node *material) { return graph_displacement(material).volume->kind == VALUE_node; }
+bool graph_displaces_volume(const Node *material)
+{
+    return graph_displacement(material).volume->kind == VALUE_node;
+}
 
 bool value_is_zero(const Value *value)
 {
@@ -74,21 +82,24 @@ bool graph_coat_follows(const Graph *graph, const Node *coated)
            (base->kind == KIND_Principled && map_of(base, P_Principled_input) == map);
 }
 
-/* The parts of a Principled that are not known to be nothing; light that is scattered below the surface goes through thin walls alone. */
+/* The parts of a Principled that are not known to be nothing; light that is scattered below the
+ * surface goes through thin walls alone. */
 static unsigned lobes_of(const Graph *graph, const Node *principled)
 {
     const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled)),
                coated = !value_is_zero(node_param(principled, P_Principled_coat));
     unsigned lobes = 0;
     for (int lobe = 0; lobe < LOBE_COUNT; lobe++) {
-        const bool there = lobe == LOBE_coatNormal ? coated && !graph_coat_follows(graph, principled)
-                                                   : !value_is_zero(node_param(principled, lobe_table[lobe].param));
+        const bool there = lobe == LOBE_coatNormal
+                               ? coated && !graph_coat_follows(graph, principled)
+                               : !value_is_zero(node_param(principled, lobe_table[lobe].param));
         lobes |= there && (thin || lobe != LOBE_diffuseTransparency) ? MODEL_LOBE(lobe) : 0;
     }
     return lobes;
 }
 
-/* Not where its strength is nothing, nor where its colour is, as of a glTF without emissiveFactor, whose strength is 1. */
+/* Not where its strength is nothing, nor where its colour is, as of a glTF without emissiveFactor,
+ * whose strength is 1. */
 static unsigned principled_emits(const Node *material)
 {
     const bool dark = value_is_zero(node_param(material, P_Principled_emission)) ||
@@ -103,8 +114,8 @@ static unsigned phong_emits(const Node *material)
 
 static unsigned relief_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
 
-/* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of an AlgorithmSwitch only the first is shown, and
- * a missing front of a SideSwitch is grey. */
+/* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of
+ * an AlgorithmSwitch only the first is shown, and a missing front of a SideSwitch is grey. */
 static unsigned models_of(const Graph *graph, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -119,8 +130,10 @@ static unsigned models_of(const Graph *graph, const Node *node)
                   (graph_coat_follows(graph, node) ? 0 : MODEL_LOBE(LOBE_coatNormal));
     for (int i = 0; i < row->count && !(models && node->kind == KIND_AlgorithmSwitch); i++)
         if (param_table[row->first + i].type == PARAM_Material)
-            models |= node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
-    return models >> MODEL_Principled & 1 ? models & ~(1u << MODEL_Phong) : models | 1u << MODEL_Phong;
+            models |=
+                node->params[i].kind == VALUE_node ? graph->models[node->params[i].node->index] : 0;
+    return models >> MODEL_Principled & 1 ? models & ~(1u << MODEL_Phong)
+                                          : models | 1u << MODEL_Phong;
 }
 
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count)

@@ -1,5 +1,5 @@
-/* The document as typed values: every name resolved, every parameter present (given or defaulted), no cycles.
- * resolve() makes it from a Tree; lower() makes IR of it; the oracle evaluates it. */
+/* The document as typed values: every name resolved, every parameter present (given or defaulted),
+ * no cycles. resolve() makes it from a Tree; lower() makes IR of it; the oracle evaluates it. */
 #ifndef MATC_GRAPH_H
 #define MATC_GRAPH_H
 #include "grammar/tables.h"
@@ -54,8 +54,11 @@ typedef struct Value {
     ValueKind kind;
     Type type;  /* of a number or uniform, before any conversion */
     bool given; /* stands in the document; false: the default */
-    bool color; /* a number that is written as a colour: "#ff8800", red; so is the default of a param */
-    int16_t written; /* of a material of another model: 1 + the author's parameter that it was made of; 0: it is the author's own */
+    /* a number that is written as a colour: "#ff8800", red; so is the default of a param */
+    bool color;
+    /* of a material of another model: 1 + the author's parameter that it was made of; 0: it is the
+     * author's own */
+    int16_t written;
     Span span;
     union {
         double number[4]; /* lanes of the type; bool and int too */
@@ -79,13 +82,16 @@ struct Node {
     int filters;       /* most filters on a way down from here, this one included; bounded */
     const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
     const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
-    bool steps;  /* it, or a map below, has a STEP row: it jumps or is a picture */
-    int8_t width; /* lanes of its value as a formula reads it: 1 to 4; 0 of a material */
+    bool steps;        /* it, or a map below, has a STEP row: it jumps or is a picture */
+    int8_t width;      /* lanes of its value as a formula reads it: 1 to 4; 0 of a material */
     Kind written; /* what the author wrote: its kind, or that of another model which became it */
 };
 
 /* What the author calls a material or map, and its parameter of that place: for messages. */
-static inline const char *node_written_name(const Node *node) { return kind_table[node->written].name; }
+static inline const char *node_written_name(const Node *node)
+{
+    return kind_table[node->written].name;
+}
 static inline const char *node_written_param(const Node *node, int i)
 {
     const int written = node->params[i].written;
@@ -97,7 +103,9 @@ typedef struct {
     const Node *input; /* NULL reads the surface */
     Span span;
     int8_t width; /* lanes in which a formula reads the input; 0: the input's own */
-    bool numbers; /* of a material of another model: its parameter is no colour, whatever the formula makes of it */
+    /* of a material of another model: its parameter is no colour, whatever the formula makes of
+     * it */
+    bool numbers;
 } Item;
 typedef struct Items {
     int count;
@@ -112,9 +120,15 @@ struct Wave {
     int length;                 /* waves that v is sent through, one after the other; bounded */
 };
 
-typedef enum { TRANSFORM_scale, TRANSFORM_translation, TRANSFORM_matrix, TRANSFORM_components } TransformKind;
+typedef enum {
+    TRANSFORM_scale,
+    TRANSFORM_translation,
+    TRANSFORM_matrix,
+    TRANSFORM_components
+} TransformKind;
 /* q -> M q. scale: uniform; translation; matrix: 16 numbers by rows, the last row is (0, 0, 0, 1);
- * components: M = T Rz Ry Rx S H, angles in radians, H unit upper triangular with H01, H02, H12 = shear. */
+ * components: M = T Rz Ry Rx S H, angles in radians, H unit upper triangular with H01, H02, H12 =
+ * shear. */
 typedef struct Transform {
     TransformKind kind;
     Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
@@ -135,10 +149,12 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    unsigned *models; /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the lobes that it may have, MODEL_EMITS and MODEL_RELIEF */
+    /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the
+     * lobes that it may have, MODEL_EMITS and MODEL_RELIEF */
+    unsigned *models;
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
-    Names uniform_names; /* theirs, in the same order */
+    Names uniform_names;              /* theirs, in the same order */
     MeshAttribute *const *attributes; /* LIMIT_ATTRIBUTES at most */
     int attribute_count;
     Names attribute_names; /* theirs, in the same order */
@@ -171,9 +187,11 @@ bool graph_displaces(const Node *material);
 bool graph_displaces_volume(const Node *material);
 /* It is 0 everywhere. */
 bool value_is_zero(const Value *value);
-/* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey Phong. */
+/* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey
+ * Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
-/* Whether the coat of a Principled or a Layer has the normal of what it lies on: both have the surface's, or the same map gives them. */
+/* Whether the coat of a Principled or a Layer has the normal of what it lies on: both have the
+ * surface's, or the same map gives them. */
 bool graph_coat_follows(const Graph *graph, const Node *coated);
 
 /* The parameter that P_<kind>_<name> of tables.h names. */

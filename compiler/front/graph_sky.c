@@ -13,7 +13,8 @@ static const Node *seen(const Node *m)
 {
     while (m && (m->kind == KIND_SideSwitch || m->kind == KIND_AlgorithmSwitch)) {
         const bool side = m->kind == KIND_SideSwitch;
-        const Node *first = node_of(m, side ? P_SideSwitch_frontShader : P_AlgorithmSwitch_guiShader);
+        const Node *first =
+            node_of(m, side ? P_SideSwitch_frontShader : P_AlgorithmSwitch_guiShader);
         const Node *second = side || first ? first : node_of(m, P_AlgorithmSwitch_raytracerShader);
         m = side || second ? second : node_of(m, P_AlgorithmSwitch_radiationShader);
     }

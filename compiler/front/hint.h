@@ -1,5 +1,5 @@
-/* Hints for values and names that authors bring from elsewhere: each function reports a fault that it
- * recognizes, and says what to write instead. True: it is reported. mistake.h has older ones. */
+/* Hints for values and names that authors bring from elsewhere: each function reports a fault that
+ * it recognizes, and says what to write instead. True: it is reported. mistake.h has older ones. */
 #ifndef MATC_HINT_H
 #define MATC_HINT_H
 #include "compiler/front/resolve.h"
@@ -27,12 +27,13 @@ bool hint_map_name(Resolver *r, const Tree *tree);
 bool hint_object(Resolver *r, const Tree *object, bool material);
 /* A hint for a whole document: `type: Principled`. */
 bool hint_document(Session *session, const Tree *document);
-/* "; it comes with matc: `include: rust.yaml`": of a name that a file of the library defines, and no file
- * of the document; NULL: none does. hint_library.c */
+/* "; it comes with matc: `include: rust.yaml`": of a name that a file of the library defines, and
+ * no file of the document; NULL: none does. hint_library.c */
 const char *hint_shipped(Session *session, const char *name);
 /* The row of a name; NULL: the library has none. */
 const LibraryName *hint_library_name(const char *name);
-/* A hint for a definition in the place of a kind, `map: rust`, also of one that the document has. hint_library.c */
+/* A hint for a definition in the place of a kind, `map: rust`, also of one that the document has.
+ * hint_library.c */
 const char *hint_definition(Resolver *r, const char *name);
 /* Reports `n = fbm(p)`, as a text or as a key, where `n: ...` is wanted. hint_assigned.c */
 bool hint_assigned(Session *session, const Tree *tree);

@@ -39,7 +39,8 @@ static bool assigned(Session *session, Span span, const char *text)
     const char *line = source->text + span.start, *end = line + strcspn(line, "\r\n");
     size_t size = strlen(value);
     const bool same = span.start < source->size && !strncmp(line, text, name);
-    if (same && (size_t)(end - line) > (size_t)(value - text) && (size_t)(end - line) - (size_t)(value - text) < size)
+    if (same && (size_t)(end - line) > (size_t)(value - text) &&
+        (size_t)(end - line) - (size_t)(value - text) < size)
         size = (size_t)(end - line) - (size_t)(value - text);
     diag_add(session, span, DIAG_assigned, arena_string(session->arena, text, name),
              written_value(session, value, size));
@@ -51,7 +52,8 @@ bool hint_assigned(Session *session, const Tree *tree)
     if (tree->kind == TREE_scalar)
         return tree->plain && assigned(session, tree->span, tree->text);
     for (uint32_t i = 0; tree->kind == TREE_object && i < tree->count; i++)
-        if (tree_is_null(tree->members[i].value) && assigned(session, tree->members[i].span, tree->members[i].key))
+        if (tree_is_null(tree->members[i].value) &&
+            assigned(session, tree->members[i].span, tree->members[i].key))
             return true;
     return false;
 }
@@ -78,7 +80,8 @@ bool hint_backslash(Session *session, Span span)
 static const char *material_called(const char *name)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++)
-        if (kind_table[kind].lowering == LOWERING_MATERIAL && text_same(kind_table[kind].name, name))
+        if (kind_table[kind].lowering == LOWERING_MATERIAL &&
+            text_same(kind_table[kind].name, name))
             return kind_table[kind].name;
     return NULL;
 }
@@ -88,11 +91,13 @@ const char *hint_no_material(Session *session, const Tree *document)
     Text hint = text_new(session->arena);
     text_put(&hint, "");
     if (tree_find(document, "map"))
-        text_put(&hint, "; a map stands in a material: `material: Phong`, and `diffuse: { map: ... }` beside it");
+        text_put(&hint, "; a map stands in a material: `material: Phong`, and `diffuse: { map: ... "
+                        "}` beside it");
     for (uint32_t i = 0; i < document->count && !hint.size; i++) {
         const char *name = material_called(document->members[i].key);
         if (name)
-            text_format(&hint, "; it is written `material: %s`, with its parameters beside it", name);
+            text_format(&hint, "; it is written `material: %s`, with its parameters beside it",
+                        name);
     }
     return hint.at;
 }

@@ -1,4 +1,5 @@
-/* Names that files of the library define, which come with matc: which file a document has to include. */
+/* Names that files of the library define, which come with matc: which file a document has to
+ * include. */
 #include "compiler/base/text.h"
 #include "compiler/front/hint.h"
 #include <string.h>

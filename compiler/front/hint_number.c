@@ -30,8 +30,8 @@ static size_t without_end(const char *name, size_t size, const char *end)
     return ends ? size - length : size;
 }
 
-/* The parameter of the same kind that has the colour: emission -> emissionColor, emissiveStrength ->
- * emissiveFactor, base -> base_color. NULL: there is none. */
+/* The parameter of the same kind that has the colour: emission -> emissionColor, emissiveStrength
+ * -> emissiveFactor, base -> base_color. NULL: there is none. */
 static const char *color_sibling(const ParamRow *row)
 {
     static const char *const ends[] = {"Color", "_color", "ColorFactor", "Factor"};
@@ -40,8 +40,9 @@ static const char *color_sibling(const ParamRow *row)
     stem = without_end(row->name, without_end(row->name, stem, "Factor"), "Strength");
     for (int i = kind->first; i < kind->first + kind->count; i++)
         for (size_t k = 0; k < sizeof ends / sizeof *ends; k++)
-            if (!strncmp(param_table[i].name, row->name, stem) && !strcmp(param_table[i].name + stem, ends[k]) &&
-                param_table[i].type == PARAM_Map && !param_is_number(i))
+            if (!strncmp(param_table[i].name, row->name, stem) &&
+                !strcmp(param_table[i].name + stem, ends[k]) && param_table[i].type == PARAM_Map &&
+                !param_is_number(i))
                 return param_table[i].name;
     return NULL;
 }
@@ -54,7 +55,8 @@ static bool is_gray(const double lanes[4], int count)
     return gray;
 }
 
-/* The lanes of a literal; of a param those of its default, if that is written as a colour. 0: neither. */
+/* The lanes of a literal; of a param those of its default, if that is written as a colour. 0:
+ * neither. */
 static int literal_lanes(const Value *constant, const double **lanes)
 {
     if (constant->kind != VALUE_number && !(constant->kind == VALUE_uniform && constant->color))

@@ -1,5 +1,5 @@
-/* Objects and lists in a map's or a material's place that lack the key of their kind, or have it under
- * another name. */
+/* Objects and lists in a map's or a material's place that lack the key of their kind, or have it
+ * under another name. */
 #include "compiler/base/text.h"
 #include "compiler/front/hint.h"
 #include "grammar/foreign_table.h"
@@ -21,7 +21,8 @@ static const char *scalar_of(const Tree *object, const char *const names[2])
 /* { r: 1, g: .5, b: 0 }, with `a:` or without */
 static bool hint_components(Resolver *r, const Tree *object)
 {
-    static const char *const names[4][2] = {{"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
+    static const char *const names[4][2] = {
+        {"r", "red"}, {"g", "green"}, {"b", "blue"}, {"a", "alpha"}};
     Text list = text_new(r->session->arena);
     uint32_t found = 0;
     for (int i = 0; i < 4; i++) {
@@ -45,8 +46,9 @@ static Kind kind_called(const char *name, bool material, const char **written)
     const size_t size = here ? strcspn(here, " ,:") : 0;
     for (int i = 0; i < KIND_COUNT; i++) {
         *written = kind_table[i].name;
-        if (is_material((Kind)i) == material && (foreign_is_alike(*written, name) ||
-                                                 (strlen(*written) == size && !strncmp(*written, here, size))))
+        if (is_material((Kind)i) == material &&
+            (foreign_is_alike(*written, name) ||
+             (strlen(*written) == size && !strncmp(*written, here, size))))
             return (Kind)i;
     }
     for (int i = 0; i < alias_count + preset_count; i++) {
@@ -65,10 +67,12 @@ static bool hint_type(Session *session, const Tree *object, bool material)
     const char *written;
     for (uint32_t i = 0; i < object->count; i++) {
         const Member *member = &object->members[i];
-        if (!foreign_name(FOREIGN_TYPE, KIND_COUNT, member->key) || member->value->kind != TREE_scalar ||
+        if (!foreign_name(FOREIGN_TYPE, KIND_COUNT, member->key) ||
+            member->value->kind != TREE_scalar ||
             kind_called(member->value->text, material, &written) == KIND_COUNT)
             continue;
-        diag_add(session, member->span, DIAG_kind_key, member->key, material ? "material" : "map", written);
+        diag_add(session, member->span, DIAG_kind_key, member->key, material ? "material" : "map",
+                 written);
         return true;
     }
     return false;
@@ -117,7 +121,10 @@ bool hint_object(Resolver *r, const Tree *object, bool material)
     return !material && (hint_components(r, object) || hint_kindless(r, object));
 }
 
-bool hint_document(Session *session, const Tree *document) { return hint_type(session, document, true); }
+bool hint_document(Session *session, const Tree *document)
+{
+    return hint_type(session, document, true);
+}
 
 /* - map: Checker */
 bool hint_listed(Session *session, const Tree *list)

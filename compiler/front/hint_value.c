@@ -35,12 +35,16 @@ static bool read_arguments(const Session *session, const char *text, Arguments *
     return arguments->count >= 3;
 }
 
-static double share(const Arguments *a, int i, double full) { return a->number[i] / (a->percent[i] ? 100 : full); }
+static double share(const Arguments *a, int i, double full)
+{
+    return a->number[i] / (a->percent[i] ? 100 : full);
+}
 
 /* A byte of red, green or blue (`lane` 0, 1, 2), from hue in degrees, and chroma about a middle. */
 static double lane_of_hue(double hue, int lane, double low, double chroma)
 {
-    const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * lane + 3, 6); /* 3: this lane is full */
+    /* 3: this lane is full */
+    const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * lane + 3, 6);
     const double ramp = 2 - fabs(sector - 3);
     return low + chroma * fmin(fmax(ramp, 0), 1);
 }
@@ -126,13 +130,15 @@ static bool hint_decimal(Resolver *r, const Tree *tree, bool one)
 {
     const size_t sign = strspn(tree->text, "+-"), whole = strspn(tree->text + sign, "0123456789");
     const char *comma = tree->text + sign + whole;
-    if (sign > 1 || !whole || *comma != ',' || !comma[1] || comma[1 + strspn(comma + 1, "0123456789")])
+    if (sign > 1 || !whole || *comma != ',' || !comma[1] ||
+        comma[1 + strspn(comma + 1, "0123456789")])
         return false;
     Text number = text_new(r->session->arena), list = text_new(r->session->arena);
     text_format(&number, "%.*s.%s", (int)(sign + whole), tree->text, comma + 1);
     text_put(&list, "");
     if (!one)
-        text_format(&list, ", and a list has brackets: [%.*s, %s]", (int)(sign + whole), tree->text, comma + 1);
+        text_format(&list, ", and a list has brackets: [%.*s, %s]", (int)(sign + whole), tree->text,
+                    comma + 1);
     diag_add(r->session, tree->span, DIAG_decimal_comma, number.at, list.at);
     return true;
 }
@@ -150,7 +156,8 @@ static bool hint_truth(Resolver *r, const char *what, const Tree *tree)
 
 bool hint_value(Resolver *r, const char *what, const Tree *tree, LaneCount lanes)
 {
-    if (tree->kind != TREE_scalar || !tree->count || strlen(tree->text) != tree->count || tree->count > LIMIT_NAME)
+    if (tree->kind != TREE_scalar || !tree->count || strlen(tree->text) != tree->count ||
+        tree->count > LIMIT_NAME)
         return false;
     if (hint_truth(r, what, tree) || hint_decimal(r, tree, r->one_number || lanes.most == 1))
         return true;
@@ -180,7 +187,7 @@ bool hint_map_name(Resolver *r, const Tree *tree)
             kind = (Kind)i;
     if (kind == KIND_COUNT)
         return false;
-    diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, and no colour; here it is written", "map",
-             kind_table[kind].name);
+    diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
+             "a map, and no colour; here it is written", "map", kind_table[kind].name);
     return true;
 }

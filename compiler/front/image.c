@@ -1,12 +1,14 @@
-/* Pictures that documents name, files or parts of glTF files: PNG, JPEG, OpenEXR or BMP, told by their first bytes. The numbers are the file's: gamma, profiles and all else
- * that says how they are to be shown is passed over. */
+/* Pictures that documents name, files or parts of glTF files: PNG, JPEG, OpenEXR or BMP, told by
+ * their first bytes. The numbers are the file's: gamma, profiles and all else that says how they
+ * are to be shown is passed over. */
 #include "compiler/front/hint.h"
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Formats that are not read, by their first bytes, with a reason that says what to do. A GIF has 256 colours
- * and may move; its decoder would be one more library in every program that embeds matc. */
+/* Formats that are not read, by their first bytes, with a reason that says what to do. A GIF has
+ * 256 colours and may move; its decoder would be one more library in every program that embeds
+ * matc. */
 static const char *refusal(const char *at, size_t size)
 {
     static const struct {
@@ -33,8 +35,10 @@ static const char *decode(ImageFile *file)
         const char *begin;
         size_t size;
         const char *(*read)(ImageFile *);
-    } formats[] = {{"\x89PNG", 4, image_png}, {"\xFF\xD8", 2, image_jpeg}, {"\x76\x2F\x31\x01", 4, image_exr},
-                 {"BM", 2, image_bmp}};
+    } formats[] = {{"\x89PNG", 4, image_png},
+                   {"\xFF\xD8", 2, image_jpeg},
+                   {"\x76\x2F\x31\x01", 4, image_exr},
+                   {"BM", 2, image_bmp}};
     const size_t size = (size_t)(file->end - file->at);
     for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
         if (size >= formats[i].size && !memcmp(file->at, formats[i].begin, formats[i].size))
@@ -43,7 +47,8 @@ static const char *decode(ImageFile *file)
 }
 
 /* The bytes of the picture of that path, and the file to free, if it is one; false: `why`. */
-static bool find_bytes(Resolver *r, const char *path, ImageFile *picture, char **file, const char **why)
+static bool find_bytes(Resolver *r, const char *path, ImageFile *picture, char **file,
+                       const char **why)
 {
     GltfBytes bytes = {0};
     *file = NULL;
@@ -87,8 +92,10 @@ static const Image *read_picture(Resolver *r, const char *full, const char **why
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Session *session = r->session;
-    const char *full = session_path_beside(session, session->sources[span.file].name, path), *why = "";
-    const int found = names_find(&r->image_paths, full), broken = found < 0 ? names_find(&r->broken_paths, full) : -1;
+    const char *full = session_path_beside(session, session->sources[span.file].name, path),
+               *why = "";
+    const int found = names_find(&r->image_paths, full),
+              broken = found < 0 ? names_find(&r->broken_paths, full) : -1;
     if (found >= 0)
         return r->images[found];
     const Image *image = broken < 0 ? read_picture(r, full, &why) : NULL;

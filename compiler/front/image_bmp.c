@@ -1,9 +1,10 @@
-/* BMP files, as Microsoft's headers BITMAPCOREHEADER (12 bytes), BITMAPINFOHEADER (40) and its successors
- * (52, 56, 108, 124) have them: 1, 4 and 8 bits with a palette, 16, 24 and 32 bits, with masks or without.
- * Colours become bytes. What is compressed is refused.
+/* BMP files, as Microsoft's headers BITMAPCOREHEADER (12 bytes), BITMAPINFOHEADER (40) and its
+ * successors (52, 56, 108, 124) have them: 1, 4 and 8 bits with a palette, 16, 24 and 32 bits, with
+ * masks or without. Colours become bytes. What is compressed is refused.
  *
- *     "BM", the file's size, 0, offset of the rows | size of the header, width, height, 1, bits, ... | masks,
- *     palette | rows, the bottom one first unless height < 0, each a multiple of four bytes */
+ *     "BM", the file's size, 0, offset of the rows | size of the header, width, height, 1, bits,
+ *     ... | masks, palette | rows, the bottom one first unless height < 0, each a multiple of four
+ *     bytes */
 #include "compiler/front/image_file.h"
 
 enum {
@@ -30,8 +31,14 @@ typedef struct {
     uint32_t masks[LANES];
 } Bmp;
 
-static uint32_t read_two(const Bmp *bmp, size_t at) { return bmp->bytes[at] | (uint32_t)bmp->bytes[at + 1] << 8; }
-static uint32_t read_four(const Bmp *bmp, size_t at) { return read_two(bmp, at) | read_two(bmp, at + 2) << 16; }
+static uint32_t read_two(const Bmp *bmp, size_t at)
+{
+    return bmp->bytes[at] | (uint32_t)bmp->bytes[at + 1] << 8;
+}
+static uint32_t read_four(const Bmp *bmp, size_t at)
+{
+    return read_two(bmp, at) | read_two(bmp, at + 2) << 16;
+}
 
 /* Width, height, bits, compression. */
 static const char *read_sizes(Bmp *bmp, Image *image)
@@ -39,7 +46,8 @@ static const char *read_sizes(Bmp *bmp, Image *image)
     const bool core = bmp->header == CORE_HEADER;
     const size_t at = FILE_HEADER + 4;
     const double width = core ? (double)read_two(bmp, at) : (double)(int32_t)read_four(bmp, at);
-    const double height = core ? (double)read_two(bmp, at + 2) : (double)(int32_t)read_four(bmp, at + 4);
+    const double height =
+        core ? (double)read_two(bmp, at + 2) : (double)(int32_t)read_four(bmp, at + 4);
     bmp->bits = read_two(bmp, at + (core ? 6 : 10));
     bmp->compression = core ? BI_RGB : read_four(bmp, at + 12);
     bmp->from_top = height < 0;
@@ -73,7 +81,8 @@ static const char *read_masks(Bmp *bmp, Image *image)
     if (bmp->size < FILE_HEADER + INFO_HEADER + LANES * 4)
         return image_file_cut;
     for (int i = 0; i < LANES; i++) {
-        bmp->masks[i] = i < 3 || alpha ? read_four(bmp, FILE_HEADER + INFO_HEADER + 4 * (size_t)i) : 0;
+        bmp->masks[i] =
+            i < 3 || alpha ? read_four(bmp, FILE_HEADER + INFO_HEADER + 4 * (size_t)i) : 0;
         if (!is_mask(bmp->masks[i]))
             return "the bits of a colour do not stand together";
     }
@@ -103,7 +112,8 @@ static const char *read_header(Bmp *bmp, Image *image)
     if (bmp->size - FILE_HEADER < bmp->header)
         return image_file_cut;
     const char *why = read_sizes(bmp, image);
-    const bool masked = bmp->bits == 16 || bmp->bits == 32, palette = bmp->bits == 1 || bmp->bits == 4 || bmp->bits == 8;
+    const bool masked = bmp->bits == 16 || bmp->bits == 32,
+               palette = bmp->bits == 1 || bmp->bits == 4 || bmp->bits == 8;
     if (why)
         return why;
     if (bmp->compression != BI_RGB &&
@@ -112,7 +122,8 @@ static const char *read_header(Bmp *bmp, Image *image)
     if (!masked && !palette && bmp->bits != 24)
         return "it is a BMP of an unknown kind: save it as PNG";
     why = masked ? read_masks(bmp, image) : palette ? read_palette(bmp) : NULL;
-    if (!why && (bmp->rows > bmp->size || bmp->size - bmp->rows < bmp->stride * (size_t)image->height))
+    if (!why &&
+        (bmp->rows > bmp->size || bmp->size - bmp->rows < bmp->stride * (size_t)image->height))
         why = image_file_cut;
     return why;
 }
@@ -135,7 +146,8 @@ static bool read_pixel(const Bmp *bmp, const uint8_t *row, size_t x, uint8_t rgb
     rgba[3] = BYTE;
     if (bmp->bits == 16 || bmp->bits == 32) {
         const uint32_t low = at[0] | (uint32_t)at[1] << 8;
-        const uint32_t pixel = bmp->bits == 16 ? low : low | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
+        const uint32_t pixel =
+            bmp->bits == 16 ? low : low | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
         for (int i = 0; i < LANES; i++)
             rgba[i] = bmp->masks[i] ? masked_lane(pixel, bmp->masks[i]) : i == 3 ? BYTE : 0;
         return true;
@@ -165,7 +177,8 @@ const char *image_bmp(ImageFile *file)
     for (int y = 0; y < image->height; y++) {
         const int row = bmp.from_top ? image->height - 1 - y : y;
         for (int x = 0; x < image->width; x++, texel += LANES)
-            if (!read_pixel(&bmp, bmp.bytes + bmp.rows + bmp.stride * (size_t)row, (size_t)x, texel))
+            if (!read_pixel(&bmp, bmp.bytes + bmp.rows + bmp.stride * (size_t)row, (size_t)x,
+                            texel))
                 return "a texel has a colour that its palette lacks";
     }
     return NULL;

@@ -1,10 +1,13 @@
-/* OpenEXR files, by the library's C core: halves and floats, scan lines and tiles, of the first part and its first level. A picture is the
- * display window; what the data window has beyond it is left out, and where it has nothing the picture is transparent black.
+/* OpenEXR files, by the library's C core: halves and floats, scan lines and tiles, of the first
+ * part and its first level. A picture is the display window; what the data window has beyond it is
+ * left out, and where it has nothing the picture is transparent black.
  *
- *     display window 0 to 3, data window 2 to 5: the picture's columns are 0, 0, the file's first, its second
+ *     display window 0 to 3, data window 2 to 5: the picture's columns are 0, 0, the file's first,
+ *     its second
  *
- * Colours are linear, and may be any number. Whoever samples them would spread one that is infinite or none over its neighbours, so
- * such texels are an error. Only the common compressions that lose nothing are read. */
+ * Colours are linear, and may be any number. Whoever samples them would spread one that is infinite
+ * or none over its neighbours, so such texels are an error. Only the common compressions that lose
+ * nothing are read. */
 #include "compiler/front/image_file.h"
 #include <OpenEXR/openexr.h>
 #include <math.h>
@@ -13,26 +16,30 @@
 
 enum {
     LANES = 4,
-    MOST_HEADER = 1 << 18,       /* bytes: the library takes quadratic time for long ones */
-    MOST_ALLOCATION = 256 << 20, /* bytes, of the library at once: a block of lines, a tile, a table of them */
-    LEAST_CHUNK = 16,            /* bytes that a block of lines or a tile takes: its place in the table, its own head */
-    MOST_DEFLATED = 1032,        /* bytes that deflate makes of one, at most */
-    MOST_RUN = 64,               /* likewise of run lengths: 128 of 2 */
+    MOST_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long ones */
+    /* bytes, of the library at once: a block of lines, a tile, a table of them */
+    MOST_ALLOCATION = 256 << 20,
+    /* bytes that a block of lines or a tile takes: its place in the table, its own head */
+    LEAST_CHUNK = 16,
+    MOST_DEFLATED = 1032, /* bytes that deflate makes of one, at most */
+    MOST_RUN = 64,        /* likewise of run lengths: 128 of 2 */
 };
 
-static const char too_strange[] = "its channels are none of R, G, B, A and Y",
-                  subsampled[] = "its channels are subsampled",
-                  whole[] = "its channels are of whole numbers; save halves or floats",
-                  deep[] = "it is deep; save it flat",
-                  lossy[] = "its compression is none of none, RLE, ZIPS, ZIP and PIZ; save it with one of these",
-                  not_finite[] = "a texel is infinite or no number", no_part[] = "it has no picture";
+static const char
+    too_strange[] = "its channels are none of R, G, B, A and Y",
+    subsampled[] = "its channels are subsampled",
+    whole[] = "its channels are of whole numbers; save halves or floats",
+    deep[] = "it is deep; save it flat",
+    lossy[] = "its compression is none of none, RLE, ZIPS, ZIP and PIZ; save it with one of these",
+    not_finite[] = "a texel is infinite or no number", no_part[] = "it has no picture";
 
 typedef struct {
     ImageFile *file;
     exr_context_t exr;
     exr_attr_box2i_t data, display;
     const exr_attr_chlist_t *channels;
-    int lane[LANES];  /* of the file's channels, which is red, green, blue, alpha; NONE: it has none */
+    /* of the file's channels, which is red, green, blue, alpha; NONE: it has none */
+    int lane[LANES];
     bool header_read; /* what is read now are texels */
     const char *why;  /* the fault */
 } ExrReader;
@@ -76,7 +83,8 @@ static void on_error(exr_const_context_t exr, exr_result_t code, const char *mes
 static bool done(ExrReader *d, exr_result_t code)
 {
     return code == EXR_ERR_SUCCESS ||
-           fail(d, code == EXR_ERR_OUT_OF_MEMORY ? image_file_too_large : exr_get_default_error_message(code));
+           fail(d, code == EXR_ERR_OUT_OF_MEMORY ? image_file_too_large
+                                                 : exr_get_default_error_message(code));
 }
 
 static void *on_allocate(size_t size) { return size > MOST_ALLOCATION ? NULL : calloc(1, size); }
@@ -88,8 +96,8 @@ static int64_t on_size(exr_const_context_t exr, void *user)
     return d->file->end - d->file->at;
 }
 
-static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t size, uint64_t offset,
-                       exr_stream_error_func_ptr_t say)
+static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t size,
+                       uint64_t offset, exr_stream_error_func_ptr_t say)
 {
     ExrReader *d = user;
     const uint64_t all = (uint64_t)(d->file->end - d->file->at);
@@ -155,7 +163,8 @@ static bool read_part(ExrReader *d)
     exr_compression_t compression = EXR_COMPRESSION_LAST_TYPE;
     if (!done(d, exr_get_count(d->exr, &parts)) || parts < 1)
         return fail(d, no_part);
-    if (!done(d, exr_get_storage(d->exr, 0, &storage)) || !done(d, exr_get_compression(d->exr, 0, &compression)))
+    if (!done(d, exr_get_storage(d->exr, 0, &storage)) ||
+        !done(d, exr_get_compression(d->exr, 0, &compression)))
         return false;
     if (!is_readable(d, compression, storage))
         return false;
@@ -166,7 +175,8 @@ static bool read_part(ExrReader *d)
 
 static bool covers(const exr_attr_box2i_t *a, const exr_attr_box2i_t *b)
 {
-    return a->min.x <= b->min.x && a->min.y <= b->min.y && a->max.x >= b->max.x && a->max.y >= b->max.y;
+    return a->min.x <= b->min.x && a->min.y <= b->min.y && a->max.x >= b->max.x &&
+           a->max.y >= b->max.y;
 }
 
 /* Of a picture that is no larger than pictures may be. */
@@ -212,8 +222,8 @@ static bool read_header(ExrReader *d)
     return true;
 }
 
-/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of, and all channels together, wanted or
- * not, must not be more than pictures may take. */
+/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of,
+ * and all channels together, wanted or not, must not be more than pictures may take. */
 static bool check_size(ExrReader *d)
 {
     static const double most[] = {[EXR_COMPRESSION_NONE] = 1,
@@ -225,16 +235,19 @@ static bool check_size(ExrReader *d)
     exr_compression_t compression;
     int32_t chunks;
     double unpacked = 0;
-    if (!done(d, exr_get_chunk_count(d->exr, 0, &chunks)) || !done(d, exr_get_compression(d->exr, 0, &compression)))
+    if (!done(d, exr_get_chunk_count(d->exr, 0, &chunks)) ||
+        !done(d, exr_get_compression(d->exr, 0, &compression)))
         return false;
     for (int i = 0; i < d->channels->num_channels; i++) {
         const exr_attr_chlist_entry_t *entry = &d->channels->entries[i];
-        const double count = width_of(&d->data) / entry->x_sampling * (height_of(&d->data) / entry->y_sampling);
+        const double count =
+            width_of(&d->data) / entry->x_sampling * (height_of(&d->data) / entry->y_sampling);
         unpacked += floor(count) * (entry->pixel_type == EXR_PIXEL_HALF ? 2 : 4);
     }
     if (unpacked > (double)LIMIT_PIXELS_MIB * (1 << 20))
         return fail(d, image_file_too_large);
-    return ((double)chunks * LEAST_CHUNK <= bytes && unpacked <= most[compression] * bytes) || fail(d, image_file_cut);
+    return ((double)chunks * LEAST_CHUNK <= bytes && unpacked <= most[compression] * bytes) ||
+           fail(d, image_file_cut);
 }
 
 /* Samples of a chunk: for each line all of the first channel, then of the second. */
@@ -296,12 +309,14 @@ static bool put_line(ExrReader *d, int number, int width, const int at[2], Sampl
     return true;
 }
 
-/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows unwanted channels to NULL, and takes A B G R for R G B A. */
+/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows unwanted channels to
+ * NULL, and takes A B G R for R G B A. */
 static exr_result_t unpack(exr_decode_pipeline_t *decode)
 {
     const Chunk *chunk = decode->decoding_user_data;
     ExrReader *d = reader_of(decode->context);
-    Samples samples = {decode->unpacked_buffer, (const uint8_t *)decode->unpacked_buffer + decode->chunk.unpacked_size};
+    Samples samples = {decode->unpacked_buffer,
+                       (const uint8_t *)decode->unpacked_buffer + decode->chunk.unpacked_size};
     for (int row = 0; row < decode->chunk.height; row++)
         for (int i = 0; i < decode->channel_count; i++) {
             const exr_coding_channel_info_t *channel = &decode->channels[i];
@@ -320,7 +335,8 @@ static bool decode_chunk(ExrReader *d, Chunk *chunk)
     const uint64_t all = (uint64_t)(d->file->end - d->file->at);
     if (chunk->info.data_offset > all || chunk->info.packed_size > all - chunk->info.data_offset)
         return fail(d, image_file_cut);
-    if (chunk->info.compression == EXR_COMPRESSION_NONE && chunk->info.packed_size != chunk->info.unpacked_size)
+    if (chunk->info.compression == EXR_COMPRESSION_NONE &&
+        chunk->info.packed_size != chunk->info.unpacked_size)
         return fail(d, image_file_cut);
     bool fine = done(d, exr_decoding_initialize(d->exr, 0, &chunk->info, &decode));
     if (fine && decode.channel_count == d->channels->num_channels) {
@@ -341,7 +357,8 @@ static bool read_lines(ExrReader *d, int64_t most)
         return fail(d, image_file_cut);
     for (int64_t y = d->data.min.y; y <= d->data.max.y && most--; y += high) {
         Chunk chunk = {.x = d->data.min.x, .y = (int)y};
-        if (!done(d, exr_read_scanline_chunk_info(d->exr, 0, (int)y, &chunk.info)) || !decode_chunk(d, &chunk))
+        if (!done(d, exr_read_scanline_chunk_info(d->exr, 0, (int)y, &chunk.info)) ||
+            !decode_chunk(d, &chunk))
             return false;
     }
     return true;
@@ -362,13 +379,15 @@ static bool read_tiles(ExrReader *d, int64_t most)
     return true;
 }
 
-/* Before anything is read: transparent black, and black where the file has texels without an alpha. */
+/* Before anything is read: transparent black, and black where the file has texels without an
+ * alpha. */
 static void clear(ExrReader *d)
 {
     Image *image = d->file->image;
     float *texels = memset(image->texels, 0, image_file_size(image));
     for (int64_t i = 0; !channel(d, 3) && i < (int64_t)image->width * image->height; i++) {
-        const int64_t x = d->display.min.x + i % image->width, y = d->display.max.y - i / image->width;
+        const int64_t x = d->display.min.x + i % image->width,
+                      y = d->display.max.y - i / image->width;
         if (x >= d->data.min.x && x <= d->data.max.x && y >= d->data.min.y && y <= d->data.max.y)
             texels[i * LANES + 3] = 1;
     }
@@ -379,7 +398,8 @@ static bool read_texels(ExrReader *d)
     exr_storage_t storage;
     if (!check_size(d) || !done(d, exr_get_storage(d->exr, 0, &storage)))
         return false;
-    bool (*const read)(ExrReader *, int64_t) = storage == EXR_STORAGE_TILED ? read_tiles : read_lines;
+    bool (*const read)(ExrReader *, int64_t) =
+        storage == EXR_STORAGE_TILED ? read_tiles : read_lines;
     const char *why = read(d, 1) ? image_file_allocate(d->file) : d->why;
     if (why)
         return fail(d, why);

@@ -1,5 +1,6 @@
-/* Readers of picture files, one a format. Each gives the header's size, bits and alpha, and where the session wants them the texels:
- * RGBA, the bottom row first. NULL, or what is wrong. The file is untrusted: a header alone takes no memory. */
+/* Readers of picture files, one a format. Each gives the header's size, bits and alpha, and where
+ * the session wants them the texels: RGBA, the bottom row first. NULL, or what is wrong. The file
+ * is untrusted: a header alone takes no memory. */
 #ifndef MATC_IMAGE_FILE_H
 #define MATC_IMAGE_FILE_H
 #include "compiler/front/resolve.h"
@@ -23,7 +24,7 @@ extern const char image_file_cut[], image_file_too_large[], image_file_too_many[
 const char *image_file_check_side(double width, double height);
 /* Bytes that an image takes, decoded. */
 size_t image_file_size(const Image *image);
-/* NULL and the texels, which are the image's; or what is wrong: there is no room. A reader decodes the first of them before, so that a file
- * whose data are broken at once takes no memory. */
+/* NULL and the texels, which are the image's; or what is wrong: there is no room. A reader decodes
+ * the first of them before, so that a file whose data are broken at once takes no memory. */
 const char *image_file_allocate(ImageFile *file);
 #endif

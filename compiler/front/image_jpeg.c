@@ -1,5 +1,5 @@
-/* JPEG files, by libjpeg-turbo: grey and YCbCr or RGB, baseline and progressive. What it would only warn of, such as a scan that is cut
- * off, is an error here: half of a picture is none. */
+/* JPEG files, by libjpeg-turbo: grey and YCbCr or RGB, baseline and progressive. What it would only
+ * warn of, such as a scan that is cut off, is an error here: half of a picture is none. */
 #include "compiler/front/image_file.h"
 #include <setjmp.h>
 #include <stdio.h>
@@ -9,8 +9,9 @@
 #include <jerror.h>
 
 enum {
-    MOST_SCANS = 128, /* of a progressive file, each of which goes over the whole picture; encoders make about ten */
-    BLOCK = 8,        /* texels of a block's edge */
+    /* of a progressive file, each of which goes over the whole picture; encoders make about ten */
+    MOST_SCANS = 128,
+    BLOCK = 8,            /* texels of a block's edge */
     LEAST_BLOCK_BITS = 1, /* that a block takes in a file: a code of one bit */
 };
 
@@ -124,20 +125,23 @@ static void read_header(JpegReader *d)
                      .opaque = true};
 }
 
-/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of, of the finest component. */
+/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of,
+ * of the finest component. */
 static void check_size(JpegReader *d)
 {
     const size_t wide = ((size_t)d->file->image->width + BLOCK - 1) / BLOCK;
     const size_t high = ((size_t)d->file->image->height + BLOCK - 1) / BLOCK;
     if (wide * high * LEAST_BLOCK_BITS / 8 > d->source.bytes_in_buffer)
         fail(d, image_file_cut);
-    d->jpeg.mem->max_memory_to_use = (long)LIMIT_PIXELS_MIB << 20; /* of a progressive file's coefficients */
+    /* of a progressive file's coefficients */
+    d->jpeg.mem->max_memory_to_use = (long)LIMIT_PIXELS_MIB << 20;
 }
 
 /* The first row is decoded by itself, before there is room for all. */
 static void read_rows(JpegReader *d)
 {
-    const size_t stride = (size_t)d->file->image->width * 4, height = (size_t)d->file->image->height;
+    const size_t stride = (size_t)d->file->image->width * 4,
+                 height = (size_t)d->file->image->height;
     JSAMPROW first = arena_alloc(&d->file->memory, stride);
     d->jpeg.out_color_space = JCS_EXT_RGBA; /* alpha is 255 */
     d->jpeg.dct_method = JDCT_ISLOW;        /* the same bytes on every machine */
@@ -148,7 +152,8 @@ static void read_rows(JpegReader *d)
         fail(d, why);
     memcpy((JSAMPROW)d->file->image->texels + stride * (height - 1), first, stride);
     while (d->jpeg.output_scanline < d->jpeg.output_height) {
-        JSAMPROW row = (JSAMPROW)d->file->image->texels + stride * (height - 1 - d->jpeg.output_scanline);
+        JSAMPROW row =
+            (JSAMPROW)d->file->image->texels + stride * (height - 1 - d->jpeg.output_scanline);
         jpeg_read_scanlines(&d->jpeg, &row, 1);
     }
     jpeg_finish_decompress(&d->jpeg);

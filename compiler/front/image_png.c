@@ -60,7 +60,8 @@ static void convert_to_rgba(PngReader *d)
 /* A header alone takes no memory: what follows must be able to hold the rows that it speaks of. */
 static void check_size(PngReader *d, size_t row_bytes)
 {
-    if (row_bytes * (size_t)d->file->image->height / MOST_DEFLATED > (size_t)(d->file->end - d->file->at))
+    if (row_bytes * (size_t)d->file->image->height / MOST_DEFLATED >
+        (size_t)(d->file->end - d->file->at))
         png_error(d->png, image_file_cut);
 }
 
@@ -85,17 +86,20 @@ static void read_header(PngReader *d)
     png_set_keep_unknown_chunks(d->png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_read_info(d->png, d->info);
     Image *image = d->file->image;
-    const png_uint_32 width = png_get_image_width(d->png, d->info), height = png_get_image_height(d->png, d->info);
+    const png_uint_32 width = png_get_image_width(d->png, d->info),
+                      height = png_get_image_height(d->png, d->info);
     const char *why = image_file_check_side(width, height);
     if (why)
         png_error(d->png, why);
-    *image = (Image){.path = image->path, .index = image->index, .width = (int)width, .height = (int)height};
+    *image = (Image){
+        .path = image->path, .index = image->index, .width = (int)width, .height = (int)height};
     image->bits = png_get_bit_depth(d->png, d->info) == 16 ? 16 : 8;
-    image->opaque =
-        !(png_get_color_type(d->png, d->info) & PNG_COLOR_MASK_ALPHA) && !png_get_valid(d->png, d->info, PNG_INFO_tRNS);
+    image->opaque = !(png_get_color_type(d->png, d->info) & PNG_COLOR_MASK_ALPHA) &&
+                    !png_get_valid(d->png, d->info, PNG_INFO_tRNS);
 }
 
-/* Decodes the first row by itself. An interlaced picture has no such row: each pass writes to all of it. */
+/* Decodes the first row by itself. An interlaced picture has no such row: each pass writes to all
+ * of it. */
 static void read_first_row(PngReader *d)
 {
     if (png_get_interlace_type(d->png, d->info) != PNG_INTERLACE_NONE)

@@ -1,4 +1,5 @@
-/* Files that documents include: beside the file that asks, in the folders of -I, among those that come with matc; the first that is there. */
+/* Files that documents include: beside the file that asks, in the folders of -I, among those that
+ * come with matc; the first that is there. */
 #include "compiler/front/hint.h"
 #include "compiler/front/include.h"
 #include "compiler/front/read.h"
@@ -6,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands before the names of files that come with matc: no file is called so (session_path_beside). */
+/* What stands before the names of files that come with matc: no file is called so
+ * (session_path_beside). */
 static const char SHIPPED[] = "<matc>/";
 enum { SHIPPED_SIZE = sizeof SHIPPED - 1 };
 
@@ -84,7 +86,8 @@ static bool look_in_folders(Session *session, const char *name, Found *found)
     return false;
 }
 
-/* Beside a file that comes with matc there are only such files. A file that asks for its own name means another: bricks.yaml may include matc's. */
+/* Beside a file that comes with matc there are only such files. A file that asks for its own name
+ * means another: bricks.yaml may include matc's. */
 static bool find(Session *session, const char *from, const char *name, Found *found)
 {
     if (is_shipped(from))
@@ -131,8 +134,8 @@ static void say_missing(Session *session, const Tree *name, const Found *found)
         diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
 }
 
-/* Whether some key of a document's outermost level stands in a text. What is none, a password file for instance, is
- * not read any further, so that no message quotes it. */
+/* Whether some key of a document's outermost level stands in a text. What is none, a password file
+ * for instance, is not read any further, so that no message quotes it. */
 static bool looks_like_document(const Found *found)
 {
     static const char *const keys[] = {"defs", "include", "colors", "material", "materials", "ref"};
@@ -168,7 +171,8 @@ Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
     if (!looks_like_document(&found))
         return diag_add(session, name->span, DIAG_include_no_document, name->text);
     const Source source = {.name = found.path, .text = found.text, .size = found.size};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+               source);
     Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
     if (tree && tree->kind != TREE_object)
         return diag_add(session, tree->span, DIAG_include_not_object);

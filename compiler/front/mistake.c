@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-/* "45deg": 45, and *unit is "deg"; NULL: it is no number with letters, a percent or a degree sign behind it. */
+/* "45deg": 45, and *unit is "deg"; NULL: it is no number with letters, a percent or a degree sign
+ * behind it. */
 static const char *unit_of(const Session *session, const char *text, double *number)
 {
     const size_t digits = strspn(text, "+-.0123456789");
@@ -15,7 +16,8 @@ static const char *unit_of(const Session *session, const char *text, double *num
             return NULL;
     if (!*unit || text_same(unit, "e"))
         return NULL;
-    const char *alone = arena_string(session->arena, text, digits); /* text_number reads what stands behind, too */
+    /* text_number reads what stands behind, too */
+    const char *alone = arena_string(session->arena, text, digits);
     return text_number(alone, digits, number) ? unit : NULL;
 }
 
@@ -26,7 +28,8 @@ static bool say_unit(Resolver *r, const Tree *tree)
     if (!unit)
         return false;
     Text meant = text_new(r->session->arena);
-    const bool degrees = text_same_start(unit, "deg", 3) || !strcmp(unit, "°"), percent = !strcmp(unit, "%");
+    const bool degrees = text_same_start(unit, "deg", 3) || !strcmp(unit, "°"),
+               percent = !strcmp(unit, "%");
     if (degrees)
         text_put(&meant, "; angles are in radians: ");
     else
@@ -52,7 +55,8 @@ bool mistake_number(Resolver *r, const Tree *tree)
 /* Words that a colon follows. */
 static bool is_key(const char *word)
 {
-    static const char *const others[] = {"map", "material", "materials", "ref", "param", "defs", "include", "colors"};
+    static const char *const others[] = {"map",   "material", "materials", "ref",
+                                         "param", "defs",     "include",   "colors"};
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         if (!strcmp(others[i], word))
             return true;
@@ -103,7 +107,8 @@ bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
 static const char *map_name(const char *name)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++)
-        if (kind_table[kind].lowering != LOWERING_MATERIAL && text_same(kind_table[kind].name, name))
+        if (kind_table[kind].lowering != LOWERING_MATERIAL &&
+            text_same(kind_table[kind].name, name))
             return kind_table[kind].name;
     for (int i = 0; i < preset_count; i++)
         if (text_same(preset_table[i].name, name))
@@ -135,11 +140,11 @@ bool mistake_map(Resolver *r, const Tree *tree)
         return true;
     const char *map = map_name(tree->text);
     if (is_def(r, tree->text))
-        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "of `defs:`; it is referred to by", "ref",
-                 tree->text);
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
+                 "of `defs:`; it is referred to by", "ref", tree->text);
     else if (map)
-        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a map, and no colour; a map is written", "map",
-                 map);
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
+                 "a map, and no colour; a map is written", "map", map);
     else
         return hint_map_name(r, tree);
     return true;

@@ -8,7 +8,8 @@
 bool mistake_number(Resolver *r, const Tree *tree);
 /* A scalar that is no constant where a map is wanted: the name of a map or of a definition. */
 bool mistake_map(Resolver *r, const Tree *tree);
-/* "map Checker", "map:Checker": a key without its colon, or without the space behind it, where a value or a key stands alone. */
+/* "map Checker", "map:Checker": a key without its colon, or without the space behind it, where a
+ * value or a key stands alone. */
 bool mistake_key(Session *session, Span span, const char *text);
 /* The same of any key of an object. */
 bool mistake_keys(Session *session, const Tree *object);
@@ -22,6 +23,7 @@ bool mistake_formula(Resolver *r, const Tree *tree);
 bool mistake_param(Resolver *r, const Tree *tree);
 /* The key that is written in another case; NULL if there is none. */
 const Member *mistake_case(const Tree *object, const char *key);
-/* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of `kind` (foreign.def). NULL: of none. */
+/* "; here it is ImageMap": of a name that other tools have for a map, a material or a parameter of
+ * `kind` (foreign.def). NULL: of none. */
 const char *mistake_foreign(Session *session, ForeignGroup group, Kind kind, const char *name);
 #endif

@@ -1,5 +1,5 @@
-/* Texts that stand where a number, a list or a colour is wanted, and are something else: a list without its brackets, a formula without its sign,
- * a picture's name, a param's. */
+/* Texts that stand where a number, a list or a colour is wanted, and are something else: a list
+ * without its brackets, a formula without its sign, a picture's name, a param's. */
 #include "compiler/base/text.h"
 #include "compiler/formula/formula.h"
 #include "compiler/front/hint.h"
@@ -42,7 +42,9 @@ bool mistake_list(Resolver *r, const Tree *tree)
 
 static bool ends_as_picture(const Tree *tree)
 {
-    static const char *const endings[] = {".png", ".jpg", ".jpeg", ".exr", ".bmp", ".gif", ".tga", ".tif", ".webp", ".hdr", ".PNG", ".JPG", ".JPEG", ".EXR", ".BMP", ".GIF"};
+    static const char *const endings[] = {".png",  ".jpg", ".jpeg", ".exr", ".bmp", ".gif",
+                                          ".tga",  ".tif", ".webp", ".hdr", ".PNG", ".JPG",
+                                          ".JPEG", ".EXR", ".BMP",  ".GIF"};
     for (size_t i = 0; i < sizeof endings / sizeof *endings; i++) {
         const size_t size = strlen(endings[i]);
         if (tree->count > size && !strcmp(tree->text + tree->count - size, endings[i]))
@@ -71,13 +73,15 @@ bool mistake_formula(Resolver *r, const Tree *tree)
     if (ends_as_picture(tree) && hint_backslash(r->session, tree->span))
         return true;
     if (ends_as_picture(tree)) {
-        diag_add(r->session, tree->span, DIAG_bare_name, tree->text, "a picture, and no colour; a picture is written",
-                 "map: ImageMap, image", tree->text);
+        diag_add(r->session, tree->span, DIAG_bare_name, tree->text,
+                 "a picture, and no colour; a picture is written", "map: ImageMap, image",
+                 tree->text);
         return true;
     }
     if (!looks_like_formula(tree->text, tree->count))
         return false;
-    diag_add(r->session, tree->span, DIAG_bare_formula, tree->count > MOST_SHOWN ? "..." : tree->text);
+    diag_add(r->session, tree->span, DIAG_bare_formula,
+             tree->count > MOST_SHOWN ? "..." : tree->text);
     return true;
 }
 

@@ -13,7 +13,8 @@ static bool check_utf8(const TreeBuilder *b, const Source *source)
 {
     const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
     for (const unsigned char *at = text + b->start; at < end;) {
-        const int length = *at < 0x80 ? 1 : text_utf8_length(at, end); /* nearly all are of one byte */
+        /* nearly all are of one byte */
+        const int length = *at < 0x80 ? 1 : text_utf8_length(at, end);
         if (!length) {
             uint32_t offset = (uint32_t)(at - text);
             diag_add(b->session, (Span){offset, offset + 1, b->file}, DIAG_bad_utf8);

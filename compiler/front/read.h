@@ -1,4 +1,5 @@
-/* The readers: Text -> Tree. Each gets a text that is UTF-8, from b->start on; NULL: see the diagnostics. */
+/* The readers: Text -> Tree. Each gets a text that is UTF-8, from b->start on; NULL: see the
+ * diagnostics. */
 #ifndef MATC_READ_H
 #define MATC_READ_H
 #include "compiler/front/tree_build.h"

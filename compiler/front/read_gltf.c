@@ -1,10 +1,14 @@
-/* The materials of a glTF 2.0 file as a document of materials `glTF`: what stands in its JSON stays where it stands, so that faults are reported there.
+/* The materials of a glTF 2.0 file as a document of materials `glTF`: what stands in its JSON stays
+ * where it stands, so that faults are reported there.
  *
- *     "materials": [{ "name": "Bark", "pbrMetallicRoughness": { "roughnessFactor": 0.8, "baseColorTexture": { "index": 0 } } }]
- *     becomes    materials: { Bark: { material: glTF, roughnessFactor: 0.8, baseColorTexture: { map: ImageMap, image: bark.png, colorspace: srgb } } }
+ *     "materials": [{ "name": "Bark", "pbrMetallicRoughness": { "roughnessFactor": 0.8,
+ *     "baseColorTexture": { "index": 0 } } }]
+ *     becomes    materials: { Bark: { material: glTF, roughnessFactor: 0.8, baseColorTexture: {
+ *                map: ImageMap, image: bark.png, colorspace: srgb } } }
  *
- * A member of a material, of its pbrMetallicRoughness or of an extension becomes the parameter of that name, if the material glTF has it; of others it is
- * said that they are not read. Where primitives have no material, there is one more, called `default`. */
+ * A member of a material, of its pbrMetallicRoughness or of an extension becomes the parameter of
+ * that name, if the material glTF has it; of others it is said that they are not read. Where
+ * primitives have no material, there is one more, called `default`. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
 #include "compiler/front/gltf_chunks.h"
@@ -27,7 +31,9 @@ typedef struct {
     Names stems; /* names that several materials have in the file */
     int *last;   /* by stem: the number behind the last of its twins */
     size_t last_count, last_room;
-    bool *colored; /* by material: one of its primitives has vertex colors; then the same of those without a material */
+    /* by material: one of its primitives has vertex colors; then the same of those without a
+     * material */
+    bool *colored;
     uint32_t material_count;
     bool bare; /* a primitive has no material */
 } Gltf;
@@ -47,7 +53,8 @@ static void put(Gltf *g, Keys *made, const char *key, Tree *value)
 static Tree *word(Gltf *g, const char *text, Span span)
 {
     Tree *tree = ARENA_NEW(g->session->arena, Tree);
-    *tree = (Tree){.kind = TREE_scalar, .plain = true, .span = span, .count = (uint32_t)strlen(text)};
+    *tree =
+        (Tree){.kind = TREE_scalar, .plain = true, .span = span, .count = (uint32_t)strlen(text)};
     tree->text = text;
     return tree;
 }
@@ -76,8 +83,8 @@ static Tree *value_of(const Tree *tree, const char *key)
 static int whole_of(const Tree *tree, int without)
 {
     double value;
-    return tree && tree->kind == TREE_scalar && tree_number(tree, &value) && value >= 0 && value <= LIMIT_TREE_NODES &&
-                   value == (int)value
+    return tree && tree->kind == TREE_scalar && tree_number(tree, &value) && value >= 0 &&
+                   value <= LIMIT_TREE_NODES && value == (int)value
                ? (int)value
                : without;
 }
@@ -97,7 +104,8 @@ static Tree *item_of(Gltf *g, const char *list, const Tree *index)
 /* How the picture goes on, and whether texels are mixed. */
 static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
 {
-    const Tree *index = value_of(texture, "sampler"), *sampler = index ? item_of(g, "samplers", index) : NULL;
+    const Tree *index = value_of(texture, "sampler"),
+               *sampler = index ? item_of(g, "samplers", index) : NULL;
     const Tree *s = value_of(sampler, "wrapS"), *t = value_of(sampler, "wrapT"),
                *filter = value_of(sampler, "magFilter");
     const int wrap = whole_of(s, REPEAT);
@@ -112,7 +120,8 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
         put(g, made, "texels", word(g, "centre", texture->span));
 }
 
-/* KHR_texture_transform: (u, v) times `scale` plus `offset`, with v downwards; ours goes up: v' = 1 - (sy (1 - v) + oy). */
+/* KHR_texture_transform: (u, v) times `scale` plus `offset`, with v downwards; ours goes up: v' = 1
+ * - (sy (1 - v) + oy). */
 static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinates)
 {
     const Tree *transform = value_of(value_of(info, "extensions"), "KHR_texture_transform");
@@ -142,7 +151,8 @@ static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinat
     put(g, made, "input", object(g, &map, span));
 }
 
-/* The second set of texture coordinates is an attribute of the mesh; NULL: the first. Tangents are those of the first. */
+/* The second set of texture coordinates is an attribute of the mesh; NULL: the first. Tangents are
+ * those of the first. */
 static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
 {
     const Tree *set = value_of(info, "texCoord");
@@ -151,7 +161,8 @@ static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
         return word(g, "= attribute(\"uv1\", vec2)", set->span);
     if (number)
         diag_add(g->session, set->span, DIAG_gltf_unread,
-                 number == 1 ? "a second set of texture coordinates, of normals," : "a third set of texture coordinates");
+                 number == 1 ? "a second set of texture coordinates, of normals,"
+                             : "a third set of texture coordinates");
     return NULL;
 }
 
@@ -162,7 +173,8 @@ static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number
     const bool file = uri && uri->kind == TREE_scalar && strncmp(uri->text, "data:", 5) != 0;
     put(g, made, "image",
         file ? word(g, text_decoded(g->session->arena, uri->text), uri->span)
-             : word(g, gltf_chunks_picture(g->session, image->span.file, number->text), image->span));
+             : word(g, gltf_chunks_picture(g->session, image->span.file, number->text),
+                    image->span));
 }
 
 /* { index, texCoord } as a map; NULL: it cannot be had, which is said. */
@@ -170,7 +182,8 @@ static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
 {
     const Tree *index = value_of(info, "index");
     Tree *coordinates = coordinates_of(g, info, normals);
-    const Tree *texture = index ? item_of(g, "textures", index) : NULL, *source = value_of(texture, "source");
+    const Tree *texture = index ? item_of(g, "textures", index) : NULL,
+               *source = value_of(texture, "source");
     const Tree *image = source ? item_of(g, "images", source) : NULL;
     if (!image) {
         if (!index || (texture && !source))
@@ -209,7 +222,8 @@ static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
     } factors[] = {{"normalTexture", "scale", "normalScale"},
                    {"clearcoatNormalTexture", "scale", "clearcoatNormalScale"},
                    {"occlusionTexture", "strength", "occlusionStrength"}};
-    Tree *map = picture(g, member->value, param_is_colored(param), strstr(member->key, "ormalTexture") != NULL);
+    Tree *map = picture(g, member->value, param_is_colored(param),
+                        strstr(member->key, "ormalTexture") != NULL);
     if (map)
         put(g, made, param_table[param].name, map);
     for (int i = 0; i < 3; i++) {
@@ -221,10 +235,13 @@ static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
 
 static void put_members(Gltf *g, Keys *made, const Tree *from, bool outermost)
 {
-    static const char *const skipped[] = {"name", "extras", "doubleSided", "pbrMetallicRoughness", "extensions"};
+    static const char *const skipped[] = {"name", "extras", "doubleSided", "pbrMetallicRoughness",
+                                          "extensions"};
     for (uint32_t i = 0; from && from->kind == TREE_object && i < from->count; i++) {
         const Member *member = &from->members[i];
-        const char *key = strcmp(member->key, "iridescenceThicknessMaximum") ? member->key : "iridescenceThickness";
+        const char *key = strcmp(member->key, "iridescenceThicknessMaximum")
+                              ? member->key
+                              : "iridescenceThickness";
         const int param = find_param(key);
         bool skip = false;
         for (int k = 0; outermost && k < 5; k++)
@@ -240,7 +257,8 @@ static void put_members(Gltf *g, Keys *made, const Tree *from, bool outermost)
     }
 }
 
-/* The number behind the last twin of a stem. Each number is tried once, so that n materials of one name take n steps. */
+/* The number behind the last twin of a stem. Each number is tried once, so that n materials of one
+ * name take n steps. */
 static int *last_twin(Gltf *g, const char *stem)
 {
     const int first = 1, known = names_find(&g->stems, stem);
@@ -260,8 +278,9 @@ static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
     for (; *from && text.size + 12 < LIMIT_NAME; from++)
         text_char(&text, text_is_alphanumeric(*from) || *from == '-' || *from == '.' ? *from : '_');
     const size_t size = text.size;
-    int *last =
-        names_find(&g->names, text.at) < 0 ? NULL : last_twin(g, arena_string(g->session->arena, text.at, size));
+    int *last = names_find(&g->names, text.at) < 0
+                    ? NULL
+                    : last_twin(g, arena_string(g->session->arena, text.at, size));
     while (last && names_find(&g->names, text.at) >= 0) {
         text.size = size;
         text_format(&text, "_%d", ++*last);
@@ -270,7 +289,8 @@ static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
     return text.at;
 }
 
-/* Finds the materials of primitives with vertex colors, and whether a primitive has none: one pass over all primitives. */
+/* Finds the materials of primitives with vertex colors, and whether a primitive has none: one pass
+ * over all primitives. */
 static void find_primitives(Gltf *g)
 {
     const Tree *meshes = value_of(g->root, "meshes"), *materials = value_of(g->root, "materials");
@@ -282,7 +302,8 @@ static void find_primitives(Gltf *g)
             const Tree *material = value_of(parts->items[i], "material");
             const uint32_t number = (uint32_t)whole_of(material, (int)g->material_count);
             g->bare |= !material;
-            if (number <= g->material_count && value_of(value_of(parts->items[i], "attributes"), "COLOR_0"))
+            if (number <= g->material_count &&
+                value_of(value_of(parts->items[i], "attributes"), "COLOR_0"))
                 g->colored[number] = true;
         }
     }
@@ -317,11 +338,13 @@ static Tree *material_of(Gltf *g, const Tree *from, uint32_t number, Span span)
     put(g, &made, "material", word(g, "glTF", span));
     put_members(g, &made, value_of(from, "pbrMetallicRoughness"), false);
     put_members(g, &made, from, true);
-    for (uint32_t i = 0; extensions && extensions->kind == TREE_object && i < extensions->count; i++)
+    for (uint32_t i = 0; extensions && extensions->kind == TREE_object && i < extensions->count;
+         i++)
         if (extensions->members[i].value->count)
             put_members(g, &made, extensions->members[i].value, false);
         else
-            diag_add(g->session, extensions->members[i].span, DIAG_gltf_unread, extensions->members[i].key);
+            diag_add(g->session, extensions->members[i].span, DIAG_gltf_unread,
+                     extensions->members[i].key);
     if (g->colored[number])
         put_vertex_color(g, &made, span);
     return object(g, &made, span);
@@ -342,7 +365,8 @@ Tree *read_gltf(TreeBuilder *b)
     }
     const Span span = {root->span.start, root->span.start + 1, root->span.file};
     if (g.bare)
-        put(&g, &materials, name_for(&g, word(&g, "default", span), 0), material_of(&g, NULL, g.material_count, span));
+        put(&g, &materials, name_for(&g, word(&g, "default", span), 0),
+            material_of(&g, NULL, g.material_count, span));
     put(&g, &document, "materials", object(&g, &materials, list ? list->span : span));
     return object(&g, &document, root->span);
 }

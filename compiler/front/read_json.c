@@ -1,5 +1,6 @@
-/* JSON -> Tree, by RFC 8259 to the letter, with the position of every value and of the first byte that is wrong. The reader goes
- * down the grammar, one function a rule; a text is looked through first, which gives its size, and then written. */
+/* JSON -> Tree, by RFC 8259 to the letter, with the position of every value and of the first byte
+ * that is wrong. The reader goes down the grammar, one function a rule; a text is looked through
+ * first, which gives its size, and then written. */
 #include "compiler/front/read.h"
 #include "compiler/base/text.h"
 #include <string.h>
@@ -9,7 +10,12 @@ typedef struct {
     const char *text, *at, *end;
 } Json;
 
-enum { SURROGATE = 0xD800, LOW_SURROGATE = 0xDC00, SURROGATE_END = 0xE000, SUPPLEMENTARY = 0x10000 };
+enum {
+    SURROGATE = 0xD800,
+    LOW_SURROGATE = 0xDC00,
+    SURROGATE_END = 0xE000,
+    SUPPLEMENTARY = 0x10000
+};
 
 static Span span_of(const Json *j, const char *from, const char *to)
 {
@@ -22,11 +28,13 @@ static const char *token_end(const Json *j, const char *at)
     const char *from = at;
     while (at < j->end && (text_is_alphanumeric(*at) || (*at && strchr("_+-.", *at))))
         at++;
-    return at > from || at == j->end ? at
-                                     : at + text_utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
+    return at > from || at == j->end
+               ? at
+               : at + text_utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
 }
 
-/* The fault that everything else is: another thing stands where the grammar wants `wanted`. Always NULL. */
+/* The fault that everything else is: another thing stands where the grammar wants `wanted`. Always
+ * NULL. */
 static void *wants(const Json *j, const char *at, const char *wanted)
 {
     Text found = text_new(j->b->session->arena);
@@ -37,7 +45,8 @@ static void *wants(const Json *j, const char *at, const char *wanted)
         text_format(&found, "the control character U+%04X", *at);
     else
         text_format(&found, "'%.*s'", end - at < LIMIT_NAME ? (int)(end - at) : LIMIT_NAME, at);
-    return diag_add(j->b->session, span_of(j, at, end > at ? end : at + 1), DIAG_json_wants, wanted, found.at);
+    return diag_add(j->b->session, span_of(j, at, end > at ? end : at + 1), DIAG_json_wants, wanted,
+                    found.at);
 }
 
 static void *has_no(const Json *j, const char *at, const char *end, const char *what)
@@ -51,7 +60,10 @@ static void skip_space(Json *j)
         j->at++;
 }
 
-static bool is_digit(const Json *j, const char *at) { return at < j->end && *at >= '0' && *at <= '9'; }
+static bool is_digit(const Json *j, const char *at)
+{
+    return at < j->end && *at >= '0' && *at <= '9';
+}
 
 /* digit+; false and a diagnostic where there is none. */
 static bool skip_digits(Json *j)
@@ -97,8 +109,9 @@ static int32_t hex_code(const Json *j, const char *at)
     return code;
 }
 
-/* The character of the escape at `at`, and the escape's size. U+D83D and U+DE00, each an escape, are the one character U+1F600:
- * (0xD83D - 0xD800) << 10 | (0xDE00 - 0xDC00), plus 0x10000. -1: no escape, or half of such a pair. */
+/* The character of the escape at `at`, and the escape's size. U+D83D and U+DE00, each an escape,
+ * are the one character U+1F600: (0xD83D - 0xD800) << 10 | (0xDE00 - 0xDC00), plus 0x10000. -1: no
+ * escape, or half of such a pair. */
 static int32_t read_escape(const Json *j, const char *at, int *size)
 {
     static const char letters[] = "\"\\/bfnrt", meaning[] = "\"\\/\b\f\n\r\t";
@@ -126,7 +139,10 @@ static void *bad_escape(const Json *j, const char *at)
     return has_no(j, at, end, what.at);
 }
 
-static int utf8_size(int32_t code) { return code < 0x80 ? 1 : code < 0x800 ? 2 : code < SUPPLEMENTARY ? 3 : 4; }
+static int utf8_size(int32_t code)
+{
+    return code < 0x80 ? 1 : code < 0x800 ? 2 : code < SUPPLEMENTARY ? 3 : 4;
+}
 
 static char *put_utf8(char *to, int32_t code)
 {
@@ -232,7 +248,8 @@ static Tree *read_word(Json *j)
     return wants(j, from, "a value");
 }
 
-/* After a part of a list or an object, `close` being its last character: 1 for a comma, 0 for the end, -1 for a fault. */
+/* After a part of a list or an object, `close` being its last character: 1 for a comma, 0 for the
+ * end, -1 for a fault. */
 static int next_part(Json *j, Span whole, char close)
 {
     skip_space(j);
@@ -247,7 +264,8 @@ static int next_part(Json *j, Span whole, char close)
         else
             wants(j, j->at, close == ']' ? "',' or ']'" : "',' or '}'");
         if (j->at == j->end)
-            diag_add(j->b->session, (Span){whole.start, whole.start + 1, whole.file}, DIAG_json_open);
+            diag_add(j->b->session, (Span){whole.start, whole.start + 1, whole.file},
+                     DIAG_json_open);
         return -1;
     }
     j->at++;

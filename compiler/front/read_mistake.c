@@ -1,12 +1,14 @@
 /* What is wrong with a line of YAML, by the line itself and the one above it.
  *
- *     map: Checker          libyaml reads "Checker color1" as a text of two lines, and trips over the ':' behind it;
+ *     map: Checker          libyaml reads "Checker color1" as a text of two lines, and trips over
+ *                           the ':' behind it;
  *       color1: red         what is wrong is that color1 stands deeper than the line above it. */
 #include "compiler/front/read_mistake.h"
 #include <string.h>
 
 typedef struct {
-    const char *start, *word, *end; /* of the line, its first word, and the line's end without its break */
+    /* of the line, its first word, and the line's end without its break */
+    const char *start, *word, *end;
     uint32_t indent;
 } Line;
 
@@ -54,7 +56,8 @@ static const char *word_end(const char *word, const char *end)
 }
 
 /* "specular 0.3", "specular:0.3" */
-static bool say_no_colon(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+static bool say_no_colon(Session *session, const Source *source, const YamlFault *fault,
+                         const Line *line)
 {
     const char *end = word_end(line->word, line->end);
     const char *name = arena_string(session->arena, line->word, (size_t)(end - line->word));
@@ -67,7 +70,8 @@ static bool say_no_colon(Session *session, const Source *source, const YamlFault
     return true;
 }
 
-static bool say_indent(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+static bool say_indent(Session *session, const Source *source, const YamlFault *fault,
+                       const Line *line)
 {
     const char *end = word_end(line->word, line->end);
     diag_add(session, span_to(source, fault, line->word, end), DIAG_too_far_in,
@@ -75,7 +79,8 @@ static bool say_indent(Session *session, const Source *source, const YamlFault *
     return true;
 }
 
-static bool say_tab(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+static bool say_tab(Session *session, const Source *source, const YamlFault *fault,
+                    const Line *line)
 {
     const char *tab = memchr(line->start, '\t', line->indent);
     if (tab)
@@ -84,12 +89,14 @@ static bool say_tab(Session *session, const Source *source, const YamlFault *fau
 }
 
 /* "mapping values are not allowed": a ':' where a value is being read already. */
-static bool say_second_colon(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+static bool say_second_colon(Session *session, const Source *source, const YamlFault *fault,
+                             const Line *line)
 {
     const Line above = line_above(source, line);
     const char *colon = colon_of(above.word, above.end), *first = colon_of(line->word, line->end);
     if (first && first < source->text + fault->at) {
-        diag_add(session, span_to(source, fault, source->text + fault->at, source->text + fault->at + 1),
+        diag_add(session,
+                 span_to(source, fault, source->text + fault->at, source->text + fault->at + 1),
                  DIAG_second_colon);
         return true;
     }
@@ -100,8 +107,10 @@ static bool say_second_colon(Session *session, const Source *source, const YamlF
     return line->indent > above.indent && say_indent(session, source, fault, line);
 }
 
-/* `{ map: Checker color1: red }`: a value in braces or brackets that goes on where it should end. */
-static bool say_no_comma(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+/* `{ map: Checker color1: red }`: a value in braces or brackets that goes on where it should
+ * end. */
+static bool say_no_comma(Session *session, const Source *source, const YamlFault *fault,
+                         const Line *line)
 {
     const char *end = source->text + fault->at, *word;
     if (*end != ':') {
@@ -117,11 +126,15 @@ static bool say_no_comma(Session *session, const Source *source, const YamlFault
     return word < end;
 }
 
-/* A brace, a bracket or a quote that has no end: whatever libyaml trips over, it begins at `context`.
+/* A brace, a bracket or a quote that has no end: whatever libyaml trips over, it begins at
+ * `context`.
  *
- *     diffuse: { map: Checker, color1: red      libyaml reads on, and trips over the ':' of the next line, which stands
- *     specular: 0.5                             no deeper than the line of the brace: so the brace was to be closed before. */
-static bool say_open(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+ *     diffuse: { map: Checker, color1: red      libyaml reads on, and trips over the ':' of the
+ *                                               next line, which stands
+ *     specular: 0.5                             no deeper than the line of the brace: so the brace
+ *                                               was to be closed before. */
+static bool say_open(Session *session, const Source *source, const YamlFault *fault,
+                     const Line *line)
 {
     const char *open = source->text + fault->context, *at = source->text + fault->at;
     const bool quote = *open == '"' || *open == '\'', ends = at == source->text + source->size;
@@ -131,26 +144,30 @@ static bool say_open(Session *session, const Source *source, const YamlFault *fa
         return say_no_comma(session, source, fault, line);
     diag_add(session, span_to(source, fault, open, open + 1), DIAG_not_closed, *open);
     if (!ends)
-        diag_add(session, span_to(source, fault, later ? line->word : at, at + 1), DIAG_closed_before);
+        diag_add(session, span_to(source, fault, later ? line->word : at, at + 1),
+                 DIAG_closed_before);
     return true;
 }
 
 static bool is_open(const char *problem)
 {
-    static const char *const problems[] = {"did not find expected ',' or '}'", "did not find expected ',' or ']'",
-                                           "found unexpected end of stream", "found unexpected document indicator"};
+    static const char *const problems[] = {
+        "did not find expected ',' or '}'", "did not find expected ',' or ']'",
+        "found unexpected end of stream", "found unexpected document indicator"};
     bool found = false;
     for (size_t i = 0; i < sizeof problems / sizeof *problems; i++)
         found |= !strcmp(problem, problems[i]);
     return found;
 }
 
-/* The '#' of a colour that begins a comment in these bytes: behind a space, outside of quotes. NULL: there is none. */
+/* The '#' of a colour that begins a comment in these bytes: behind a space, outside of quotes.
+ * NULL: there is none. */
 static const char *hash_within(const char *at, const char *end)
 {
     char quote = 0;
     for (const char *before = at; at < end; before = at++) {
-        if (*at == '#' && !quote && strchr(" \t[{,", *before) && strspn(at + 1, "0123456789abcdefABCDEF") >= 3)
+        if (*at == '#' && !quote && strchr(" \t[{,", *before) &&
+            strspn(at + 1, "0123456789abcdefABCDEF") >= 3)
             return at;
         if (*at == '#' && !quote && strchr(" \t\n", *before))
             at += strcspn(at, "\r\n");
@@ -160,11 +177,14 @@ static const char *hash_within(const char *at, const char *end)
     return NULL;
 }
 
-/* `{ color1: #ff0000, color2: red }`: what stands behind the '#' is lost, the brace that closes it too. */
-static bool say_hash(Session *session, const Source *source, const YamlFault *fault, const Line *line)
+/* `{ color1: #ff0000, color2: red }`: what stands behind the '#' is lost, the brace that closes it
+ * too. */
+static bool say_hash(Session *session, const Source *source, const YamlFault *fault,
+                     const Line *line)
 {
     const Line above = line_above(source, line);
-    const char *from = source->text + fault->context < above.start ? source->text + fault->context : above.start;
+    const char *from =
+        source->text + fault->context < above.start ? source->text + fault->context : above.start;
     const char *hash = hash_within(from, source->text + fault->at);
     if (!hash)
         return false;
@@ -183,8 +203,10 @@ bool read_mistake(Session *session, const YamlFault *fault)
         diag_add(session, (Span){fault->at, fault->at + 1, fault->file}, DIAG_backslash);
         return true;
     }
-    const bool lacks = is_open(fault->problem) || !strcmp(fault->problem, "did not find expected node content");
-    const bool quoted = fault->context < source->size && strchr("'\"", source->text[fault->context]);
+    const bool lacks =
+        is_open(fault->problem) || !strcmp(fault->problem, "did not find expected node content");
+    const bool quoted =
+        fault->context < source->size && strchr("'\"", source->text[fault->context]);
     if (lacks && !quoted && say_hash(session, source, fault, &line))
         return true;
     if (is_open(fault->problem) && strchr("{['\"", source->text[fault->context]))

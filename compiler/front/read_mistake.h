@@ -1,4 +1,5 @@
-/* Faults of YAML in words of indentation and colons, which authors think in, and not in those of its grammar. */
+/* Faults of YAML in words of indentation and colons, which authors think in, and not in those of
+ * its grammar. */
 #ifndef MATC_READ_MISTAKE_H
 #define MATC_READ_MISTAKE_H
 #include "compiler/base/session.h"

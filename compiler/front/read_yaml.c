@@ -1,4 +1,5 @@
-/* YAML -> Tree: libyaml's events become values. An alias shares its anchor's node, so nothing is ever expanded. */
+/* YAML -> Tree: libyaml's events become values. An alias shares its anchor's node, so nothing is
+ * ever expanded. */
 #include "compiler/front/read.h"
 #include "compiler/base/memory.h"
 #include "compiler/front/read_mistake.h"
@@ -17,8 +18,9 @@ typedef struct {
     TreeBuilder *b;
     Session *session;
     yaml_parser_t parser;
-    const uint32_t *bytes; /* byte offset of every MARK_STEP'th character; NULL for ASCII, where they are the same */
-    size_t characters;     /* of the whole text */
+    /* byte offset of every MARK_STEP'th character; NULL for ASCII, where they are the same */
+    const uint32_t *bytes;
+    size_t characters; /* of the whole text */
     Anchor *anchors;
     size_t anchor_count, anchor_room;
     HashIndex anchor_index; /* by their names */
@@ -35,7 +37,8 @@ static void map_characters(Reader *r, const Source *source)
     if (at == end)
         return;
     r->characters = 0;
-    uint32_t *bytes = arena_alloc(r->session->arena, (source->size / MARK_STEP + 1) * sizeof *bytes);
+    uint32_t *bytes =
+        arena_alloc(r->session->arena, (source->size / MARK_STEP + 1) * sizeof *bytes);
     for (at = text + r->b->start; at < end; at += text_utf8_length(at, end), r->characters++)
         if (r->characters % MARK_STEP == 0)
             bytes[r->characters / MARK_STEP] = (uint32_t)(at - text);
@@ -72,13 +75,15 @@ static bool next_event(Reader *r, yaml_event_t *event)
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
         at = r->b->start + (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
-    const YamlFault fault = {problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
+    const YamlFault fault = {
+        problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
     if (read_mistake(r->session, &fault))
         return false;
     diag_add(r->session, (Span){at, at + 1, r->b->file}, DIAG_syntax, problem);
     if (r->parser.context && r->parser.context_mark.line != mark.line) {
         uint32_t context = offset_of(r, r->parser.context_mark);
-        diag_add(r->session, (Span){context, context + 1, r->b->file}, DIAG_syntax_in, r->parser.context);
+        diag_add(r->session, (Span){context, context + 1, r->b->file}, DIAG_syntax_in,
+                 r->parser.context);
     }
     return false;
 }
@@ -92,7 +97,8 @@ static const char *keep_text(Reader *r, const yaml_event_t *event, Span span)
 
 static Anchor *anchor_of(const Reader *r, const char *name)
 {
-    for (HashProbe probe = hash_probe(&r->anchor_index, tree_hash(name, strlen(name))); hash_probe_next(&probe);)
+    for (HashProbe probe = hash_probe(&r->anchor_index, tree_hash(name, strlen(name)));
+         hash_probe_next(&probe);)
         if (!strcmp(r->anchors[probe.number].name, name))
             return &r->anchors[probe.number];
     return NULL;
@@ -181,7 +187,8 @@ static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge
     return name;
 }
 
-/* `<<: *base` brings the members of base that the object lacks; of `<<: [*a, *b]` the first counts. */
+/* `<<: *base` brings the members of base that the object lacks; of `<<: [*a, *b]` the first
+ * counts. */
 static bool merge_members(Reader *r, Tree *object, Tree *base)
 {
     return base->kind == TREE_list ? tree_build_merge(r->b, object, base->items, base->count)
@@ -218,7 +225,8 @@ static bool read_object(Reader *r, Tree *object, int depth)
     return !base || merge_members(r, object, base);
 }
 
-static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_char_t *anchor, int depth)
+static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_char_t *anchor,
+                             int depth)
 {
     if (depth > LIMIT_DEPTH)
         return diag_add(r->session, span, DIAG_too_deep, LIMIT_DEPTH);
@@ -284,7 +292,8 @@ static Tree *read_stream(Reader *r)
     }
 }
 
-/* Lines that begin with %TAG, wherever they stand: libyaml reads them all before it tells of the first. */
+/* Lines that begin with %TAG, wherever they stand: libyaml reads them all before it tells of the
+ * first. */
 static bool check_tags(const TreeBuilder *b, const Source *source)
 {
     static const char tag[] = "%TAG";
@@ -294,8 +303,8 @@ static bool check_tags(const TreeBuilder *b, const Source *source)
     for (const char *at = source->text + b->start; at && (size_t)(end - at) >= size;) {
         uint32_t offset = (uint32_t)(at - source->text);
         if (!memcmp(at, tag, size) && ++count > LIMIT_TAGS)
-            return diag_add(b->session, (Span){offset, offset + (uint32_t)size, b->file}, DIAG_too_many_tags,
-                            LIMIT_TAGS);
+            return diag_add(b->session, (Span){offset, offset + (uint32_t)size, b->file},
+                            DIAG_too_many_tags, LIMIT_TAGS);
         at = memchr(at, '\n', (size_t)(end - at));
         at = at ? at + 1 : NULL;
     }

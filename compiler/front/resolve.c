@@ -1,5 +1,6 @@
-/* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met twice, by an alias or a
- * reference, becomes one node. The parameters' names, types, defaults and ranges come from the tables. */
+/* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met
+ * twice, by an alias or a reference, becomes one node. The parameters' names, types, defaults and
+ * ranges come from the tables. */
 #include "compiler/base/stack.h"
 #include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
@@ -31,10 +32,12 @@ static const char *name_of_group(const void *material, int i)
     return is_material(kind) == *(const bool *)material ? name : NULL;
 }
 
-/* What is said of a name that is no kind's: what it is here, which name is like it, or where all are. */
+/* What is said of a name that is no kind's: what it is here, which name is like it, or where all
+ * are. */
 static const char *near_kind(Resolver *r, const char *name, bool material)
 {
-    const char *near = mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
+    const char *near =
+        mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
     const NameChoice names = {name_of_group, &material, material ? KIND_COUNT : kind_name_count()};
     if (!near)
         near = hint_definition(r, name);
@@ -48,16 +51,20 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
 {
     if (name->kind != TREE_scalar) {
         const bool use = name->kind == TREE_object && tree_find(name, "ref");
-        diag_add(r->session, name->span, use ? DIAG_ref_in_kind : DIAG_wrong_type, material ? "`material:`" : "`map:`",
-                 material && name->kind == TREE_object && !use ? "a name, with the parameters beside it, `material: Phong`"
-                                                       : "a name",
+        diag_add(r->session, name->span, use ? DIAG_ref_in_kind : DIAG_wrong_type,
+                 material ? "`material:`" : "`map:`",
+                 material && name->kind == TREE_object && !use
+                     ? "a name, with the parameters beside it, `material: Phong`"
+                     : "a name",
                  tree_describe(r->session, name));
         return false;
     }
-    bool other = false; /* a map has the name of a material that is wanted, or a material that of a map */
+    /* a map has the name of a material that is wanted, or a material that of a map */
+    bool other = false;
     for (int i = 0; i < kind_name_count(); i++) {
         const char *known = kind_name(i, kind);
-        if (*known != *name->text || strcmp(known, name->text) != 0) /* most differ in the first letter */
+        /* most differ in the first letter */
+        if (*known != *name->text || strcmp(known, name->text) != 0)
             continue;
         other |= is_material(*kind) != material;
         if (is_material(*kind) == material) {
@@ -67,13 +74,18 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     }
     const DiagKind unknown = material ? DIAG_unknown_material : DIAG_unknown_map;
     const DiagKind swapped = material ? DIAG_map_not_material : DIAG_material_not_map;
-    const char *near = other ? mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name->text)
-                             : near_kind(r, name->text, material);
+    const char *near = other
+                           ? mistake_foreign(r->session, material ? FOREIGN_MATERIAL : FOREIGN_MAP,
+                                             KIND_COUNT, name->text)
+                           : near_kind(r, name->text, material);
     diag_add(r->session, name->span, other ? swapped : unknown, name->text, near ? near : "");
     return false;
 }
 
-static const char *param_name(const void *kind, int i) { return param_table[((const KindRow *)kind)->first + i].name; }
+static const char *param_name(const void *kind, int i)
+{
+    return param_table[((const KindRow *)kind)->first + i].name;
+}
 
 static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
@@ -84,13 +96,15 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
     const bool outer_one = r->one_number;
     r->param = row->name;
     r->one_number = row->type == PARAM_Map && param_is_number((int)(row - param_table));
-    const Node *node = row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
+    const Node *node =
+        row->type == PARAM_Map ? resolve_map(r, tree, &fault) : resolve_material(r, tree, &fault);
     r->param = outer;
     r->one_number = outer_one;
     *value = (Value){.kind = node ? VALUE_node : VALUE_none, .node = node};
     if (fault || !node || node->kind != KIND_Constant)
         return !fault;
-    return !hint_number_color(r, row, tree, &node->params[0]) && resolve_in_range(r, row, tree, &node->params[0]);
+    return !hint_number_color(r, row, tree, &node->params[0]) &&
+           resolve_in_range(r, row, tree, &node->params[0]);
 }
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
@@ -99,7 +113,8 @@ static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *
         return true;
     if (row->type == PARAM_List)
         return resolve_map_list(r, row->name, tree, value);
-    return row->type == PARAM_Items ? resolve_items(r, tree, value) : resolve_node_param(r, row, tree, value);
+    return row->type == PARAM_Items ? resolve_items(r, tree, value)
+                                    : resolve_node_param(r, row, tree, value);
 }
 
 /* Null is as good as not written. */
@@ -109,9 +124,11 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         *value = resolve_null(r, row, tree);
         return true;
     }
-    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material || row->type == PARAM_Items ||
-                       row->type == PARAM_Maps || row->type == PARAM_List;
-    const bool fine = holds ? resolve_holder(r, row, tree, value) : resolve_leaf(r, row, tree, value);
+    const bool holds = row->type == PARAM_Map || row->type == PARAM_Material ||
+                       row->type == PARAM_Items || row->type == PARAM_Maps ||
+                       row->type == PARAM_List;
+    const bool fine =
+        holds ? resolve_holder(r, row, tree, value) : resolve_leaf(r, row, tree, value);
     value->given = true;
     value->span = tree->span;
     return fine;
@@ -124,7 +141,8 @@ static void set_presets(const char *preset, Kind kind, Value *params)
             params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
 }
 
-/* What is said of a key that is no parameter: what it is called here, what is like it, or what there is. */
+/* What is said of a key that is no parameter: what it is called here, what is like it, or what
+ * there is. */
 static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
     enum { MOST_LISTED = 12 }; /* more are no help within a message */
@@ -142,7 +160,8 @@ static const char *near_param(Resolver *r, const KindRow *row, const char *key)
     return all.at;
 }
 
-static bool resolve_member(Resolver *r, const Member *member, Kind kind, const char *name, Value *params)
+static bool resolve_member(Resolver *r, const Member *member, Kind kind, const char *name,
+                           Value *params)
 {
     const KindRow *row = &kind_table[kind];
     for (int i = 0; i < row->count; i++)
@@ -165,7 +184,10 @@ static const char *slot_name(const char *param)
 }
 
 /* Before anything is made of the tree. */
-static const char *own_name(const Tree *tree) { return tree->made == MADE_nothing ? tree->name : NULL; }
+static const char *own_name(const Tree *tree)
+{
+    return tree->made == MADE_nothing ? tree->name : NULL;
+}
 
 /* { map: Kind, param: value, ... }, and the same with material: */
 static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
@@ -179,9 +201,11 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
             return diag_add(r->session, other->span, DIAG_key_case, other->key, key);
         if (mistake_keys(r->session, tree) || hint_object(r, tree, material))
             return NULL;
-        const char *hint =
-            tree_find(tree, material ? "map" : "material") ? material ? ", not `map:`" : ", not `material:`" : "";
-        return diag_add(r->session, tree->span, material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
+        const char *hint = tree_find(tree, material ? "map" : "material")
+                               ? material ? ", not `map:`" : ", not `material:`"
+                               : "";
+        return diag_add(r->session, tree->span,
+                        material ? DIAG_missing_material_kind : DIAG_missing_kind, hint);
     }
     if (!find_kind(r, name->value, material, &kind, &preset))
         return NULL;
@@ -205,7 +229,8 @@ static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool out
     if (kind == KIND_Expression)
         fine &= resolve_expression(r, tree, params);
     r->param = outer;
-    const Node of = {.kind = kind, .span = name->value->span, .params = params, .name = own_name(tree)};
+    const Node of = {
+        .kind = kind, .span = name->value->span, .params = params, .name = own_name(tree)};
     if (resolve_is_foreign(kind))
         return fine ? resolve_translate(r, of) : NULL;
     const Node *node = resolve_make_node(r, of);
@@ -229,7 +254,8 @@ static const char *def_name(const void *user, int i)
 static const Member *find_def(Resolver *r, const Tree *name)
 {
     if (name->kind != TREE_scalar)
-        return diag_add(r->session, name->span, DIAG_wrong_type, "ref", "a name", tree_describe(r->session, name));
+        return diag_add(r->session, name->span, DIAG_wrong_type, "ref", "a name",
+                        tree_describe(r->session, name));
     const char *near = "";
     for (size_t i = 0; i < r->def_count; i++) {
         const Member *member = tree_find(r->defs[i], name->text);
@@ -241,27 +267,31 @@ static const Member *find_def(Resolver *r, const Tree *name)
     }
     const char *shipped = hint_shipped(r->session, name->text);
     return r->lacks_file ? NULL
-                         : diag_add(r->session, name->span, DIAG_unknown_ref, name->text, shipped ? shipped : near);
+                         : diag_add(r->session, name->span, DIAG_unknown_ref, name->text,
+                                    shipped ? shipped : near);
 }
 
 static bool says_material(Resolver *r, const Tree *tree)
 {
     const Member *ref = tree_find(tree, "ref");
     bool material = tree_find(tree, "material") != NULL;
-    for (size_t i = 0; i < r->def_count && ref && ref->value->kind == TREE_scalar && !material; i++) {
+    for (size_t i = 0; i < r->def_count && ref && ref->value->kind == TREE_scalar && !material;
+         i++) {
         const Member *def = tree_find(r->defs[i], ref->value->text);
         material = def && tree_find(def->value, "material");
     }
     return material;
 }
 
-/* Maps and materials that a use gives are made before its definition is open: they may use it, too. Their faults are said there, and once. */
+/* Maps and materials that a use gives are made before its definition is open: they may use it, too.
+ * Their faults are said there, and once. */
 static void resolve_given(Resolver *r, const Tree *use)
 {
     for (uint32_t i = 0; i < use->count; i++) {
         Tree *given = use->members[i].value;
         bool fault = false;
-        if (given->kind != TREE_object || !(tree_find(given, "map") || tree_find(given, "material") || tree_find(given, "ref")))
+        if (given->kind != TREE_object ||
+            !(tree_find(given, "map") || tree_find(given, "material") || tree_find(given, "ref")))
             continue;
         if (says_material(r, given))
             resolve_material(r, given, &fault);
@@ -312,7 +342,8 @@ static const Node *resolve_ref(Resolver *r, Tree *tree, bool material)
 static const Node *resolve_shorthand(Resolver *r, Tree *tree)
 {
     Value *params = ARENA_ARRAY(r->session->arena, Value, kind_table[KIND_Expression].count);
-    const Node of = {.kind = KIND_Expression, .span = tree->span, .params = params, .name = own_name(tree)};
+    const Node of = {
+        .kind = KIND_Expression, .span = tree->span, .params = params, .name = own_name(tree)};
     return resolve_formula(r, tree, NULL, params) ? resolve_make_node(r, of) : NULL;
 }
 
@@ -356,7 +387,8 @@ static void resolve_on_stack(void *user)
     of->node = resolve_new(of->r, of->tree, of->material, of->outermost);
 }
 
-/* A chain of references may be longer than the caller's stack can hold: some of it at a time is resolved on another. */
+/* A chain of references may be longer than the caller's stack can hold: some of it at a time is
+ * resolved on another. */
 static const Node *resolve_below(Resolver *r, Tree *tree, bool material, bool outermost)
 {
     Resolving of = {r, tree, material, outermost, NULL};
@@ -395,5 +427,11 @@ const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, 
     return node;
 }
 
-const Node *resolve_map(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, false, false, fault); }
-const Node *resolve_material(Resolver *r, Tree *tree, bool *fault) { return resolve_any(r, tree, true, false, fault); }
+const Node *resolve_map(Resolver *r, Tree *tree, bool *fault)
+{
+    return resolve_any(r, tree, false, false, fault);
+}
+const Node *resolve_material(Resolver *r, Tree *tree, bool *fault)
+{
+    return resolve_any(r, tree, true, false, fault);
+}

@@ -5,7 +5,8 @@
 #include "compiler/front/tree.h"
 #include <string.h>
 
-/* An ImageMap that does not say all of how its texels are read, and where that will stand; NULL: it says so. */
+/* An ImageMap that does not say all of how its texels are read, and where that will stand; NULL: it
+ * says so. */
 typedef struct {
     const Node *node;
     Value *colorspace, *texels;
@@ -23,7 +24,8 @@ typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     size_t def_count, def_room;
-    bool lacks_file; /* a failed include or `defs:` was reported: unknown names may be defined there */
+    /* a failed include or `defs:` was reported: unknown names may be defined there */
+    bool lacks_file;
     Uniform **uniforms;
     size_t uniform_count, uniform_room;
     Names uniform_names;
@@ -42,19 +44,21 @@ typedef struct {
     UndecidedPicture *undecided;
     size_t undecided_count, undecided_room;
     int node_count;
-    const Node *defaults[PARAM_COUNT]; /* a map's default by its parameter; NULL until a node wants it */
-    const Node **nodes;                /* but for bare numbers */
+    /* a map's default by its parameter; NULL until a node wants it */
+    const Node *defaults[PARAM_COUNT];
+    const Node **nodes; /* but for bare numbers */
     size_t named_count, named_room;
     Expansion **expansions;
     size_t expansion_count, expansion_room;
     HashIndex expansion_index;
-    bool overgrown;    /* there are too many of these, and that was said */
-    size_t copied;     /* nodes of trees that were made for them */
+    bool overgrown;           /* there are too many of these, and that was said */
+    size_t copied;            /* nodes of trees that were made for them */
     const Member *definition; /* the one with parameters that is looked at; NULL: none */
     const char *param;        /* the parameter whose constant is looked at; NULL: none */
     bool one_number;          /* which reads one number */
-    const char *owner; /* of the maps that are resolved: Node.owner */
-    int depth, wave_depth; /* of what is being resolved: maps and references within one another, and waves */
+    const char *owner;        /* of the maps that are resolved: Node.owner */
+    /* of what is being resolved: maps and references within one another, and waves */
+    int depth, wave_depth;
 } Resolver;
 
 /* How many lanes a value may have. */
@@ -72,18 +76,22 @@ static inline bool resolve_is_document_key(const char *key)
 }
 /* It has keys that make it a scene: its `materials:` are compiled, the rest is runtime/scene's. */
 bool resolve_is_scene(const Tree *document);
-/* A map or a material, made once however often it is met; `outermost`: the document itself. resolve.c */
+/* A map or a material, made once however often it is met; `outermost`: the document itself.
+ * resolve.c */
 const Node *resolve_any(Resolver *r, Tree *tree, bool material, bool outermost, bool *fault);
-/* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault tells. */
+/* A map: number, list, colour, param, reference or object. NULL for none and for a fault; *fault
+ * tells. */
 const Node *resolve_map(Resolver *r, Tree *tree, bool *fault);
 const Node *resolve_material(Resolver *r, Tree *tree, bool *fault);
-/* A node that is whole but for its number, its lanes, whose part it is, and what is measured below it; NULL and a diagnostic: that is too
- * much. Of a number, which is no part of `nodes`. resolve_node.c */
+/* A node that is whole but for its number, its lanes, whose part it is, and what is measured below
+ * it; NULL and a diagnostic: that is too much. Of a number, which is no part of `nodes`.
+ * resolve_node.c */
 const Node *resolve_make_node(Resolver *r, Node of);
 const Node *resolve_make_constant(Resolver *r, Node of, Value number);
 /* A parameter that is not given. A map's default is one node for all of the document. */
 Value resolve_default(Resolver *r, const ParamRow *row);
-/* translations.def makes a Principled of such a material, whose parameters are resolved; NULL and a diagnostic. resolve_translation.c */
+/* translations.def makes a Principled of such a material, whose parameters are resolved; NULL and a
+ * diagnostic. resolve_translation.c */
 bool resolve_is_foreign(Kind kind);
 const Node *resolve_translate(Resolver *r, Node of);
 /* A list of items, and one of maps. resolve_items.c */
@@ -91,7 +99,8 @@ bool resolve_items(Resolver *r, Tree *tree, Value *value);
 bool resolve_map_list(Resolver *r, const char *name, Tree *tree, Value *value);
 /* The value of one parameter. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
-/* False, and a diagnostic: a lane of the number, or of a param's default, is beyond what the row allows. resolve_leaf.c */
+/* False, and a diagnostic: a lane of the number, or of a param's default, is beyond what the row
+ * allows. resolve_leaf.c */
 bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value);
 /* Of one that holds neither maps nor materials; what stands for null. resolve_leaf.c */
 bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
@@ -117,10 +126,13 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* An Expression's formula and the maps that it reads, into its parameters. resolve_expression.c */
 bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
-/* The same of a text, whose names are those of `with`, NULL for none, and of the document's definitions. */
+/* The same of a text, whose names are those of `with`, NULL for none, and of the document's
+ * definitions. */
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
-/* Reads a formula that stands where numbers are wanted. Its value must be known here; it has one lane, or as many as the numbers may have. */
-bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value);
+/* Reads a formula that stands where numbers are wanted. Its value must be known here; it has one
+ * lane, or as many as the numbers may have. */
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes,
+                           Value *value);
 /* A text that begins with '='. */
 static inline bool resolve_is_formula(const Tree *tree)
 {
@@ -130,8 +142,9 @@ static inline bool resolve_is_formula(const Tree *tree)
 /* Letters, digits and _-. behind a letter: what a file can be called. resolve_document.c */
 bool resolve_is_name(const char *name);
 
-/* An ImageMap's colour space, where it has none of its own: linear, until resolve_picture_spaces finds that it feeds a colour, or that it is of a
- * glTF material, which has its texels in the middle of their squares, too. resolve_picture.c */
+/* An ImageMap's colour space, where it has none of its own: linear, until resolve_picture_spaces
+ * finds that it feeds a colour, or that it is of a glTF material, which has its texels in the
+ * middle of their squares, too. resolve_picture.c */
 void resolve_picture(Resolver *r, const Node *node, Value *params);
 void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int count);
 

@@ -1,5 +1,6 @@
-/* Colours of a document: "#rgb" and its like, names, and whether they are linear light or sRGB. `colors:` says it for a file,
- * srgb(...) and linear(...) for one colour. What a file says holds for what is written in that file, wherever it is used. */
+/* Colours of a document: "#rgb" and its like, names, and whether they are linear light or sRGB.
+ * `colors:` says it for a file, srgb(...) and linear(...) for one colour. What a file says holds
+ * for what is written in that file, wherever it is used. */
 #include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/library/srgb.h"
@@ -16,7 +17,10 @@ static FileColors file_colors(const Resolver *r, uint32_t file)
     return file < r->file_color_room ? (FileColors)r->file_colors[file] : FILE_COLORS_undeclared;
 }
 
-bool resolve_is_srgb(const Resolver *r, uint32_t file) { return file_colors(r, file) == FILE_COLORS_srgb; }
+bool resolve_is_srgb(const Resolver *r, uint32_t file)
+{
+    return file_colors(r, file) == FILE_COLORS_srgb;
+}
 
 bool resolve_color_space(Resolver *r, const Tree *document)
 {
@@ -28,12 +32,13 @@ bool resolve_color_space(Resolver *r, const Tree *document)
         if (strcmp(name->text, space_names[srgb]) != 0)
             continue;
         const uint32_t file = name->span.file;
-        r->file_colors =
-            arena_reach(r->session->arena, r->file_colors, file, &r->file_color_room, sizeof *r->file_colors);
+        r->file_colors = arena_reach(r->session->arena, r->file_colors, file, &r->file_color_room,
+                                     sizeof *r->file_colors);
         r->file_colors[file] = (unsigned char)(srgb ? FILE_COLORS_srgb : FILE_COLORS_linear);
         return true;
     }
-    diag_add(r->session, name->span, DIAG_wrong_type, "colors", "linear or srgb", tree_describe(r->session, name));
+    diag_add(r->session, name->span, DIAG_wrong_type, "colors", "linear or srgb",
+             tree_describe(r->session, name));
     return false;
 }
 
@@ -51,7 +56,8 @@ static bool is_pure(const double *lanes)
 static bool is_advised(const Session *session, uint32_t file)
 {
     for (size_t i = 0; i < session->diags.count; i++)
-        if (session->diags.at[i].kind == DIAG_linear_colors && session->diags.at[i].span.file == file)
+        if (session->diags.at[i].kind == DIAG_linear_colors &&
+            session->diags.at[i].span.file == file)
             return true;
     return false;
 }
@@ -71,8 +77,10 @@ static const char *three_lanes(Session *session, const double *lanes, bool srgb)
 void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes)
 {
     Session *session = r->session;
-    const bool off = warnings_severity(session_warnings(session), DIAG_linear_colors) == SEVERITY_none;
-    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(lanes) || is_advised(session, span.file))
+    const bool off =
+        warnings_severity(session_warnings(session), DIAG_linear_colors) == SEVERITY_none;
+    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(lanes) ||
+        is_advised(session, span.file))
         return;
     diag_add(session, span, DIAG_linear_colors, hex, three_lanes(session, lanes, false),
              three_lanes(session, lanes, true));
@@ -122,7 +130,8 @@ static const char *within_space(Resolver *r, const char *text, bool *srgb)
     size_t size = strlen(text);
     for (int space = 0; space < 2; space++) {
         size_t before = strlen(space_names[space]);
-        if (strncmp(text, space_names[space], before) != 0 || text[before] != '(' || text[size - 1] != ')')
+        if (strncmp(text, space_names[space], before) != 0 || text[before] != '(' ||
+            text[size - 1] != ')')
             continue;
         *srgb = space;
         return arena_string(r->session->arena, text + before + 1, size - before - 2);

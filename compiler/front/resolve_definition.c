@@ -1,17 +1,19 @@
-/* Definitions with parameters: what `{ ref: bricks, rows: 12 }` stands for. The definition's tree is copied as far as a `{ param: rows }` stands in
- * it, with the argument's tree in its place; the rest is shared. Equal arguments have one copy, so that what they make is made once.
+/* Definitions with parameters: what `{ ref: bricks, rows: 12 }` stands for. The definition's tree
+ * is copied as far as a `{ param: rows }` stands in it, with the argument's tree in its place; the
+ * rest is shared. Equal arguments have one copy, so that what they make is made once.
  *
  *     defs:
  *       stripes:
  *         doc: "Stripes along z."
  *         params: { count: 8, dark: black }
  *         map: Blend
- *         blend: [{ value: 0, input: { param: dark } }, { value: 1, input: white }]
- *         input: { map: Gradient, direction: [0, 0, 1], waveForm: Ramp, frequency: { param: count } }
- *     diffuse: { ref: stripes, count: 12 }     the Blend, with 12 for { param: count } and black for { param: dark }
+ *         blend: [{ value: 0, input: { param: dark } }, { value: 1, input: white }] input: { map:
+ *         Gradient, direction: [0, 0, 1], waveForm: Ramp, frequency: { param: count } }
+ *     diffuse: { ref: stripes, count: 12 }     the Blend, with 12 for { param: count } and black
+ *                                              for { param: dark }
  *
- * A fault is said where its text stands, and a note shows the other place: the use of what is wrong in the definition, the parameter of what
- * is wrong in an argument. */
+ * A fault is said where its text stands, and a note shows the other place: the use of what is wrong
+ * in the definition, the parameter of what is wrong in an argument. */
 #include "compiler/base/text.h"
 #include "compiler/front/resolve_definition.h"
 #include "compiler/front/resolve_parameter.h"
@@ -49,8 +51,8 @@ static bool read_parameters(Copy *c)
     if (!params || tree_is_null(params->value))
         return true;
     if (params->value->kind != TREE_object) {
-        diag_add(r->session, params->value->span, DIAG_wrong_type, "params", "an object, `{ name: default }`",
-                 tree_describe(r->session, params->value));
+        diag_add(r->session, params->value->span, DIAG_wrong_type, "params",
+                 "an object, `{ name: default }`", tree_describe(r->session, params->value));
         return false;
     }
     if (params->value->count > LIMIT_DEFINITION_PARAMS) {
@@ -66,7 +68,10 @@ static bool read_parameters(Copy *c)
     return true;
 }
 
-static const char *parameter_name(const void *user, int i) { return ((const Copy *)user)->parameters[i].member->key; }
+static const char *parameter_name(const void *user, int i)
+{
+    return ((const Copy *)user)->parameters[i].member->key;
+}
 
 static int find_parameter(const Copy *c, const char *name)
 {
@@ -85,7 +90,8 @@ static bool read_arguments(Copy *c, const Tree *use)
         const Member *member = &use->members[i];
         const int at = strcmp(member->key, "ref") ? find_parameter(c, member->key) : -1;
         if (at >= 0) {
-            fine &= tree_is_null(member->value) || resolve_argument(c->r, c->definition, &c->parameters[at], member->value);
+            fine &= tree_is_null(member->value) ||
+                    resolve_argument(c->r, c->definition, &c->parameters[at], member->value);
             c->arguments[at] = tree_is_null(member->value) ? NULL : member->value;
         } else if (strcmp(member->key, "ref") != 0) {
             const NameChoice names = {parameter_name, c, (int)c->count};
@@ -181,7 +187,8 @@ static Tree *copy_formula(Copy *c, Tree *formula)
 static Tree *copy_member(Copy *c, const Member *member)
 {
     Tree *tree = member->value;
-    return tree->kind == TREE_scalar && !strcmp(member->key, "is") ? copy_formula(c, tree) : copy_of(c, tree);
+    return tree->kind == TREE_scalar && !strcmp(member->key, "is") ? copy_formula(c, tree)
+                                                                   : copy_of(c, tree);
 }
 
 /* The copy of a list's or object's parts; the tree itself where they are as they were. */
@@ -257,8 +264,8 @@ static bool alike(const Tree *a, const Tree *b)
 {
     if (a == b)
         return true;
-    return a->kind == TREE_scalar && b->kind == TREE_scalar && a->plain == b->plain && a->span.file == b->span.file &&
-           !strcmp(a->text, b->text);
+    return a->kind == TREE_scalar && b->kind == TREE_scalar && a->plain == b->plain &&
+           a->span.file == b->span.file && !strcmp(a->text, b->text);
 }
 
 static uint32_t expansion_hash(const Copy *c)
@@ -319,7 +326,8 @@ Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
         return NULL;
     if (r->copied > LIMIT_COPIES) {
         if (!r->overgrown)
-            diag_add(r->session, use ? use->span : definition->span, DIAG_many_expansions, LIMIT_COPIES);
+            diag_add(r->session, use ? use->span : definition->span, DIAG_many_expansions,
+                     LIMIT_COPIES);
         r->overgrown = true;
         return NULL;
     }
@@ -340,7 +348,8 @@ void resolve_say_use(Resolver *r, const Member *definition, const Tree *use)
     if (!diags->count || diags->at[diags->count - 1].severity == SEVERITY_note)
         return;
     const Span at = diags->at[diags->count - 1].span;
-    const bool argument = at.file == use->span.file && at.start >= use->span.start && at.end <= use->span.end;
+    const bool argument =
+        at.file == use->span.file && at.start >= use->span.start && at.end <= use->span.end;
     if (argument)
         diag_add(r->session, definition->span, DIAG_definition_here, definition->key);
     else

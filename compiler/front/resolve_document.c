@@ -25,8 +25,10 @@ static const char *stem(Session *session, const char *path)
 {
     if (path[0] == '<' && path[strlen(path) - 1] == '>')
         return arena_string(session->arena, path + 1, strlen(path) - 2);
-    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path, *dot = strrchr(start, '.');
-    return arena_string(session->arena, start, dot && dot != start ? (size_t)(dot - start) : strlen(start));
+    const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path,
+               *dot = strrchr(start, '.');
+    return arena_string(session->arena, start,
+                        dot && dot != start ? (size_t)(dot - start) : strlen(start));
 }
 
 static bool read_defs(Resolver *r, Tree *document, int depth);
@@ -51,12 +53,13 @@ static bool check_defs_form(Resolver *r, const Tree *defs)
     if (hint_assigned(r->session, defs))
         return false;
     if (defs->kind != TREE_object)
-        diag_add(r->session, defs->span, DIAG_wrong_type, "defs", "names with their values, `name: value`",
-                 tree_describe(r->session, defs));
+        diag_add(r->session, defs->span, DIAG_wrong_type, "defs",
+                 "names with their values, `name: value`", tree_describe(r->session, defs));
     return defs->kind == TREE_object;
 }
 
-/* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:` counts for itself. */
+/* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:`
+ * counts for itself. */
 static bool read_defs(Resolver *r, Tree *document, int depth)
 {
     const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
@@ -121,8 +124,11 @@ enum { OWN_KEYS = 6 };
 static const char *top_key(const void *user, int i)
 {
     (void)user;
-    static const char *const keys[OWN_KEYS] = {"material", "materials", "defs", "include", "colors", "ref"};
-    return i < OWN_KEYS ? keys[i] : scene_param_table[scene_kind_table[SCENE_Scene].first + i - OWN_KEYS].param.name;
+    static const char *const keys[OWN_KEYS] = {"material", "materials", "defs",
+                                               "include",  "colors",    "ref"};
+    return i < OWN_KEYS
+               ? keys[i]
+               : scene_param_table[scene_kind_table[SCENE_Scene].first + i - OWN_KEYS].param.name;
 }
 
 static bool check_top(Resolver *r, const Tree *document, bool many)
@@ -130,20 +136,26 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     bool fine = true;
     for (uint32_t i = 0; many && i < document->count; i++) {
         const Member *member = &document->members[i];
-        if (resolve_is_document_key(member->key) || is_scene_key(member->key) || !strcmp(member->key, "materials"))
+        if (resolve_is_document_key(member->key) || is_scene_key(member->key) ||
+            !strcmp(member->key, "materials"))
             continue;
         bool both = !strcmp(member->key, "material") || !strcmp(member->key, "ref");
         const char *near = mistake_foreign(r->session, FOREIGN_TOP, KIND_COUNT, member->key);
         if (!near)
-            near = diag_suggest(r->session, member->key, top_key, NULL, OWN_KEYS + scene_kind_table[SCENE_Scene].count);
-        diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key, member->key, near);
+            near = diag_suggest(r->session, member->key, top_key, NULL,
+                                OWN_KEYS + scene_kind_table[SCENE_Scene].count);
+        diag_add(r->session, member->span, both ? DIAG_both_materials : DIAG_unknown_top_key,
+                 member->key, near);
         fine = false;
     }
     return fine;
 }
 
 /* What a scene instances, which is runtime/scene's. */
-static bool is_scene_object(const Tree *tree) { return tree->kind == TREE_object && tree_find(tree, "object"); }
+static bool is_scene_object(const Tree *tree)
+{
+    return tree->kind == TREE_object && tree_find(tree, "object");
+}
 
 /* One that nothing used: as if with its defaults. */
 static void check_def(Resolver *r, const Member *def)
@@ -155,7 +167,8 @@ static void check_def(Resolver *r, const Member *def)
     if (tree->made != MADE_node && !tree->failed) {
         def->value->open = tree != def->value;
         r->definition = def->value->open ? def : NULL;
-        resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false, &fault);
+        resolve_any(r, tree, tree->kind == TREE_object && tree_find(tree, "material"), false,
+                    &fault);
         r->definition = NULL;
         def->value->open = false;
     }
@@ -168,7 +181,8 @@ static void check_defs(Resolver *r, const Tree *document)
     for (size_t i = 0; i < r->def_count; i++)
         for (uint32_t k = 0; k < r->defs[i]->count; k++) {
             const Member *def = &r->defs[i]->members[k];
-            if (def->value->made != MADE_node && !def->value->failed && !(scene && is_scene_object(def->value)))
+            if (def->value->made != MADE_node && !def->value->failed &&
+                !(scene && is_scene_object(def->value)))
                 check_def(r, def);
         }
 }
@@ -198,8 +212,8 @@ static void *say_no_material(Session *session, const Tree *document)
 /* - material: Phong */
 static bool lists_material(const Tree *document)
 {
-    return document->kind == TREE_list && document->count && document->items[0]->kind == TREE_object &&
-           tree_find(document->items[0], "material");
+    return document->kind == TREE_list && document->count &&
+           document->items[0]->kind == TREE_object && tree_find(document->items[0], "material");
 }
 
 static void say_nothing_to_compile(Session *session, const Tree *document)

@@ -1,4 +1,5 @@
-/* Formulas of a document: their text, the maps that they name, and how many lanes a map has in them. */
+/* Formulas of a document: their text, the maps that they name, and how many lanes a map has in
+ * them. */
 #include "compiler/formula/formula.h"
 #include "compiler/base/text.h"
 #include "compiler/front/hint.h"
@@ -12,9 +13,10 @@
 typedef struct {
     Resolver *r;
     const Tree *text, *with; /* with: NULL for none */
-    const Tree *arguments;   /* of the definition's parameters, for those that the text names; NULL for none */
-    const Tree *parameters;  /* of that definition, found where a name is unknown; NULL for none */
-    uint32_t skipped;        /* bytes of the text before the formula */
+    /* of the definition's parameters, for those that the text names; NULL for none */
+    const Tree *arguments;
+    const Tree *parameters; /* of that definition, found where a name is unknown; NULL for none */
+    uint32_t skipped;       /* bytes of the text before the formula */
     Item *items;
     size_t count, room;
     Names names;
@@ -64,7 +66,8 @@ static const char *name_of(const void *user, int i)
 {
     const Inputs *in = user;
     if (i < LIMIT_DEFINITION_PARAMS)
-        return in->parameters && i < (int)in->parameters->count ? in->parameters->members[i].key : NULL;
+        return in->parameters && i < (int)in->parameters->count ? in->parameters->members[i].key
+                                                                : NULL;
     i -= LIMIT_DEFINITION_PARAMS;
     if (in->with && i < (int)in->with->count)
         return in->with->members[i].key;
@@ -85,7 +88,8 @@ static int name_count(const Inputs *in)
     return (int)count;
 }
 
-/* What a name stands for; a definition with parameters has its defaults. NULL: they have a fault, which is said. */
+/* What a name stands for; a definition with parameters has its defaults. NULL: they have a fault,
+ * which is said. */
 static Tree *tree_of(Inputs *in, const Member *member)
 {
     if (!resolve_is_definition(member->value))
@@ -97,7 +101,8 @@ static Tree *tree_of(Inputs *in, const Member *member)
     return tree;
 }
 
-/* A param is read by way of `with:`; what a file would define that could not be read is not asked for. */
+/* A param is read by way of `with:`; what a file would define that could not be read is not asked
+ * for. */
 static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
 {
     Resolver *r = in->r;
@@ -107,7 +112,8 @@ static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
     in->parameters = parameters_around(in);
     if (names_find(&r->uniform_names, name) < 0)
         return FORMULA_UNKNOWN;
-    text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`", name, name);
+    text_format(&hint, "; a formula reads the param by `with: { %s: { param: %s, default: ... } }`",
+                name, name);
     diag_add(r->session, place(in, step->start, step->end), DIAG_formula_unknown, name, hint.at);
     return FORMULA_SAID;
 }
@@ -135,7 +141,8 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
     const Node *node = tree ? resolve_map(r, tree, &fault) : NULL;
     if (fault || !tree)
         return FORMULA_SAID;
-    const Item item = {.value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
+    const Item item = {
+        .value = {.kind = VALUE_number, .type = TYPE_float}, .input = node, .span = member->span};
     ARENA_PUSH(r->session->arena, in->items, in->count, in->room, item);
     *width = node ? node->width : 3;
     return names_add(r->session->arena, &in->names, name);
@@ -162,8 +169,8 @@ static int find_attribute(void *user, const FormulaAttribute *given)
         return FORMULA_SAID;
     }
     MeshAttribute *attribute = ARENA_NEW(r->session->arena, MeshAttribute);
-    *attribute =
-        (MeshAttribute){.name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
+    *attribute = (MeshAttribute){
+        .name = given->name, .type = given->type, .span = span, .index = (int)r->attribute_count};
     memcpy(attribute->initial, given->initial, sizeof attribute->initial);
     ARENA_PUSH(r->session->arena, r->attributes, r->attribute_count, r->attribute_room, attribute);
     return names_add(r->session->arena, &r->attribute_names, attribute->name);
@@ -196,7 +203,8 @@ static void say_hash(const Inputs *in)
 static void advise_color(void *user, uint32_t start, uint32_t end, const double *lanes)
 {
     const Inputs *in = user;
-    const char *hex = arena_string(in->r->session->arena, in->text->text + in->skipped + start, end - start);
+    const char *hex =
+        arena_string(in->r->session->arena, in->text->text + in->skipped + start, end - start);
     resolve_advise_colors(in->r, place(user, start, end), hex, lanes);
 }
 
@@ -251,7 +259,8 @@ static const char *unknown_part(const Inputs *in, const Formula *formula)
     return NULL;
 }
 
-bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes, Value *value)
+bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, LaneCount lanes,
+                           Value *value)
 {
     static const Type types[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
     Inputs in = {.r = r, .text = text, .arguments = arguments_of(text)};
@@ -259,12 +268,13 @@ bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, Lane
     if (!formula)
         return false;
     const char *part = unknown_part(&in, formula);
-    if (part || (formula->width != 1 && (formula->width < lanes.least || formula->width > lanes.most))) {
+    if (part ||
+        (formula->width != 1 && (formula->width < lanes.least || formula->width > lanes.most))) {
         if (part)
             diag_add(r->session, text->span, DIAG_formula_varies, what, part);
         else
-            diag_add(r->session, text->span, DIAG_wrong_count, what, lanes.most == 1 ? "a number" : "three numbers",
-                     formula->width);
+            diag_add(r->session, text->span, DIAG_wrong_count, what,
+                     lanes.most == 1 ? "a number" : "three numbers", formula->width);
         return false;
     }
     double(*known)[4] = arena_zero(r->session->arena, (in.count + formula->count) * sizeof *known);
@@ -291,8 +301,8 @@ static bool check_names(Resolver *r, const Tree *with)
     if (hint_assigned(r->session, with))
         return false;
     if (with->kind != TREE_object) {
-        diag_add(r->session, with->span, DIAG_wrong_type, "with", "maps by name, `{ a: black, b: white }`",
-                 tree_describe(r->session, with));
+        diag_add(r->session, with->span, DIAG_wrong_type, "with",
+                 "maps by name, `{ a: black, b: white }`", tree_describe(r->session, with));
         return false;
     }
     for (uint32_t i = 0; i < with->count; i++) {
@@ -302,10 +312,12 @@ static bool check_names(Resolver *r, const Tree *with)
         for (uint32_t k = 0; k < member->size; k++)
             named &= text_is_alphanumeric(key[k]) || key[k] == '_';
         const bool hides = term_named(key, member->size) != TERM_none ||
-                           quantity_named(key, member->size) != QUANTITY_none || vector_named(key, member->size) ||
+                           quantity_named(key, member->size) != QUANTITY_none ||
+                           vector_named(key, member->size) ||
                            formula_special_named(key, member->size) != SPECIAL_none;
         if (!named || hides)
-            diag_add(r->session, member->span, hides ? DIAG_formula_hides : DIAG_formula_input_name, key);
+            diag_add(r->session, member->span, hides ? DIAG_formula_hides : DIAG_formula_input_name,
+                     key);
         resolve_map(r, member->value, &fault);
         fine &= named && !hides && !fault;
     }
@@ -322,7 +334,8 @@ bool resolve_expression(Resolver *r, const Tree *tree, Value *params)
         return fine;
     if (is->value->kind != TREE_scalar) {
         diag_add(r->session, is->value->span, DIAG_wrong_type, "is",
-                 "a formula, in quotes where it begins with a bracket", tree_describe(r->session, is->value));
+                 "a formula, in quotes where it begins with a bracket",
+                 tree_describe(r->session, is->value));
         return false;
     }
     return fine && resolve_formula(r, is->value, with ? with->value : NULL, params);

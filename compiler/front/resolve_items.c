@@ -1,4 +1,5 @@
-/* Lists that hold maps: the items of a Blend, and maps one after the other. Each is made once, however often an anchor has it. */
+/* Lists that hold maps: the items of a Blend, and maps one after the other. Each is made once,
+ * however often an anchor has it. */
 #include "compiler/front/mistake.h"
 #include "compiler/front/resolve.h"
 #include <string.h>
@@ -15,8 +16,8 @@ static bool resolve_item(Resolver *r, Tree *tree, Item *item)
     *item = (Item){.span = tree->span};
     item->value = (Value){.kind = VALUE_number, .type = TYPE_float};
     if (tree->kind != TREE_object) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, "an item", "`{ value: number, input: map }`",
-                 tree_describe(r->session, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, "an item",
+                 "`{ value: number, input: map }`", tree_describe(r->session, tree));
         return false;
     }
     bool fine = true, fault = false;
@@ -55,7 +56,8 @@ bool resolve_items(Resolver *r, Tree *tree, Value *value)
     const Item *descends = NULL;
     for (uint32_t i = 0; i < tree->count; i++) {
         fine &= resolve_item(r, tree->items[i], &item[i]);
-        if (fine && i && item[i].value.kind == VALUE_number && item[i - 1].value.kind == VALUE_number)
+        if (fine && i && item[i].value.kind == VALUE_number &&
+            item[i - 1].value.kind == VALUE_number)
             if (!descends && item[i].value.number[0] < item[i - 1].value.number[0])
                 descends = &item[i];
     }
@@ -83,7 +85,8 @@ bool resolve_map_list(Resolver *r, const char *name, Tree *tree, Value *value)
         Items *items = ARENA_NEW(r->session->arena, Items);
         for (uint32_t i = 0; i < tree->count; i++) {
             Tree *map = tree->items[i];
-            item[i] = (Item){.span = map->span, .value = {.kind = VALUE_number, .type = TYPE_float, .number = {i}}};
+            item[i] = (Item){.span = map->span,
+                             .value = {.kind = VALUE_number, .type = TYPE_float, .number = {i}}};
             item[i].input = resolve_map(r, map, &fault);
         }
         if (fault)

@@ -1,5 +1,5 @@
-/* The value of a parameter that holds no map: a number, a truth value, a word, a picture, a wave, a transformation. What a row of the tables
- * says of it, type, default and range, is checked here. */
+/* The value of a parameter that holds no map: a number, a truth value, a word, a picture, a wave, a
+ * transformation. What a row of the tables says of it, type, default and range, is checked here. */
 #include "compiler/front/resolve.h"
 #include <math.h>
 #include <string.h>
@@ -18,7 +18,8 @@ bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const 
     for (int i = 0; i < type_table[value->type].lanes; i++) {
         if (lanes[i] >= row->low && lanes[i] <= row->high)
             continue;
-        Text is = text_new(r->session->arena), low = text_new(r->session->arena), high = text_new(r->session->arena);
+        Text is = text_new(r->session->arena), low = text_new(r->session->arena),
+             high = text_new(r->session->arena);
         put_number(&is, row, lanes[i]);
         put_number(&low, row, row->low);
         put_number(&high, row, row->high);
@@ -41,7 +42,8 @@ static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Val
 {
     bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
     if (!yes && !(tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "false"))) {
-        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "true or false", tree_describe(r->session, tree));
+        diag_add(r->session, tree->span, DIAG_wrong_type, row->name, "true or false",
+                 tree_describe(r->session, tree));
         return false;
     }
     *value = (Value){.kind = VALUE_number, .type = TYPE_bool, .number = {yes}};
@@ -104,7 +106,8 @@ static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value 
     const LaneCount lanes = {vector ? 3 : 1, vector ? 3 : constant ? 4 : 1};
     if (!resolve_number(r, row->name, tree, lanes, value))
         return false;
-    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) && resolve_in_range(r, row, tree, value);
+    return (row->type != PARAM_Int || resolve_whole(r, row, tree, value)) &&
+           resolve_in_range(r, row, tree, value);
 }
 
 /* `diffuse: #ff0000` gives nothing, and a comment. */
@@ -118,7 +121,8 @@ static void warn_of_comment(Resolver *r, const Tree *tree)
     uint32_t start = (uint32_t)(at - source->text);
     if (*at == '#')
         diag_add(r->session,
-                 (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"), tree->span.file},
+                 (Span){start, start + 1 + (uint32_t)strspn(at + 1, "0123456789abcdefABCDEF"),
+                        tree->span.file},
                  DIAG_unquoted_color);
 }
 

@@ -1,4 +1,5 @@
-/* Nodes of a Graph: one is numbered when all below it are, and knows how many lanes it has and how much hangs there. Defaults are nodes, too. */
+/* Nodes of a Graph: one is numbered when all below it are, and knows how many lanes it has and how
+ * much hangs there. Defaults are nodes, too. */
 #include "compiler/formula/formula.h"
 #include "compiler/front/resolve.h"
 
@@ -6,7 +7,10 @@
 
 enum { SURFACE_WIDTH = 3 };
 
-static int width_of(const Value *map) { return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH; }
+static int width_of(const Value *map)
+{
+    return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH;
+}
 
 /* What holds both lane by lane: a number stands for all, and two lanes are no colour. */
 static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
@@ -24,7 +28,8 @@ static int width_of_items(const Value *list)
     return width;
 }
 
-/* Of the maps of which its colour is made; 0: it has none. Of one that is left out the others stand for it, or its input. */
+/* Of the maps of which its colour is made; 0: it has none. Of one that is left out the others stand
+ * for it, or its input. */
 static int width_of_colours(const Node *node)
 {
     const int first = kind_table[node->kind].first, count = kind_table[node->kind].count;
@@ -67,7 +72,8 @@ static int width_of_node(const Node *node)
     if (own)
         return own;
     const Section section = section_of(node->kind);
-    const bool is_number = section == SECTION_volume || section == SECTION_dimensions || node->kind == KIND_Switch;
+    const bool is_number =
+        section == SECTION_volume || section == SECTION_dimensions || node->kind == KIND_Switch;
     return is_number ? 1 : width_of(&node->params[0]);
 }
 
@@ -94,7 +100,8 @@ static bool measure(Resolver *r, Node *node)
         for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
             below(node, value->items->item[k].input);
     }
-    node->filters += node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D || node->kind == KIND_Triplanar;
+    node->filters +=
+        node->kind == KIND_Smooth3D || node->kind == KIND_Laplace3D || node->kind == KIND_Triplanar;
     node->steps |= kind_table[node->kind].step_lanes > 0;
     if (node->depth > LIMIT_GRAPH_DEPTH)
         diag_add(r->session, node->span, DIAG_too_deep, LIMIT_GRAPH_DEPTH);
@@ -136,7 +143,8 @@ static const Node *make_default(Resolver *r, Value number, int lanes)
     Value *value = ARENA_NEW(r->session->arena, Value);
     Node *node = ARENA_NEW(r->session->arena, Node);
     *value = number;
-    *node = (Node){.kind = KIND_Constant, .index = r->node_count++, .params = value, .width = (int8_t)lanes};
+    *node = (Node){
+        .kind = KIND_Constant, .index = r->node_count++, .params = value, .width = (int8_t)lanes};
     return node;
 }
 

@@ -1,10 +1,11 @@
-/* Parameters of definitions: `count: 8`, or `count: { default: 8, type: number, min: 1, max: 64, doc: "Stripes." }`. What the type does not say is
- * judged where the argument stands in the definition. */
+/* Parameters of definitions: `count: 8`, or `count: { default: 8, type: number, min: 1, max: 64,
+ * doc: "Stripes." }`. What the type does not say is judged where the argument stands in the
+ * definition. */
 #include "compiler/front/resolve_parameter.h"
 #include <string.h>
 
 static const char *const type_names[PARAMETER_TYPES] = {"number", "color",     "map",  "material",
-                                                         "wave",   "transform", "bool", "text"};
+                                                        "wave",   "transform", "bool", "text"};
 
 static const char *type_name(const void *user, int i)
 {
@@ -22,7 +23,8 @@ static bool has_any(const Tree *tree, const char *const keys[], int count)
 
 static bool is_truth(const Tree *tree)
 {
-    return tree->kind == TREE_scalar && tree->plain && (!strcmp(tree->text, "true") || !strcmp(tree->text, "false"));
+    return tree->kind == TREE_scalar && tree->plain &&
+           (!strcmp(tree->text, "true") || !strcmp(tree->text, "false"));
 }
 
 static bool is_number(const Tree *tree)
@@ -32,7 +34,10 @@ static bool is_number(const Tree *tree)
 }
 
 /* A formula may stand for any value that has lanes. */
-static bool is_formula(const Tree *tree) { return tree->kind == TREE_scalar && tree->text[0] == '='; }
+static bool is_formula(const Tree *tree)
+{
+    return tree->kind == TREE_scalar && tree->text[0] == '=';
+}
 
 /* What a default says of its parameter. */
 static ParameterType type_of(const Tree *tree)
@@ -41,11 +46,11 @@ static ParameterType type_of(const Tree *tree)
     if (tree->kind == TREE_list)
         return PARAMETER_color;
     if (tree->kind == TREE_object)
-        return tree_find(tree, "material")     ? PARAMETER_material
-               : tree_find(tree, "wave")       ? PARAMETER_wave
-               : tree_find(tree, "param")      ? PARAMETER_number
+        return tree_find(tree, "material")    ? PARAMETER_material
+               : tree_find(tree, "wave")      ? PARAMETER_wave
+               : tree_find(tree, "param")     ? PARAMETER_number
                : has_any(tree, transforms, 5) ? PARAMETER_transform
-                                               : PARAMETER_map;
+                                              : PARAMETER_map;
     if (is_number(tree))
         return PARAMETER_number;
     if (is_truth(tree))
@@ -56,7 +61,9 @@ static ParameterType type_of(const Tree *tree)
     for (int i = 0; i < WAVE_COUNT; i++)
         if (!strcmp(wave_table[i].name, tree->text))
             return PARAMETER_wave;
-    return tree_is_null(tree) || strchr("#=", tree->text[0]) || !strncmp(tree->text, "srgb(", 5) ? PARAMETER_color : PARAMETER_text;
+    return tree_is_null(tree) || strchr("#=", tree->text[0]) || !strncmp(tree->text, "srgb(", 5)
+               ? PARAMETER_color
+               : PARAMETER_text;
 }
 
 const char *resolve_parameter_type(ParameterType type) { return type_names[type]; }
@@ -64,7 +71,8 @@ const char *resolve_parameter_type(ParameterType type) { return type_names[type]
 /* Maps stand for colours and colours for maps. */
 static bool fits(ParameterType type, const Tree *tree)
 {
-    static const char *const others[] = {"map", "material", "wave", "ref"}; /* what else is wrong in it is told by name */
+    /* what else is wrong in it is told by name */
+    static const char *const others[] = {"map", "material", "wave", "ref"};
     const bool scalar = tree->kind == TREE_scalar, object = tree->kind == TREE_object;
     switch (type) {
     case PARAMETER_number:
@@ -92,9 +100,11 @@ static bool read_type(Resolver *r, const Tree *tree, ParameterType *type)
             *type = (ParameterType)i;
             return true;
         }
-    const char *near = tree->kind == TREE_scalar
-                           ? diag_suggest_or_list(r->session, tree->text, &(NameChoice){type_name, NULL, PARAMETER_TYPES}, "; there are ")
-                           : "";
+    const char *near =
+        tree->kind == TREE_scalar
+            ? diag_suggest_or_list(r->session, tree->text,
+                                   &(NameChoice){type_name, NULL, PARAMETER_TYPES}, "; there are ")
+            : "";
     diag_add(r->session, tree->span, DIAG_parameter_type, tree_describe(r->session, tree), near);
     return false;
 }
@@ -110,7 +120,8 @@ static const char *declaration_key(const void *user, int i)
 
 static bool is_declaration(const Tree *tree)
 {
-    return tree->kind == TREE_object && (tree_find(tree, "default") || tree_find(tree, "type")) && !tree_find(tree, "param");
+    return tree->kind == TREE_object && (tree_find(tree, "default") || tree_find(tree, "type")) &&
+           !tree_find(tree, "param");
 }
 
 static bool read_bound(Resolver *r, const Tree *declaration, const char *key, const Tree **bound)
@@ -119,7 +130,8 @@ static bool read_bound(Resolver *r, const Tree *declaration, const char *key, co
     *bound = member ? member->value : NULL;
     if (!member || is_number(member->value))
         return true;
-    diag_add(r->session, member->value->span, DIAG_wrong_type, key, "a number", tree_describe(r->session, member->value));
+    diag_add(r->session, member->value->span, DIAG_wrong_type, key, "a number",
+             tree_describe(r->session, member->value));
     return false;
 }
 
@@ -164,8 +176,8 @@ static bool in_bounds(Resolver *r, const Parameter *p, const Tree *tree)
     const bool above = p->high && tree_number(p->high, &high) && number > high;
     if (!above && !below)
         return true;
-    diag_add(r->session, tree->span, DIAG_out_of_range, p->member->key, tree->text, p->low ? p->low->text : "any",
-             p->high ? p->high->text : "any");
+    diag_add(r->session, tree->span, DIAG_out_of_range, p->member->key, tree->text,
+             p->low ? p->low->text : "any", p->high ? p->high->text : "any");
     return false;
 }
 

@@ -19,7 +19,7 @@ typedef enum {
 typedef struct {
     const Member *member; /* of `params:` */
     ParameterType type;
-    Tree *init; /* NULL: a use must say it */
+    Tree *init;             /* NULL: a use must say it */
     const Tree *low, *high; /* numbers, or NULL */
 } Parameter;
 
@@ -28,7 +28,8 @@ const char *resolve_parameter_type(ParameterType type);
 /* name: default, or name: { default, type, doc, min, max }. False: told. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
 /* Whether the parameter of that definition takes the argument. False: told. */
-bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter, const Tree *argument);
+bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
+                      const Tree *argument);
 /* A note at the parameter, of what an argument for it does wrong. */
 void resolve_say_parameter(Resolver *r, const Member *definition, const Parameter *parameter);
 #endif

@@ -7,7 +7,8 @@ typedef enum { TRANSLATION, ROTATION, SCALE, SHEAR, MATRIX, KEY_COUNT } Key;
 
 static const char *key_name(const void *user, int key)
 {
-    static const char *const names[KEY_COUNT] = {"translation", "rotation", "scale", "shear", "matrix"};
+    static const char *const names[KEY_COUNT] = {"translation", "rotation", "scale", "shear",
+                                                 "matrix"};
     (void)user;
     return names[key];
 }
@@ -27,7 +28,8 @@ static Key find_key(Resolver *r, const Member *member)
 static bool resolve_matrix(Resolver *r, const Tree *tree, Transform *transform)
 {
     if (tree->kind == TREE_list && tree->count != 16) {
-        diag_add(r->session, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows", (int)tree->count);
+        diag_add(r->session, tree->span, DIAG_wrong_count, "matrix", "16 numbers, by rows",
+                 (int)tree->count);
         return false;
     }
     if (tree->kind != TREE_list) {
@@ -57,12 +59,16 @@ static bool stands_alone(Resolver *r, const Tree *tree, const Member *matrix)
     if (tree->count == 1)
         return true;
     const Member *other = &tree->members[matrix == &tree->members[0]];
-    diag_add(r->session, other->span, DIAG_unknown_key, "a transform with a matrix", other->key, "");
+    diag_add(r->session, other->span, DIAG_unknown_key, "a transform with a matrix", other->key,
+             "");
     return false;
 }
 
 /* A lone number is meant for scale only; a param may have one lane or three. */
-static bool is_one_number(Key key, const Tree *value) { return key == SCALE && value->kind != TREE_list; }
+static bool is_one_number(Key key, const Tree *value)
+{
+    return key == SCALE && value->kind != TREE_list;
+}
 
 static LaneCount lanes_of(Key key, const Tree *value)
 {
@@ -82,15 +88,18 @@ static TransformKind kind_of(const Tree *tree, Key key, const Tree *value)
     return is_one_number(key, value) ? TRANSFORM_scale : TRANSFORM_components;
 }
 
-static bool resolve_component(Resolver *r, const Tree *tree, const Member *member, Transform *transform)
+static bool resolve_component(Resolver *r, const Tree *tree, const Member *member,
+                              Transform *transform)
 {
-    Value *const parts[] = {&transform->translation, &transform->rotation, &transform->scale, &transform->shear};
+    Value *const parts[] = {&transform->translation, &transform->rotation, &transform->scale,
+                            &transform->shear};
     const Key key = find_key(r, member);
     if (key == KEY_COUNT)
         return false;
     transform->kind = kind_of(tree, key, member->value);
     if (key != MATRIX) {
-        const bool fine = resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
+        const bool fine =
+            resolve_number(r, member->key, member->value, lanes_of(key, member->value), parts[key]);
         if (fine && key == ROTATION)
             doubt_unit(r->session, member->key, &unit_table[UNIT_radians], parts[key]);
         return fine;
@@ -99,12 +108,14 @@ static bool resolve_component(Resolver *r, const Tree *tree, const Member *membe
     return stands_alone(r, tree, member) && fine;
 }
 
-/* transform: { scale: s } | { translation: v } | { matrix: [16] } | any of translation, rotation, scale, shear */
+/* transform: { scale: s } | { translation: v } | { matrix: [16] } | any of translation, rotation,
+ * scale, shear */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
 {
     if (tree->kind != TREE_object || !tree->count) {
         diag_add(r->session, tree->span, DIAG_wrong_type, "transform",
-                 "an object with scale, translation, rotation, shear or matrix", tree_describe(r->session, tree));
+                 "an object with scale, translation, rotation, shear or matrix",
+                 tree_describe(r->session, tree));
         return false;
     }
     const Value zero = {.kind = VALUE_number, .type = TYPE_vec3};

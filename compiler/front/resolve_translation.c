@@ -1,8 +1,11 @@
-/* A material of another model as a Principled, by the rows of translations.def. What its formulas make of numbers is a number again, so that
- * a material of numbers alone compiles to what the same Principled does.
+/* A material of another model as a Principled, by the rows of translations.def. What its formulas
+ * make of numbers is a number again, so that a material of numbers alone compiles to what the same
+ * Principled does.
  *
- *     material: glTF, roughnessFactor: 0.5, metallicRoughnessTexture: { map: ImageMap, image: mr.png }
- *     becomes    roughness: { map: Expression, is: roughnessFactor * metallicRoughnessTexture.g, with: { the two } }, and so on */
+ *     material: glTF, roughnessFactor: 0.5, metallicRoughnessTexture: { map: ImageMap, image:
+ *     mr.png }
+ *     becomes    roughness: { map: Expression, is: roughnessFactor * metallicRoughnessTexture.g,
+ *                with: { the two } }, and so on */
 #include "compiler/formula/formula.h"
 #include "compiler/front/doubt.h"
 #include "compiler/front/resolve.h"
@@ -45,7 +48,8 @@ static int find_word(Kind kind, const char *name)
     const KindRow *row = &kind_table[kind];
     for (int i = 0; i < row->count; i++)
         for (int word = 0; word < WORD_COUNT; word++)
-            if (word_table[word].list == param_table[row->first + i].type && !strcmp(word_table[word].name, name))
+            if (word_table[word].list == param_table[row->first + i].type &&
+                !strcmp(word_table[word].name, name))
                 return word;
     return -1;
 }
@@ -118,8 +122,10 @@ static bool known_input(const Item *item, double lanes[4])
     return true;
 }
 
-/* The formula's value, what is not known taken as `guess`; NULL: then it has none. False: it has none, or one that is not finite. */
-static bool value_with(const Foreign *s, const Formula *formula, const double guess[4], double result[4])
+/* The formula's value, what is not known taken as `guess`; NULL: then it has none. False: it has
+ * none, or one that is not finite. */
+static bool value_with(const Foreign *s, const Formula *formula, const double guess[4],
+                       double result[4])
 {
     double(*room)[4] = arena_zero(s->r->session->arena, (s->count + formula->count) * sizeof *room);
     bool known = !formula->groups && !formula->meshed;
@@ -143,9 +149,12 @@ static const Node *expression(Foreign *s, const Formula *formula)
     const int first = kind_table[KIND_Expression].first;
     Items *items = ARENA_NEW(s->r->session->arena, Items);
     *items = (Items){(int)s->count, s->items};
-    params[P_Expression_is - first] = (Value){.kind = VALUE_formula, .formula = formula, .span = s->span};
-    params[P_Expression_with - first] = (Value){.kind = VALUE_items, .items = items, .span = s->span};
-    return resolve_make_node(s->r, (Node){.kind = KIND_Expression, .span = s->span, .params = params});
+    params[P_Expression_is - first] =
+        (Value){.kind = VALUE_formula, .formula = formula, .span = s->span};
+    params[P_Expression_with - first] =
+        (Value){.kind = VALUE_items, .items = items, .span = s->span};
+    return resolve_make_node(s->r,
+                             (Node){.kind = KIND_Expression, .span = s->span, .params = params});
 }
 
 /* It is 0 whatever maps are that are not known: as a factor that is known is. */
@@ -166,7 +175,8 @@ static bool holds(Foreign *s, const char *where)
     return !where || !formula || !is_nothing(s, formula);
 }
 
-/* What stands for a parameter of Principled; of kind VALUE_none: that is too much, and it was said. */
+/* What stands for a parameter of Principled; of kind VALUE_none: that is too much, and it was
+ * said. */
 static Value translated(Foreign *s, const char *text)
 {
     const int alone = find_param(s->kind, text);
@@ -215,7 +225,8 @@ static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
     params[P_NormalMap_input - first] = there;
     params[P_NormalMap_normal - first] = *map;
     params[P_NormalMap_scale - first] = s->params[row->scale - own];
-    const Node *node = resolve_make_node(s->r, (Node){.kind = KIND_NormalMap, .span = map->span, .params = params});
+    const Node *node = resolve_make_node(
+        s->r, (Node){.kind = KIND_NormalMap, .span = map->span, .params = params});
     return (Value){.kind = node ? VALUE_node : VALUE_none,
                    .node = node,
                    .given = true,
@@ -232,8 +243,8 @@ static void say_losses(Foreign *s)
         const Value *param = &s->params[row->param - kind_table[s->kind].first];
         const Formula *formula = param->given ? read_formula(s, row->formula) : NULL;
         if (formula && !is_nothing(s, formula))
-            diag_add(s->r->session, param->span, DIAG_translation_loss, param_table[row->param].name,
-                     kind_table[s->kind].name, row->what);
+            diag_add(s->r->session, param->span, DIAG_translation_loss,
+                     param_table[row->param].name, kind_table[s->kind].name, row->what);
     }
 }
 

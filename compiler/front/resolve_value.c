@@ -27,7 +27,8 @@ static bool say_single(Resolver *r, const char *what, const Tree *list, LaneCoun
     return true;
 }
 
-static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes, Value *value)
+static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCount lanes,
+                        Value *value)
 {
     if (tree->count == 1 && (mistake_list(r, tree->items[0]) || say_single(r, what, tree, lanes)))
         return false;
@@ -45,7 +46,8 @@ static bool number_list(Resolver *r, const char *what, const Tree *tree, LaneCou
     for (uint32_t i = 0; i < tree->count; i++) {
         const Tree *item = tree->items[i];
         if (!tree_number(item, &value->number[i])) {
-            diag_add(r->session, item->span, DIAG_not_number, what, tree_describe(r->session, item));
+            diag_add(r->session, item->span, DIAG_not_number, what,
+                     tree_describe(r->session, item));
             return false;
         }
         if (!resolve_fits_float(r, what, item, value->number[i]))
@@ -68,7 +70,8 @@ static bool is_identifier(const char *name)
 static bool same_default(const Uniform *uniform, const Value *value)
 {
     return uniform->type == value->type &&
-           !memcmp(uniform->initial, value->number, sizeof(double) * (size_t)type_table[value->type].lanes);
+           !memcmp(uniform->initial, value->number,
+                   sizeof(double) * (size_t)type_table[value->type].lanes);
 }
 
 /* The uniform of that name, made on first use. */
@@ -90,7 +93,10 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
         return false;
     }
     Uniform *uniform = ARENA_NEW(r->session->arena, Uniform);
-    *uniform = (Uniform){.name = name->text, .type = value->type, .span = name->span, .index = (int)r->uniform_count};
+    *uniform = (Uniform){.name = name->text,
+                         .type = value->type,
+                         .span = name->span,
+                         .index = (int)r->uniform_count};
     memcpy(uniform->initial, value->number, sizeof value->number);
     ARENA_PUSH(r->session->arena, r->uniforms, r->uniform_count, r->uniform_room, uniform);
     names_add(r->session->arena, &r->uniform_names, uniform->name);
@@ -152,15 +158,18 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
     if (lanes.most >= 3 && tree->kind == TREE_scalar && !tree->plain && strlen(tree->text) >= 6 &&
         mistake_hex(r, tree, tree->text))
         return false;
-    if (hint_value(r, what, tree, lanes) || mistake_number(r, tree) || mistake_list(r, tree) || mistake_formula(r, tree))
+    if (hint_value(r, what, tree, lanes) || mistake_number(r, tree) || mistake_list(r, tree) ||
+        mistake_formula(r, tree))
         return false;
-    if (tree->kind == TREE_scalar && tree->plain && tree->count && strchr("+-.0123456789", tree->text[0])) {
+    if (tree->kind == TREE_scalar && tree->plain && tree->count &&
+        strchr("+-.0123456789", tree->text[0])) {
         diag_add(r->session, tree->span, DIAG_bad_number, tree->text);
         return false;
     }
     if (tree->kind == TREE_scalar && lanes.most >= 3 && !tree_is_null(tree))
         return resolve_color(r, tree, value);
     diag_add(r->session, tree->span, DIAG_wrong_type, what,
-             lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour", tree_describe(r->session, tree));
+             lanes.most == 1 ? "a number" : "a number, a list of numbers or a colour",
+             tree_describe(r->session, tree));
     return false;
 }

@@ -63,14 +63,16 @@ static int wave_length(const Wave *wave) { return wave ? wave->length : 0; }
 
 static bool has_length(Resolver *r, const Tree *tree, Wave *wave)
 {
-    wave->length = wave->kind == WAVE_Chain ? wave_length(wave->first) + wave_length(wave->second) : 1;
+    wave->length =
+        wave->kind == WAVE_Chain ? wave_length(wave->first) + wave_length(wave->second) : 1;
     if (wave->length <= LIMIT_WAVES)
         return true;
     diag_add(r->session, tree->span, DIAG_wave_too_long, LIMIT_WAVES);
     return false;
 }
 
-/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second: wave } */
+/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second:
+ * wave } */
 static bool make_wave(Resolver *r, const Tree *tree, Wave *wave)
 {
     const Member *name = tree_find(tree, "wave");
@@ -78,7 +80,8 @@ static bool make_wave(Resolver *r, const Tree *tree, Wave *wave)
     wave->shift = (Value){.kind = VALUE_number, .type = TYPE_float};
     bool fine = wave_kind(r, name ? name->value : tree, &wave->kind);
     if (fine && name)
-        fine = wave->kind == WAVE_Chain ? chain(r, tree, wave) : stands_alone(r, tree, name, wave->kind);
+        fine = wave->kind == WAVE_Chain ? chain(r, tree, wave)
+                                        : stands_alone(r, tree, name, wave->kind);
     return has_length(r, tree, wave) && fine;
 }
 

@@ -64,7 +64,8 @@ int scene_check_kind(Session *session, const Tree *tree, SceneSort sort)
     if (!member)
         return say_missing_kind(session, tree, sort), -1;
     if (member->value->kind != TREE_scalar) {
-        diag_add(session, member->value->span, DIAG_wrong_type, name, "a name", tree_describe(session, member->value));
+        diag_add(session, member->value->span, DIAG_wrong_type, name, "a name",
+                 tree_describe(session, member->value));
         return -1;
     }
     const int kind = scene_kind_find(sort, member->value->text);
@@ -73,7 +74,8 @@ int scene_check_kind(Session *session, const Tree *tree, SceneSort sort)
     const NameChoice names = {kind_name, &sort, SCENE_KIND_COUNT};
     const char *foreign = mistake_foreign(session, FOREIGN_SCENE, KIND_COUNT, member->value->text);
     diag_add(session, member->value->span, DIAG_unknown_scene_kind, name, member->value->text,
-             foreign ? foreign : diag_suggest_or_list(session, member->value->text, &names, "; there are "));
+             foreign ? foreign
+                     : diag_suggest_or_list(session, member->value->text, &names, "; there are "));
     return -1;
 }
 
@@ -82,7 +84,8 @@ void scene_check_unknown(Session *session, SceneKind kind, const Member *member)
     const SceneKindRow *row = &scene_kind_table[kind];
     const bool scene = kind == SCENE_Scene;
     const NameChoice names = {param_name, row, row->count};
-    const char *near = mistake_foreign(session, scene ? FOREIGN_TOP : FOREIGN_PLACE, KIND_COUNT, member->key);
+    const char *near =
+        mistake_foreign(session, scene ? FOREIGN_TOP : FOREIGN_PLACE, KIND_COUNT, member->key);
     if (!near)
         near = diag_suggest_or_list(session, member->key, &names, scene ? NULL : "; it has ");
     if (scene)
@@ -93,7 +96,10 @@ void scene_check_unknown(Session *session, SceneKind kind, const Member *member)
 
 /* -- Values */
 
-static const char *member_name(const void *user, int i) { return ((const Tree *)user)->members[i].key; }
+static const char *member_name(const void *user, int i)
+{
+    return ((const Tree *)user)->members[i].key;
+}
 
 static void check_material_name(SceneCheck *c, const Tree *name)
 {
@@ -102,7 +108,8 @@ static void check_material_name(SceneCheck *c, const Tree *name)
     const NameChoice names = {member_name, all, (int)all->count};
     if (!tree_find(all, name->text))
         diag_add(c->session, name->span, DIAG_no_such_material, name->text,
-                 diag_suggest_or_list(c->session, name->text, &names, all->count ? "; there are " : NULL));
+                 diag_suggest_or_list(c->session, name->text, &names,
+                                      all->count ? "; there are " : NULL));
 }
 
 /* A name, a material that stands here, or one of a file, which is not read. */
@@ -112,26 +119,33 @@ static void check_material(SceneCheck *c, Tree *tree)
     if (tree->kind == TREE_scalar)
         check_material_name(c, tree);
     else if (tree->kind != TREE_object)
-        diag_add(c->session, tree->span, DIAG_wrong_type, "material", "a name, a material, or `{ file: name }`",
-                 tree_describe(c->session, tree));
+        diag_add(c->session, tree->span, DIAG_wrong_type, "material",
+                 "a name, a material, or `{ file: name }`", tree_describe(c->session, tree));
     else if (!tree_find(tree, "file"))
         resolve_material(&c->resolver, tree, &fault);
 }
 
-static bool is_object(const Tree *tree) { return tree->kind == TREE_object && tree_find(tree, "object"); }
+static bool is_object(const Tree *tree)
+{
+    return tree->kind == TREE_object && tree_find(tree, "object");
+}
 
 /* An object under `defs:`. */
 static void check_name(SceneCheck *c, const Tree *name)
 {
-    const Member *found = c->defs && name->kind == TREE_scalar ? tree_find(c->defs, name->text) : NULL;
+    const Member *found =
+        c->defs && name->kind == TREE_scalar ? tree_find(c->defs, name->text) : NULL;
     if (found && is_object(found->value))
         return;
     if (found || name->kind != TREE_scalar)
-        diag_add(c->session, name->span, DIAG_wrong_type, "of", "the name of an object under `defs:`",
+        diag_add(c->session, name->span, DIAG_wrong_type, "of",
+                 "the name of an object under `defs:`",
                  found ? "a map or a material" : tree_describe(c->session, name));
     else
         diag_add(c->session, name->span, DIAG_unknown_ref, name->text,
-                 c->defs ? diag_suggest(c->session, name->text, member_name, c->defs, (int)c->defs->count) : "");
+                 c->defs ? diag_suggest(c->session, name->text, member_name, c->defs,
+                                        (int)c->defs->count)
+                         : "");
 }
 
 /* A param would be a uniform of a program, of which a scene has none. */
@@ -148,7 +162,8 @@ static void check_part(SceneCheck *c, Tree *tree, SceneSort sort);
 static void check_list(SceneCheck *c, const SceneParamRow *row, const Tree *list)
 {
     if (list->kind != TREE_list)
-        diag_add(c->session, list->span, DIAG_wrong_type, row->param.name, "a list", tree_describe(c->session, list));
+        diag_add(c->session, list->span, DIAG_wrong_type, row->param.name, "a list",
+                 tree_describe(c->session, list));
     for (uint32_t i = 0; list->kind == TREE_list && i < list->count; i++)
         check_part(c, list->items[i], row->of);
 }

@@ -27,7 +27,8 @@ const char *tree_describe(Session *session, const Tree *tree)
         return "nothing";
     if (diag_full(session))
         return "something";
-    text_format(&text, tree_number(tree, &number) ? "the number %.*s" : "'%.*s'", LIMIT_NAME, tree->text);
+    text_format(&text, tree_number(tree, &number) ? "the number %.*s" : "'%.*s'", LIMIT_NAME,
+                tree->text);
     return text.at;
 }
 
@@ -49,10 +50,12 @@ static uint32_t table_size(uint32_t count)
     return size;
 }
 
-/* The table's entry of a key, in one block with the members, which it is as old as and never outgrows: it holds the number of the first member that has it, from 1, or 0. */
+/* The table's entry of a key, in one block with the members, which it is as old as and never
+ * outgrows: it holds the number of the first member that has it, from 1, or 0. */
 static uint32_t *table_entry(const Tree *object, const char *key, size_t size)
 {
-    uint32_t *table = (uint32_t *)(object->members + object->count), mask = table_size(object->count) - 1;
+    uint32_t *table = (uint32_t *)(object->members + object->count),
+             mask = table_size(object->count) - 1;
     uint32_t at = tree_hash(key, size) & mask;
     while (table[at] && !has_key(&object->members[table[at] - 1], key, size))
         at = (at + 1) & mask;
@@ -90,7 +93,10 @@ const Member *tree_find_bytes(const Tree *object, const char *key, size_t size)
     return NULL;
 }
 
-const Member *tree_find(const Tree *object, const char *key) { return tree_find_bytes(object, key, strlen(key)); }
+const Member *tree_find(const Tree *object, const char *key)
+{
+    return tree_find_bytes(object, key, strlen(key));
+}
 
 static void indent(Text *out, int depth)
 {

@@ -1,4 +1,5 @@
-/* The document as it was written: objects, lists and scalars, each with its position. Aliases share their anchor's node. */
+/* The document as it was written: objects, lists and scalars, each with its position. Aliases share
+ * their anchor's node. */
 #ifndef MATC_TREE_H
 #define MATC_TREE_H
 #include "compiler/base/session.h"
@@ -21,7 +22,8 @@ typedef struct {
     uint32_t size; /* bytes of the key */
 } Member;
 
-/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of docs/stability.md, Memory. */
+/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of docs/stability.md,
+ * Memory. */
 struct Tree {
     uint8_t kind; /* TreeKind */
     uint8_t made; /* Made: which of the last pointers is set; MADE_nothing: the name may be */
@@ -46,13 +48,15 @@ struct Tree {
     };
 };
 
-/* A formula of a definition, and the arguments of those parameters that it names: members of an object. */
+/* A formula of a definition, and the arguments of those parameters that it names: members of an
+ * object. */
 typedef struct {
     Tree tree;
     const Tree *arguments;
 } ScopedTree;
 
-/* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into c->sources. */
+/* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into
+ * c->sources. */
 Tree *read_document(Session *session, uint32_t source);
 uint32_t tree_hash(const char *key, size_t size);
 /* The object's members are a copy of these. Of those with one key tree_find gives the first. */
@@ -63,7 +67,8 @@ const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
 bool tree_is_null(const Tree *tree);
 /* A plain scalar that is a finite number. */
 bool tree_number(const Tree *tree, double *value);
-/* Where bytes of a scalar's text stand in its source, through quotes, escapes and folded lines. tree_place.c */
+/* Where bytes of a scalar's text stand in its source, through quotes, escapes and folded lines.
+ * tree_place.c */
 Span tree_place(const Session *session, const Tree *scalar, uint32_t start, uint32_t end);
 /* What a value is, for messages: "a list", "the number 3", "'text'". */
 const char *tree_describe(Session *session, const Tree *tree);

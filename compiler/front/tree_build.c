@@ -77,7 +77,8 @@ void tree_build_list(TreeBuilder *b, Tree *list, size_t from)
 static void check_duplicates(TreeBuilder *b, const Tree *object)
 {
     for (uint32_t i = 0; i < object->count; i++) {
-        const Member *member = &object->members[i], *first = tree_find_bytes(object, member->key, member->size);
+        const Member *member = &object->members[i],
+                     *first = tree_find_bytes(object, member->key, member->size);
         if (first == member)
             continue;
         diag_add(b->session, member->span, DIAG_duplicate_key, member->key);
@@ -119,7 +120,8 @@ bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t c
         tree_build_member(b, object->members[i]);
     for (size_t k = 0; k < count; k++) {
         if (bases[k]->kind != TREE_object)
-            return diag_add(b->session, bases[k]->span, DIAG_bad_merge, tree_describe(b->session, bases[k]));
+            return diag_add(b->session, bases[k]->span, DIAG_bad_merge,
+                            tree_describe(b->session, bases[k]));
         b->values += (int)bases[k]->count; /* merging is the one thing that copies */
         if (b->values > LIMIT_TREE_NODES)
             return diag_add(b->session, object->span, DIAG_too_many, LIMIT_TREE_NODES);

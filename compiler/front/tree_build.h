@@ -1,5 +1,6 @@
-/* What the readers of YAML and of JSON make a Tree with. The parts of lists and objects that are still open wait on two stacks,
- * so that the arena gets each value once, in its final size, and texts without gaps between them. */
+/* What the readers of YAML and of JSON make a Tree with. The parts of lists and objects that are
+ * still open wait on two stacks, so that the arena gets each value once, in its final size, and
+ * texts without gaps between them. */
 #ifndef MATC_TREE_BUILD_H
 #define MATC_TREE_BUILD_H
 #include "compiler/front/tree.h"
@@ -27,11 +28,13 @@ char *tree_build_text(TreeBuilder *b, size_t size);
 void tree_build_check_text(TreeBuilder *b, const char *text, size_t size, Span span);
 void tree_build_item(TreeBuilder *b, Tree *item);
 void tree_build_member(TreeBuilder *b, Member member);
-/* Items, or members, above the first `from` of the stack become those of a list, or an object, and leave the stack. */
+/* Items, or members, above the first `from` of the stack become those of a list, or an object, and
+ * leave the stack. */
 void tree_build_list(TreeBuilder *b, Tree *list, size_t from);
 /* A key that is given twice is a diagnostic. */
 void tree_build_object(TreeBuilder *b, Tree *object, size_t from);
-/* Members of `base` that the object lacks are appended to it; false and a diagnostic beyond the limit. */
+/* Members of `base` that the object lacks are appended to it; false and a diagnostic beyond the
+ * limit. */
 bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t count);
 void tree_build_done(TreeBuilder *b);
 /* A stack of malloc's with room for one element more than `count`, doubled when it is full. */

@@ -1,8 +1,10 @@
-/* Bytes of a scalar's text -> bytes of its source. Both are walked side by side: of white space a whole run stands for a whole run, since
- * YAML folds lines and takes indentation away; what is behind a backslash is what it was read as; all else is itself.
+/* Bytes of a scalar's text -> bytes of its source. Both are walked side by side: of white space a
+ * whole run stands for a whole run, since YAML folds lines and takes indentation away; what is
+ * behind a backslash is what it was read as; all else is itself.
  *
  *     is: "a +            text  a + b\tc     source  "a +\n  b\tc"
- *       b\tc"             byte 4 of the text, the b, is byte 7 of the source: one run of white space became one space */
+ *       b\tc"             byte 4 of the text, the b, is byte 7 of the source: one run of white
+ *                         space became one space */
 #include "compiler/front/tree.h"
 #include <string.h>
 
@@ -14,7 +16,8 @@ typedef struct {
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/* Counts the bytes of a backslash and what belongs to it; *made is how many the text has for them. */
+/* Counts the bytes of a backslash and what belongs to it; *made is how many the text has for
+ * them. */
 static int escape_size(const Walk *w, int *made)
 {
     const char *at = w->at + 1;
@@ -33,7 +36,8 @@ static int escape_size(const Walk *w, int *made)
 /* A backslash at the end of a line takes the line's end and what indents the next one away. */
 static bool is_joined_line(const Walk *w)
 {
-    return w->quote == '"' && w->at + 1 < w->end && *w->at == '\\' && (w->at[1] == '\n' || w->at[1] == '\r');
+    return w->quote == '"' && w->at + 1 < w->end && *w->at == '\\' &&
+           (w->at[1] == '\n' || w->at[1] == '\r');
 }
 
 static void skip_source_space(Walk *w)

@@ -1,4 +1,5 @@
-/* Writes the words of documents and of the IR's text as a dictionary for libFuzzer and AFL++: dictionary FILE. */
+/* Writes the words of documents and of the IR's text as a dictionary for libFuzzer and AFL++:
+ * dictionary FILE. */
 #include "compiler/ir/ir.h"
 #include "grammar/scene_tables.h"
 #include <stdio.h>
@@ -13,15 +14,15 @@ static void key(FILE *out, const char *text) { fprintf(out, "\"%s: \"\n", text);
 
 static void document_words(FILE *out)
 {
-    static const char *const keys[] = {"material", "materials", "map",   "defs",  "ref",         "include",
-                                       "param",    "default",   "wave",  "first", "second",      "factor",
-                                       "shift",    "value",     "input", "blend", "translation", "rotation",
-                                       "scale",    "shear",     "matrix", "params", "doc",         "type",
-                                       "min",      "max"};
-    static const char *const others[] = {"<<: *a", "&a ", "*a",  "[",       "]",    "{ ",
-                                         " }",     ", ",  "- ",  "\\x0a  ", "null", "true",
-                                         "false",  "-1",  "0.5", "1e38",    ".inf", "\\\"#ff0000\\\"",
-                                         "Chain"};
+    static const char *const keys[] = {
+        "material", "materials", "map",         "defs",     "ref",    "include", "param",
+        "default",  "wave",      "first",       "second",   "factor", "shift",   "value",
+        "input",    "blend",     "translation", "rotation", "scale",  "shear",   "matrix",
+        "params",   "doc",       "type",        "min",      "max"};
+    static const char *const others[] = {
+        "<<: *a",  "&a ",  "*a",   "[",     "]",  "{ ",  " }",   ", ",   "- ",
+        "\\x0a  ", "null", "true", "false", "-1", "0.5", "1e38", ".inf", "\\\"#ff0000\\\"",
+        "Chain"};
     for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
         key(out, keys[i]);
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
@@ -50,7 +51,8 @@ static void scene_words(FILE *out)
 
 static void ir_words(FILE *out)
 {
-    static const char *const others[] = {"%1", " = ", "function f0", "out color 0", ".xyz", "0.0", "f0"};
+    static const char *const others[] = {"%1",   " = ", "function f0", "out color 0",
+                                         ".xyz", "0.0", "f0"};
     for (int i = 0; i < OP_COUNT; i++)
         word(out, op_table[i].name);
     for (int i = 0; i < TYPE_COUNT; i++)

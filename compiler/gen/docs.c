@@ -1,5 +1,6 @@
-/* Host program: the tables and the examples -> reference.md, diagnostics.md and functions.yaml. docs OUTPUT_FOLDER EXAMPLES_FOLDER
- * Pictures are referred to as pictures/<stem of the example>.png; matview makes them. */
+/* Host program: the tables and the examples -> reference.md, diagnostics.md and functions.yaml.
+ * docs OUTPUT_FOLDER EXAMPLES_FOLDER Pictures are referred to as pictures/<stem of the
+ * example>.png; matview makes them. */
 #include "docs_formulas.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
@@ -53,7 +54,8 @@ static void camel(const char *name, char *out)
 
 static bool is_material(Kind kind) { return kind_table[kind].lowering == LOWERING_MATERIAL; }
 
-/* The example of a kind or preset and its text; a name without a file is tried without its last word: sunSky. */
+/* The example of a kind or preset and its text; a name without a file is tried without its last
+ * word: sunSky. */
 static char *find_example(Kind kind, const char *name, char *stem, char *path)
 {
     if (is_material(kind) || strcmp(name, kind_table[kind].name) != 0)
@@ -61,8 +63,8 @@ static char *find_example(Kind kind, const char *name, char *stem, char *path)
     else
         strcpy(stem, kind_table[kind].function);
     for (size_t size = strlen(stem); size; stem[size] = 0) {
-        int length =
-            snprintf(path, LONGEST_PATH, "%s/%s%s.yaml", examples, is_material(kind) ? "materials/" : "", stem);
+        int length = snprintf(path, LONGEST_PATH, "%s/%s%s.yaml", examples,
+                              is_material(kind) ? "materials/" : "", stem);
         char *text = length < LONGEST_PATH ? read_file_text(path) : NULL;
         if (text)
             return text;
@@ -91,7 +93,8 @@ static void put_main(Text *out, Kind kind, const char *path, const char *text)
     if (!fragment)
         fail(path, matc_diagnostics(document, MATC_TEXT));
     text_format(out,
-                "\n<details><summary>`main()` of its program for the pass %s</summary>\n\n```glsl\n%s```\n</details>\n",
+                "\n<details><summary>`main()` of its program for the pass "
+                "%s</summary>\n\n```glsl\n%s```\n</details>\n",
                 options.pass ? options.pass : "gbuffer", strstr(fragment, "void main()"));
     matc_program_free(program);
     matc_document_free(document);
@@ -151,8 +154,8 @@ static void put_presets(Text *out, Kind kind)
         const PresetRow *row = &preset_table[i];
         if (row->kind != kind || !describe_is_preset_head(i))
             continue;
-        text_format(out, "\n#### %s\n\n%s `map: %s` is `map: %s` with", row->name, row->doc, row->name,
-                    kind_table[kind].name);
+        text_format(out, "\n#### %s\n\n%s `map: %s` is `map: %s` with", row->name, row->doc,
+                    row->name, kind_table[kind].name);
         for (int k = i; k < preset_count && !strcmp(preset_table[k].name, row->name); k++) {
             text_format(out, k > i ? ", `%s` " : " `%s` ", param_table[preset_table[k].param].name);
             text_plain(out, preset_table[k].init);
@@ -179,8 +182,8 @@ static void put_kind(Text *out, Kind kind)
 static double wave_value(WaveKind kind, double v)
 {
     switch (kind) {
-#define WAVE(name, reference, build, doc)                                                                              \
-    case WAVE_##name:                                                                                                  \
+#define WAVE(name, reference, build, doc)                                                          \
+    case WAVE_##name:                                                                              \
         return reference;
 #include "grammar/waves.def"
     default:
@@ -192,10 +195,13 @@ static void put_waves(Text *out)
 {
     static const double points[] = {-1, -0.5, 0, 0.25, 0.5, 1};
     enum { POINT_COUNT = sizeof points / sizeof *points };
-    text_put(out, "\n## Waves\n\n`waveForm: NAME` sends a volume map's value through a function of a number v.\n"
-                  "`{ wave: Chain, first: A, factor: 1, shift: 0, second: B }` is " CHAIN_DOC "\n\n| wave | |");
+    text_put(out, "\n## Waves\n\n`waveForm: NAME` sends a volume map's value through a function of "
+                  "a number v.\n"
+                  "`{ wave: Chain, first: A, factor: 1, shift: 0, second: B }` is " CHAIN_DOC
+                  "\n\n| wave | |");
     for (int i = 0; i < POINT_COUNT; i++)
-        text_format(out, i ? " %s |" : " at v = %s |", (char *[]){"-1", "-1/2", "0", "1/4", "1/2", "1"}[i]);
+        text_format(out, i ? " %s |" : " at v = %s |",
+                    (char *[]){"-1", "-1/2", "0", "1/4", "1/2", "1"}[i]);
     text_put(out, "\n| --- | --- |");
     for (int i = 0; i < POINT_COUNT; i++)
         text_put(out, " ---: |");
@@ -213,14 +219,14 @@ static void put_waves(Text *out)
 }
 
 /* Tables whose rows have a name and a doc. */
-#define LIST(out, title, what, table, count)                                                                           \
-    do {                                                                                                               \
-        text_format(out, "\n## %s\n\n| %s | |\n| --- | --- |\n", title, what);                                         \
-        for (int i = 0; i < (count); i++) {                                                                            \
-            text_format(out, "| `%s` |", (table)[i].name);                                                             \
-            put_cell(out, (table)[i].doc);                                                                             \
-            text_char(out, '\n');                                                                                      \
-        }                                                                                                              \
+#define LIST(out, title, what, table, count)                                                       \
+    do {                                                                                           \
+        text_format(out, "\n## %s\n\n| %s | |\n| --- | --- |\n", title, what);                     \
+        for (int i = 0; i < (count); i++) {                                                        \
+            text_format(out, "| `%s` |", (table)[i].name);                                         \
+            put_cell(out, (table)[i].doc);                                                         \
+            text_char(out, '\n');                                                                  \
+        }                                                                                          \
     } while (0)
 
 static void put_case(Text *out, const LayoutRow *layout, int number)
@@ -229,7 +235,8 @@ static void put_case(Text *out, const LayoutRow *layout, int number)
     layout_allocate(layout, number, &placement);
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
-    text_put(out, "\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- | --- |\n");
+    text_put(out, "\n| place | slot | encoding | stored | error at most |\n| --- | --- | --- | --- "
+                  "| --- |\n");
     for (int i = 0; i < placement.count; i++) {
         const Piece *piece = &placement.pieces[i];
         text_put(out, "| ");
@@ -248,7 +255,8 @@ static void put_case(Text *out, const LayoutRow *layout, int number)
 
 static void put_layout(Text *out, const LayoutRow *layout)
 {
-    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc, layout_bytes(layout));
+    text_format(out, "\n## Layout %s\n\n%s %d bytes a pixel:", layout->name, layout->doc,
+                layout_bytes(layout));
     for (int target = 0; target < layout_targets(layout); target++)
         text_format(out, " `%s`", format_table[layout->formats[target]].name);
     text_char(out, '\n');
@@ -265,14 +273,16 @@ static void put_contents(Text *out)
             anchor[i] = text_lower(kind_table[kind].name[i]), anchor[i + 1] = 0;
         if (section->first == kind)
             text_format(out, "\n- %s: ", section->title);
-        text_format(out, section->first == kind ? "[%s](#%s)" : ", [%s](#%s)", kind_table[kind].name, anchor);
+        text_format(out, section->first == kind ? "[%s](#%s)" : ", [%s](#%s)",
+                    kind_table[kind].name, anchor);
     }
     text_char(out, '\n');
 }
 
 static void put_reference(Text *out)
 {
-    text_put(out, "# Reference\n\nMade from matc's tables and examples, as of version " MATC_VERSION ".\n");
+    text_put(out, "# Reference\n\nMade from matc's tables and examples, as of version " MATC_VERSION
+                  ".\n");
     put_contents(out);
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         const SectionRow *section = &section_table[section_of((Kind)kind)];
@@ -301,8 +311,10 @@ static void put_reference(Text *out)
 
 static void put_diagnostics(Text *out)
 {
-    text_put(out, "# Diagnostics\n\nWhat matc " MATC_VERSION " says about documents. The names are those of "
-                  "`--diagnostics=json`.\n\n| name | severity | message | |\n| --- | --- | --- | --- |\n");
+    text_put(
+        out,
+        "# Diagnostics\n\nWhat matc " MATC_VERSION " says about documents. The names are those of "
+        "`--diagnostics=json`.\n\n| name | severity | message | |\n| --- | --- | --- | --- |\n");
     for (int i = 0; i < DIAG_COUNT; i++) {
         const DiagRow *diag = &diag_table[i];
         Text message = text_new(out->arena);

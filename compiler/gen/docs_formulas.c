@@ -1,5 +1,6 @@
-/* Functions and values of formulas, and the definitions that come with matc, for the reference pages. A function's picture shows it on a sphere: a goes from
- * -4 at the seam to 4 around it, b from -2 at the bottom to 2 at the top, what else there is are numbers. */
+/* Functions and values of formulas, and the definitions that come with matc, for the reference
+ * pages. A function's picture shows it on a sphere: a goes from -4 at the seam to 4 around it, b
+ * from -2 at the bottom to 2 at the top, what else there is are numbers. */
 #include "docs_formulas.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
@@ -14,7 +15,8 @@ enum { LONGEST = 512 };
 /* The i-th argument by its letter of the signature. */
 static const char *argument(char letter, int i)
 {
-    static const char *const numbers[TERM_MOST_ARGUMENTS] = {"(8 * u - 4)", "(4 * v - 2)", ".5", ".25", ".75"};
+    static const char *const numbers[TERM_MOST_ARGUMENTS] = {"(8 * u - 4)", "(4 * v - 2)", ".5",
+                                                             ".25", ".75"};
     switch (letter) {
     case 'b':
         return i ? "(v < .5)" : "(u < .5)";
@@ -39,12 +41,16 @@ static void put_shown(Text *out, const TermRow *row)
     text_format(out, "%s(", row->name);
     for (int i = 0; i < row->count; i++)
         text_format(out, "%s%s", i ? ", " : "", argument(row->signature[i], i));
-    text_put(out, result == 'b' ? ") ? 1 : 0" : result == '2' ? ")).xyy" : result == '4' ? ")).xyz" : "))");
+    text_put(out, result == 'b'   ? ") ? 1 : 0"
+                  : result == '2' ? ")).xyy"
+                  : result == '4' ? ")).xyz"
+                                  : "))");
 }
 
 void docs_function_document(Text *out)
 {
-    text_put(out, "# A picture of each function of formulas, for the reference pages.\nmaterials:\n");
+    text_put(out,
+             "# A picture of each function of formulas, for the reference pages.\nmaterials:\n");
     for (int i = 0; i < TERM_COUNT; i++) {
         if (!term_table[i].callable)
             continue;
@@ -56,15 +62,18 @@ void docs_function_document(Text *out)
 
 void docs_functions(Text *out)
 {
-    text_put(out, "\n## Functions of formulas\n\nPictures show a sphere: `a` goes from -2 at the left to 2 at the "
-                  "right, `b` from -2 at the bottom to 2 at the top, other arguments "
-                  "are numbers; black is -2, grey 0, white 2, and of vectors each lane is a colour.\n");
+    text_put(out,
+             "\n## Functions of formulas\n\nPictures show a sphere: `a` goes from -2 at the left "
+             "to 2 at the "
+             "right, `b` from -2 at the bottom to 2 at the top, other arguments "
+             "are numbers; black is -2, grey 0, white 2, and of vectors each lane is a colour.\n");
     for (int i = 0; i < TERM_COUNT; i++) {
         if (!term_table[i].callable)
             continue;
         text_format(out, "\n### %s()\n\n```text\n", term_table[i].name);
         describe_function(out, i);
-        text_format(out, "```\n\n![%s](pictures/functions.%s.png)\n", term_table[i].name, term_table[i].name);
+        text_format(out, "```\n\n![%s](pictures/functions.%s.png)\n", term_table[i].name,
+                    term_table[i].name);
     }
     text_put(out, "\n## Values of formulas\n\n| value | |\n| --- | --- |\n");
     for (int i = 0; i < QUANTITY_COUNT; i++)
@@ -84,7 +93,8 @@ static void put_definition(Text *out, const char *name)
         fprintf(stderr, "docs: %s has no page\n", name);
         exit(1);
     }
-    text_format(out, "\n### %s\n\n```text\n%s```\n\n![%s](pictures/library.%s.png)\n", name, page, name, name);
+    text_format(out, "\n### %s\n\n```text\n%s```\n\n![%s](pictures/library.%s.png)\n", name, page,
+                name, name);
     free(page);
     matc_document_free(document);
 }

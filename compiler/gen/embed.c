@@ -1,8 +1,9 @@
 /* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
- * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their names, as grammar/library_table.h has them.
- * Otherwise one string a file, `const char SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them.
- * A layout file pool.layout.def becomes the header pool_layout.h for C; in GLSL it replaces the
- * line #include "pool.layout.def". */
+ * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their
+ * names, as grammar/library_table.h has them. Otherwise one string a file, `const char
+ * SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them. A layout file
+ * pool.layout.def becomes the header pool_layout.h for C; in GLSL it replaces the line #include
+ * "pool.layout.def". */
 #include "compiler/gen/layout_text.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -39,7 +40,10 @@ static char *chunk_name(const char *path)
     return name;
 }
 
-static int by_name(const void *a, const void *b) { return strcmp(((const File *)a)->name, ((const File *)b)->name); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(((const File *)a)->name, ((const File *)b)->name);
+}
 
 static void put_string(FILE *out, const char *text, size_t size)
 {
@@ -60,18 +64,20 @@ static const char *line_end(const char *line)
     return end ? end + 1 : line + strlen(line);
 }
 
-/* Lines that declare uniforms: "uniform highp sampler2D name;" as {"highp sampler2D", "name", true}. */
+/* Lines that declare uniforms: "uniform highp sampler2D name;" as {"highp sampler2D", "name",
+ * true}. */
 static void put_uniforms(FILE *out, const char *text)
 {
     fputs("(const ChunkUniform[]){", out);
     for (const char *line = text; *line; line = line_end(line)) {
         if (!is_uniform(line))
             continue;
-        const char *type = line + 8, *stop = strchr(line, ';'), *name = stop, *sampler = strstr(type, "sampler");
+        const char *type = line + 8, *stop = strchr(line, ';'), *name = stop,
+                   *sampler = strstr(type, "sampler");
         while (name[-1] != ' ')
             name--;
-        fprintf(out, "{\"%.*s\", \"%.*s\", %s}, ", (int)(name - 1 - type), type, (int)(stop - name), name,
-                sampler && sampler < name ? "true" : "false");
+        fprintf(out, "{\"%.*s\", \"%.*s\", %s}, ", (int)(name - 1 - type), type, (int)(stop - name),
+                name, sampler && sampler < name ? "true" : "false");
     }
     fputs("{0}}", out);
 }
@@ -121,7 +127,8 @@ static int put_chunks(FILE *out, const File *files, int count)
     return fine;
 }
 
-/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/compiler/front/test_shipped.c compares it with what YAML reads. */
+/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/compiler/front/test_shipped.c
+ * compares it with what YAML reads. */
 static void put_doc(FILE *out, const char *line)
 {
     static const char key[] = "    doc: ";
@@ -163,7 +170,8 @@ static void put_library(FILE *out, const File *files, int count)
     fputs("const LibraryName library_names[] = {\n", out);
     for (int i = 0; i < count; i++)
         put_names(out, &files[i]);
-    fputs("};\nconst int library_name_count = sizeof library_names / sizeof *library_names;\n", out);
+    fputs("};\nconst int library_name_count = sizeof library_names / sizeof *library_names;\n",
+          out);
 }
 
 /* -- layouts */
@@ -263,7 +271,8 @@ static int write_if_changed(const char *path, const char *text)
 static int write_header(const char *output, const char *symbol, const File *files, int count)
 {
     char *text = header_text(symbol, files, count), *path = strdup(output);
-    const int fine = text && path && *path && (path[strlen(path) - 1] = 'h', write_if_changed(path, text));
+    const int fine =
+        text && path && *path && (path[strlen(path) - 1] = 'h', write_if_changed(path, text));
     free(text);
     free(path);
     return fine;
@@ -274,7 +283,8 @@ static char *layout_path(const char *output, const File *layout)
 {
     const char *slash = strrchr(output, '/');
     char *path = NULL;
-    if (asprintf(&path, "%.*s%s.h", slash ? (int)(slash + 1 - output) : 0, output, layout->name) < 0)
+    if (asprintf(&path, "%.*s%s.h", slash ? (int)(slash + 1 - output) : 0, output, layout->name) <
+        0)
         return NULL;
     char *dot = strstr(path, ".layout.h");
     if (dot)
@@ -305,7 +315,10 @@ static int write_headers(const char *output, const char *symbol, const File *fil
     return fine;
 }
 
-static int is_table(const char *symbol) { return !strcmp(symbol, "chunk_table") || !strcmp(symbol, "library_table"); }
+static int is_table(const char *symbol)
+{
+    return !strcmp(symbol, "chunk_table") || !strcmp(symbol, "library_table");
+}
 
 int main(int argc, char **argv)
 {

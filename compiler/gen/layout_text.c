@@ -101,7 +101,8 @@ static int read_row(const char *line, Layout *layout, Row *row)
     enum { TAG = sizeof "WORDS(" - 1 };
     char between[NAME];
     row->is_value = !strncmp(line, "VALUE(", TAG);
-    if ((!row->is_value && strncmp(line, "WORDS(", TAG) != 0) || layout->known_count == ROWS_MAX || !*layout->type)
+    if ((!row->is_value && strncmp(line, "WORDS(", TAG) != 0) || layout->known_count == ROWS_MAX ||
+        !*layout->type)
         return 0;
     line += TAG;
     if (!take(&line, ",", row->name, NAME) || !take(&line, ",", row->number, LINE) ||
@@ -130,7 +131,8 @@ static void write_c(FILE *out, Layout *layout, const Row *row)
 
 static void write_glsl(FILE *out, Layout *layout, const Row *row)
 {
-    const int constant = !strncmp(layout->type, "const ", 6), is_unsigned = strstr(layout->type, "uint") != NULL;
+    const int constant = !strncmp(layout->type, "const ", 6),
+              is_unsigned = strstr(layout->type, "uint") != NULL;
     if (!constant && (row->is_value || !row->words))
         return;
     fprintf(out, "%s%s %s%s", constant ? "" : "    ", layout->type, layout->glsl_prefix, row->name);
@@ -153,7 +155,8 @@ static int write_rows(FILE *out, Layout *layout, const char *text, Write write)
         if (!is_upper(*line) || read_head(line, layout))
             continue;
         if (!read_row(line, layout, &row)) {
-            fprintf(stderr, "embed: %s.def:%d: not a row of a layout: %s\n", layout->file, number, line);
+            fprintf(stderr, "embed: %s.def:%d: not a row of a layout: %s\n", layout->file, number,
+                    line);
             return 0;
         }
         write(out, layout, &row);

@@ -6,9 +6,15 @@ Ref build_unary(Ir *ir, Op op, Ref a) { return ir_make(ir, (IrNode){.op = op, .c
 
 Ref build_float(Ir *ir, double value) { return ir_const(ir, TYPE_float, &value); }
 Ref build_int(Ir *ir, double value) { return ir_const(ir, TYPE_int, &value); }
-Ref build_vec3(Ir *ir, double x, double y, double z) { return ir_const(ir, TYPE_vec3, (double[]){x, y, z}); }
+Ref build_vec3(Ir *ir, double x, double y, double z)
+{
+    return ir_const(ir, TYPE_vec3, (double[]){x, y, z});
+}
 Ref build_truth(Ir *ir, bool value) { return ir_const(ir, TYPE_bool, (double[]){value}); }
-Ref build_all(Ir *ir, Type type, double value) { return ir_const(ir, type, (double[]){value, value, value, value}); }
+Ref build_all(Ir *ir, Type type, double value)
+{
+    return ir_const(ir, type, (double[]){value, value, value, value});
+}
 Ref build_leaf(Ir *ir, Op op, Type type, int index)
 {
     return ir_make(ir, (IrNode){.op = op, .type = type, .payload = (uint32_t)index}, NULL);
@@ -16,10 +22,14 @@ Ref build_leaf(Ir *ir, Op op, Type type, int index)
 
 Ref build_attribute(Ir *ir, int attribute, AttributePart part)
 {
-    return build_leaf(ir, OP_attribute, ir->graph->attributes[attribute]->type, attribute * ATTRIBUTE_PARTS + (int)part);
+    return build_leaf(ir, OP_attribute, ir->graph->attributes[attribute]->type,
+                      attribute * ATTRIBUTE_PARTS + (int)part);
 }
 
-Ref build_input(Ir *ir, Input input) { return build_leaf(ir, OP_input, input_table[input].type, input); }
+Ref build_input(Ir *ir, Input input)
+{
+    return build_leaf(ir, OP_input, input_table[input].type, input);
+}
 
 Ref build_scale(Ir *ir, Ref a, double factor) { return build_mul(ir, a, build_float(ir, factor)); }
 Ref build_square(Ir *ir, Ref a) { return build_mul(ir, a, a); }
@@ -38,7 +48,8 @@ Ref build_guard_of(Ir *ir, const Ref x[2])
 
 Ref build_linear(Ir *ir, const Ref *args, int count)
 {
-    return ir_make(ir, (IrNode){.op = OP_linear, .type = ir_type(ir, args[0]), .count = count}, args);
+    return ir_make(ir, (IrNode){.op = OP_linear, .type = ir_type(ir, args[0]), .count = count},
+                   args);
 }
 
 Type build_lanes_type(int lanes)
@@ -51,7 +62,10 @@ Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
 {
     if (ir_lanes(ir, a) == 1)
         return count == 1 ? a : build_convert(ir, a, build_lanes_type(count));
-    return ir_make(ir, (IrNode){.op = OP_swizzle, .type = build_lanes_type(count), .count = 1, .payload = lanes}, &a);
+    return ir_make(
+        ir,
+        (IrNode){.op = OP_swizzle, .type = build_lanes_type(count), .count = 1, .payload = lanes},
+        &a);
 }
 
 Ref build_lane(Ir *ir, Ref a, int lane) { return build_lanes(ir, a, (uint32_t)lane, 1); }
@@ -73,11 +87,14 @@ Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count)
 
 Ref build_splat(Ir *ir, Ref a, Type type)
 {
-    return ir_type(ir, a) == type ? a : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].lanes);
+    return ir_type(ir, a) == type
+               ? a
+               : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].lanes);
 }
 
-/* Narrowing to a float takes the mean, to a vector the first lanes; widening fills with 0, and alpha with 1; a float stands for every lane but
- * alpha. Of the vec2 (8, 4): 6 as a float, (8, 4, 0, 1) as a vec4. Of the float 8: (8, 8, 8, 1). */
+/* Narrowing to a float takes the mean, to a vector the first lanes; widening fills with 0, and
+ * alpha with 1; a float stands for every lane but alpha. Of the vec2 (8, 4): 6 as a float, (8, 4,
+ * 0, 1) as a vec4. Of the float 8: (8, 8, 8, 1). */
 Ref build_convert(Ir *ir, Ref a, Type type)
 {
     Type from = ir_type(ir, a);
@@ -105,18 +122,23 @@ Ref build_convert(Ir *ir, Ref a, Type type)
 
 Ref build_call_of(Ir *ir, int function, const Ref *args, int count)
 {
-    return ir_make(
-        ir,
-        (IrNode){.op = OP_call, .type = function_row(function)->result, .count = count, .payload = (uint32_t)function},
-        args);
+    return ir_make(ir,
+                   (IrNode){.op = OP_call,
+                            .type = function_row(function)->result,
+                            .count = count,
+                            .payload = (uint32_t)function},
+                   args);
 }
 
 Ref build_apply(Ir *ir, int function, const Ref *args)
 {
     const IrFunction *f = &ir->functions[function];
-    return ir_make(
-        ir, (IrNode){.op = OP_apply, .type = ir_type(ir, f->result), .count = f->count, .payload = (uint32_t)function},
-        args);
+    return ir_make(ir,
+                   (IrNode){.op = OP_apply,
+                            .type = ir_type(ir, f->result),
+                            .count = f->count,
+                            .payload = (uint32_t)function},
+                   args);
 }
 
 Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size)
@@ -126,13 +148,18 @@ Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size)
     for (int i = 0; i < f->count; i++)
         all[i] = args[i];
     all[f->count] = size;
-    return ir_make(
-        ir,
-        (IrNode){.op = OP_kernel, .type = ir_type(ir, f->result), .count = f->count + 1, .payload = (uint32_t)function},
-        all);
+    return ir_make(ir,
+                   (IrNode){.op = OP_kernel,
+                            .type = ir_type(ir, f->result),
+                            .count = f->count + 1,
+                            .payload = (uint32_t)function},
+                   all);
 }
 
-Ref build_plus_of(Ir *ir, const Ref x[2]) { return !x[0] ? x[1] : !x[1] ? x[0] : build_add_of(ir, x); }
+Ref build_plus_of(Ir *ir, const Ref x[2])
+{
+    return !x[0] ? x[1] : !x[1] ? x[0] : build_add_of(ir, x);
+}
 Ref build_times_of(Ir *ir, const Ref x[2]) { return x[1] ? build_mul_of(ir, x) : 0; }
 Ref build_over_of(Ir *ir, const Ref x[2]) { return x[0] ? build_div_of(ir, x) : 0; }
 Ref build_minus(Ir *ir, Ref a) { return a ? build_neg(ir, a) : 0; }

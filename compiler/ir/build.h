@@ -1,7 +1,9 @@
-/* The words that IR is written in: build_add(ir, a, b) is the node a + b, or the equal one that exists, or what it simplifies to.
+/* The words that IR is written in: build_add(ir, a, b) is the node a + b, or the equal one that
+ * exists, or what it simplifies to.
  *
- * Nodes are numbered as they are made, and C leaves open which argument of a call is evaluated first. So the words that take
- * several nodes are macros over REFS, which makes them from left to right, whatever the C compiler:
+ * Nodes are numbered as they are made, and C leaves open which argument of a call is evaluated
+ * first. So the words that take several nodes are macros over REFS, which makes them from left to
+ * right, whatever the C compiler:
  *
  *     build_mix(ir, build_float(ir, 0), build_abs(ir, x), t)      makes 0, |x|, mix(0, |x|, t)
  *
@@ -10,23 +12,30 @@
 #define MATC_BUILD_H
 #include "compiler/ir/ir.h"
 
-/* Up to five new nodes, made from left to right, as an array that lives to the end of the expression. */
-#define REFS(ir, ...)                         REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
+/* Up to five new nodes, made from left to right, as an array that lives to the end of the
+ * expression. */
+#define REFS(ir, ...)                                                                              \
+    REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
 #define REFS_COUNT(...)                       REFS_PICK(__VA_ARGS__, 5, 4, 3, 2, 1, )
 #define REFS_PICK(a, b, c, d, e, chosen, ...) chosen
 #define REFS_1(ir, a)                         (build_hold(ir, a), build_held(ir, 1))
 #define REFS_2(ir, a, b)                      (build_hold(ir, a), build_hold(ir, b), build_held(ir, 2))
-#define REFS_3(ir, a, b, c)                   (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_held(ir, 3))
-#define REFS_4(ir, a, b, c, d)                                                                                         \
+#define REFS_3(ir, a, b, c)                                                                        \
+    (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_held(ir, 3))
+#define REFS_4(ir, a, b, c, d)                                                                     \
     (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_hold(ir, d), build_held(ir, 4))
-#define REFS_5(ir, a, b, c, d, e)                                                                                      \
-    (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_hold(ir, d), build_hold(ir, e), build_held(ir, 5))
+#define REFS_5(ir, a, b, c, d, e)                                                                  \
+    (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_hold(ir, d),                   \
+     build_hold(ir, e), build_held(ir, 5))
 
 typedef struct {
     Ref at[5];
 } Refs;
 
-static inline void build_hold(Ir *ir, Ref ref) { ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref); }
+static inline void build_hold(Ir *ir, Ref ref)
+{
+    ARENA_PUSH(ir->arena, ir->held, ir->held_count, ir->held_room, ref);
+}
 
 static inline Refs build_held(Ir *ir, size_t count)
 {
@@ -37,19 +46,22 @@ static inline Refs build_held(Ir *ir, size_t count)
     return refs;
 }
 
-/* A word for every operation of ops.def that is written as an operator or a call: build_<op> of one operand, build_<op>_of of
- * an array of them. */
-#define BUILD_1(name)                                                                                                  \
-    static inline Ref build_##name(Ir *ir, Ref a) { return ir_make(ir, (IrNode){.op = OP_##name, .count = 1}, &a); }
-#define BUILD_2(name)                                                                                                  \
-    static inline Ref build_##name##_of(Ir *ir, const Ref x[2])                                                        \
-    {                                                                                                                  \
-        return ir_make(ir, (IrNode){.op = OP_##name, .count = 2}, x);                                                  \
+/* A word for every operation of ops.def that is written as an operator or a call: build_<op> of one
+ * operand, build_<op>_of of an array of them. */
+#define BUILD_1(name)                                                                              \
+    static inline Ref build_##name(Ir *ir, Ref a)                                                  \
+    {                                                                                              \
+        return ir_make(ir, (IrNode){.op = OP_##name, .count = 1}, &a);                             \
     }
-#define BUILD_3(name)                                                                                                  \
-    static inline Ref build_##name##_of(Ir *ir, const Ref x[3])                                                        \
-    {                                                                                                                  \
-        return ir_make(ir, (IrNode){.op = OP_##name, .count = 3}, x);                                                  \
+#define BUILD_2(name)                                                                              \
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[2])                                    \
+    {                                                                                              \
+        return ir_make(ir, (IrNode){.op = OP_##name, .count = 2}, x);                              \
+    }
+#define BUILD_3(name)                                                                              \
+    static inline Ref build_##name##_of(Ir *ir, const Ref x[3])                                    \
+    {                                                                                              \
+        return ir_make(ir, (IrNode){.op = OP_##name, .count = 3}, x);                              \
     }
 #define BUILD_prefix(name, arity) BUILD_##arity(name)
 #define BUILD_infix(name, arity)  BUILD_##arity(name)
@@ -101,7 +113,8 @@ Ref build_square(Ir *ir, Ref a);
 /* a where the condition holds, else b; both have one type. */
 #define build_select(ir, condition, a, b) build_select_of(ir, REFS(ir, condition, a, b))
 Ref build_select_of(Ir *ir, const Ref x[3]);
-/* A costly value where it shows; elsewhere 0, and nobody reads that. Where it is computed anyhow, opt_guard leaves the value. */
+/* A costly value where it shows; elsewhere 0, and nobody reads that. Where it is computed anyhow,
+ * opt_guard leaves the value. */
 #define build_guard(ir, shows, a) build_guard_of(ir, REFS(ir, shows, a))
 Ref build_guard_of(Ir *ir, const Ref x[2]);
 static inline bool build_is_guard(const Ir *ir, Ref ref)
@@ -111,29 +124,33 @@ static inline bool build_is_guard(const Ir *ir, Ref ref)
 /* A matrix by its columns, args[1] and on, times args[0]. */
 Ref build_linear(Ir *ir, const Ref *args, int count);
 
-/* Lanes of a vector: by letters of "xyzw"; by two bits each; one by its number. A float's only lane is x. */
+/* Lanes of a vector: by letters of "xyzw"; by two bits each; one by its number. A float's only lane
+ * is x. */
 Ref build_swizzle(Ir *ir, Ref a, const char *letters);
 Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
 Ref build_lane(Ir *ir, Ref a, int lane);
 /* float for one lane, vec2, vec3, vec4 */
 Type build_lanes_type(int lanes);
 /* A vector of the parts' lanes, which are as many as the type has. */
-#define build_vec(ir, type, ...) build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
+#define build_vec(ir, type, ...)                                                                   \
+    build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
 Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count);
 /* A float in every lane of the type; what has the type stays. */
 Ref build_splat(Ir *ir, Ref a, Type type);
 /* The conversion table. */
 Ref build_convert(Ir *ir, Ref a, Type type);
 
-/* A library function; a function of the program; the sum of one over the KERNEL_POINTS around its arguments, half of `size`
- * apart, which is a loop in GLSL. */
-#define build_call(ir, function, ...) build_call_of(ir, function, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
+/* A library function; a function of the program; the sum of one over the KERNEL_POINTS around its
+ * arguments, half of `size` apart, which is a loop in GLSL. */
+#define build_call(ir, function, ...)                                                              \
+    build_call_of(ir, function, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
 Ref build_call_of(Ir *ir, int function, const Ref *args, int count);
 Ref build_apply(Ir *ir, int function, const Ref *args);
 Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size);
 
-/* Sums and products of what may be zero everywhere: no node, 0, stands for that, so that derivatives and variances of what does
- * not change are never made. a + b; factor a; a / b; -a; and the node, zeros of the type where there is none. */
+/* Sums and products of what may be zero everywhere: no node, 0, stands for that, so that
+ * derivatives and variances of what does not change are never made. a + b; factor a; a / b; -a; and
+ * the node, zeros of the type where there is none. */
 #define build_plus(ir, a, b)       build_plus_of(ir, REFS(ir, a, b))
 #define build_times(ir, factor, a) build_times_of(ir, REFS(ir, factor, a))
 #define build_over(ir, a, b)       build_over_of(ir, REFS(ir, a, b))

@@ -1,8 +1,9 @@
-/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in places, laid out.
+/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in
+ * places, laid out.
  *
  *     scaleU: 8 and rotation: 0 are constants c1 and c2; a coordinate is u * (c1 * cos(c2))
- *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is one constant itself: c3
- *     the program reads u * c3, and neither c1 nor c2 is in the buffer */
+ *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is
+ *     one constant itself: c3 the program reads u * c3, and neither c1 nor c2 is in the buffer */
 #include "compiler/ir/constants.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/std140.h"
@@ -10,7 +11,8 @@
 #include <math.h>
 #include <string.h>
 
-static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source, uint32_t origin)
+static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Value *source,
+                             uint32_t origin)
 {
     IrConstant constant = {.type = type, .origin = origin, .source = source, .member = -1};
     memcpy(constant.numbers, numbers, sizeof(double) * (size_t)type_table[type].lanes);
@@ -21,7 +23,8 @@ static uint32_t add_constant(Ir *ir, Type type, const double *numbers, const Val
 Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source)
 {
     const uint32_t hash = hash_pointer(source);
-    for (HashProbe probe = hash_probe(&ir->constant_index, hash); source && hash_probe_next(&probe);)
+    for (HashProbe probe = hash_probe(&ir->constant_index, hash);
+         source && hash_probe_next(&probe);)
         if (ir->constants[probe.number].source == source)
             return build_leaf(ir, OP_member, type, (int)probe.number);
     const uint32_t number = add_constant(ir, type, numbers, source, ir->origin);
@@ -74,9 +77,10 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, origin);
 }
 
-/* div(1, c) with c = 4 from the buffer is known to be 0.25: it becomes c' = 0.25 in the buffer, and c, which nothing else reads, goes.
- * So mul(x, div(1, c)) is a product with a member, and no division is left. Only what is needed from the outputs down to the first such
- * node is kept: the operands of a node that became a number are not looked at. */
+/* div(1, c) with c = 4 from the buffer is known to be 0.25: it becomes c' = 0.25 in the buffer, and
+ * c, which nothing else reads, goes. So mul(x, div(1, c)) is a product with a member, and no
+ * division is left. Only what is needed from the outputs down to the first such node is kept: the
+ * operands of a node that became a number are not looked at. */
 void constants_hoist(Ir *ir)
 {
     Ref count = (Ref)ir->count;
@@ -111,13 +115,15 @@ static void make_room(Ir *ir, int count)
     const IrNode none = {0};
     for (int i = 0; i < count; i++)
         ARENA_PUSH(ir->arena, ir->nodes, ir->count, ir->room, none);
-    memmove(ir->nodes + 1 + count, ir->nodes + 1, (ir->count - 1 - (size_t)count) * sizeof *ir->nodes);
+    memmove(ir->nodes + 1 + count, ir->nodes + 1,
+            (ir->count - 1 - (size_t)count) * sizeof *ir->nodes);
     memset(ir->nodes + 1, 0, (size_t)count * sizeof *ir->nodes);
     for (size_t i = 0; i < ir->arg_count; i++)
         ir->args[i] += (Ref)count;
     for (size_t f = 0; f < ir->function_count; f++) {
         ir->functions[f].result += (Ref)count;
-        Ref *moved = ARENA_ARRAY(ir->arena, Ref, ir->functions[f].count); /* functions may share a list */
+        /* functions may share a list */
+        Ref *moved = ARENA_ARRAY(ir->arena, Ref, ir->functions[f].count);
         for (int i = 0; i < ir->functions[f].count; i++)
             moved[i] = ir->functions[f].arguments[i] + (Ref)count;
         ir->functions[f].arguments = moved;
@@ -136,7 +142,8 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
     for (int i = 0; i < count; i++) {
         if (member[i] < 0)
             continue;
-        Ref value = places[i].value + (Ref)members, user = places[i].user ? places[i].user + (Ref)members : 0;
+        Ref value = places[i].value + (Ref)members,
+            user = places[i].user ? places[i].user + (Ref)members : 0;
         Ref at = (Ref)member[i] + 1;
         IrNode *leaf = &ir->nodes[at];
         if (!leaf->op && !leaf->type) {
@@ -175,7 +182,8 @@ static void order(const IrConstant *list, size_t count, size_t *to)
             if (type_table[list[i].type].lanes != widths[w])
                 continue;
             to[placed++] = i;
-            while (widths[w] == 3 && next_number < count && type_table[list[next_number].type].lanes != 1)
+            while (widths[w] == 3 && next_number < count &&
+                   type_table[list[next_number].type].lanes != 1)
                 next_number++;
             if (widths[w] == 3 && next_number < count)
                 to[placed++] = next_number++;
@@ -203,7 +211,8 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 {
     int size = 0;
     FreshNames names = {0};
-    uint32_t *number = ARENA_ARRAY(session->arena, uint32_t, ir->constant_count + 1); /* from 1, in the given order */
+    /* from 1, in the given order */
+    uint32_t *number = ARENA_ARRAY(session->arena, uint32_t, ir->constant_count + 1);
     IrConstant *kept = ARENA_ARRAY(session->arena, IrConstant, ir->constant_count + 1);
     size_t *from = ARENA_ARRAY(session->arena, size_t, ir->constant_count + 1);
     for (size_t i = 0; i < count; i++) {

@@ -1,5 +1,5 @@
-/* The value of an operation on constants, in double precision: from the FOLD lines of ops.def, from the C references for library
- * functions. Serves the constant folder and ir_eval. */
+/* The value of an operation on constants, in double precision: from the FOLD lines of ops.def, from
+ * the C references for library functions. Serves the constant folder and ir_eval. */
 #include "compiler/ir/fold.h"
 #include "compiler/library/references.h"
 #include <math.h>
@@ -11,8 +11,8 @@ static double lane_value(Op op, double a, double b, double c)
 {
     (void)b, (void)c;
     switch (op) {
-#define FOLD(name, value)                                                                                              \
-    case OP_##name:                                                                                                    \
+#define FOLD(name, value)                                                                          \
+    case OP_##name:                                                                                \
         return value;
 #include "grammar/ops.def"
     default:
@@ -20,7 +20,10 @@ static double lane_value(Op op, double a, double b, double c)
     }
 }
 
-static double lane_of(const FoldArg *arg, int lane) { return arg->numbers[type_table[arg->type].lanes > 1 ? lane : 0]; }
+static double lane_of(const FoldArg *arg, int lane)
+{
+    return arg->numbers[type_table[arg->type].lanes > 1 ? lane : 0];
+}
 
 /* A comparison of vectors is none: GLSL has other functions for those. */
 static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
@@ -36,7 +39,8 @@ static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
     return true;
 }
 
-/* A node that does not work lane by lane, for the functions that stand under FOLD_NODE in ops.def. */
+/* A node that does not work lane by lane, for the functions that stand under FOLD_NODE in
+ * ops.def. */
 typedef struct {
     const ReferenceContext *context;
     const IrNode *node;
@@ -79,9 +83,15 @@ static double sum_of_products(const FoldArg *a, const FoldArg *b)
     return sum;
 }
 
-static void fold_dot(const Site *s, double *result) { result[0] = sum_of_products(&s->args[0], &s->args[1]); }
+static void fold_dot(const Site *s, double *result)
+{
+    result[0] = sum_of_products(&s->args[0], &s->args[1]);
+}
 
-static void fold_length(const Site *s, double *result) { result[0] = sqrt(sum_of_products(&s->args[0], &s->args[0])); }
+static void fold_length(const Site *s, double *result)
+{
+    result[0] = sqrt(sum_of_products(&s->args[0], &s->args[0]));
+}
 
 static void fold_cross(const Site *s, double *result)
 {
@@ -99,16 +109,17 @@ static void fold_linear(const Site *s, double *result)
     }
 }
 
-bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args, double *result)
+bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args,
+                double *result)
 {
     const Site site = {context, node, args};
     switch (node->op) {
-#define FOLD(name, value)                                                                                              \
-    case OP_##name:                                                                                                    \
+#define FOLD(name, value)                                                                          \
+    case OP_##name:                                                                                \
         return fold_lanes(node, args, result);
-#define FOLD_NODE(name, function)                                                                                      \
-    case OP_##name:                                                                                                    \
-        function(&site, result);                                                                                       \
+#define FOLD_NODE(name, function)                                                                  \
+    case OP_##name:                                                                                \
+        function(&site, result);                                                                   \
         return true;
 #include "grammar/ops.def"
     default:
@@ -132,7 +143,8 @@ bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result
             return false;
     for (int i = 0; i < node->count; i++) {
         values[i].type = ir_type(ir, args[i]);
-        memcpy(values[i].numbers, ir_numbers(ir, args[i]), sizeof(double) * (size_t)ir_lanes(ir, args[i]));
+        memcpy(values[i].numbers, ir_numbers(ir, args[i]),
+               sizeof(double) * (size_t)ir_lanes(ir, args[i]));
     }
     ReferenceContext context = {.noise = ir->noise};
     if (!fold_value(&context, node, values, result))

@@ -9,19 +9,23 @@ typedef struct {
     double numbers[4];
 } FoldArg;
 
-/* What the node's operation makes of operands; false where ops.def has no FOLD: of a leaf, and of what runs a function of the program. */
-bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args, double *result);
+/* What the node's operation makes of operands; false where ops.def has no FOLD: of a leaf, and of
+ * what runs a function of the program. */
+bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args,
+                double *result);
 
-/* Evaluates the outputs of an Ir at a point: the second oracle, which runs what the compiler made of a document.
- * inputs[Input] are the point; textures those of the context. result[i] are the lanes of output i.
- * ir_eval.c. */
+/* Evaluates the outputs of an Ir at a point: the second oracle, which runs what the compiler made
+ * of a document. inputs[Input] are the point; textures those of the context. result[i] are the
+ * lanes of output i. ir_eval.c. */
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
              double result[MOST_OUTPUTS][4]);
-/* What becomes of every lane of every node's value: as a machine with fewer digits has it, or one that errs otherwise. */
+/* What becomes of every lane of every node's value: as a machine with fewer digits has it, or one
+ * that errs otherwise. */
 typedef struct {
     double (*round)(void *user, const IrNode *node, const FoldArg *args, double value);
     void *user;
 } IrRounding;
-void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-                     const IrRounding *rounding, double result[MOST_OUTPUTS][4]);
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context,
+                     const double inputs[INPUT_COUNT][4], const IrRounding *rounding,
+                     double result[MOST_OUTPUTS][4]);
 #endif

@@ -1,7 +1,8 @@
-/* Intervals and their arithmetic: what the RANGE lines of ops.def are written in. Every result holds all values of the operation on
- * values of its operands, whichever they are.
+/* Intervals and their arithmetic: what the RANGE lines of ops.def are written in. Every result
+ * holds all values of the operation on values of its operands, whichever they are.
  *
- *     a = [-1, 2], b = [3, 4]:  sum [2, 6], times [-4, 8], square(a) [0, 4], quotient(a, b) [-1/3, 2/3] */
+ *     a = [-1, 2], b = [3, 4]: sum [2, 6], times [-4, 8], square(a) [0, 4], quotient(a, b) [-1/3,
+ *     2/3] */
 #ifndef MATC_INTERVAL_H
 #define MATC_INTERVAL_H
 #include <math.h>
@@ -22,7 +23,10 @@ static inline Interval between(double low, double high) { return (Interval){low,
 static inline double least(double a, double b) { return a < b ? a : b; }
 static inline double most(double a, double b) { return a > b ? a : b; }
 
-static inline Interval hull(Interval a, Interval b) { return (Interval){least(a.low, b.low), most(a.high, b.high)}; }
+static inline Interval hull(Interval a, Interval b)
+{
+    return (Interval){least(a.low, b.low), most(a.high, b.high)};
+}
 
 /* One number, and no other. */
 static inline bool is_point(Interval a) { return a.low == a.high && isfinite(a.low); }
@@ -80,15 +84,20 @@ static inline Interval loose(Interval a)
     return (Interval){a.low - SLACK * most(fabs(a.low), 1), a.high + SLACK * most(fabs(a.high), 1)};
 }
 
-/* A function that never falls, between its values at both ends; and one that a driver computes as it likes. */
-static inline Interval ends(double (*f)(double), Interval a) { return between(f(a.low), f(a.high)); }
+/* A function that never falls, between its values at both ends; and one that a driver computes as
+ * it likes. */
+static inline Interval ends(double (*f)(double), Interval a)
+{
+    return between(f(a.low), f(a.high));
+}
 static inline Interval rising(double (*f)(double), Interval a) { return loose(ends(f, a)); }
 
 static inline Interval power(Interval a, Interval b)
 {
     if (!(a.low >= 0) || !(b.low >= 0))
         return everything;
-    double p = pow(a.low, b.low), q = pow(a.low, b.high), r = pow(a.high, b.low), s = pow(a.high, b.high);
+    double p = pow(a.low, b.low), q = pow(a.low, b.high), r = pow(a.high, b.low),
+           s = pow(a.high, b.high);
     Interval corners = {fmin(fmin(p, q), fmin(r, s)), fmax(fmax(p, q), fmax(r, s))};
     if (a.low < 1 && a.high > 1)
         corners = hull(corners, (Interval){1, 1});
@@ -102,6 +111,9 @@ static inline Interval remainder_of(Interval a, Interval b)
     return b.low > 0 ? (Interval){0, b.high} : everything;
 }
 
-static inline Interval both(Interval a, Interval b) { return (Interval){most(a.low, b.low), least(a.high, b.high)}; }
+static inline Interval both(Interval a, Interval b)
+{
+    return (Interval){most(a.low, b.low), least(a.high, b.high)};
+}
 static inline bool is_empty(Interval a) { return a.low > a.high; }
 #endif

@@ -3,7 +3,8 @@
 #include <string.h>
 
 const OpRow op_table[OP_COUNT] = {
-#define OP(name, shape, glsl, arity, rule, doc) {#name, SHAPE_##shape, glsl, arity, RULE_##rule, doc},
+#define OP(name, shape, glsl, arity, rule, doc)                                                    \
+    {#name, SHAPE_##shape, glsl, arity, RULE_##rule, doc},
 #include "grammar/ops.def"
 };
 
@@ -19,7 +20,8 @@ const uint8_t op_payload[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
-enum { FIRST_TABLE = 1024 }; /* the programs of most formulas and small documents need no larger one */
+/* the programs of most formulas and small documents need no larger one */
+enum { FIRST_TABLE = 1024 };
 
 Ir *ir_new(Session *session, const Graph *graph)
 {
@@ -65,8 +67,9 @@ static inline bool equal_numbers(const double *a, const double *b, int count)
     return true;
 }
 
-/* The slots that a node may have, in turn: some beside those of what shares its youngest operand, so that what is made together lies together, and in
- * the cache; where these are taken, or it has no operand, those from one on that its hash gives. */
+/* The slots that a node may have, in turn: some beside those of what shares its youngest operand,
+ * so that what is made together lies together, and in the cache; where these are taken, or it has
+ * no operand, those from one on that its hash gives. */
 enum { NEAR_SLOTS = 8, NEAR_SPREAD = 15 };
 typedef struct {
     uint32_t at, hash;
@@ -147,7 +150,8 @@ static Ref add_node(Ir *ir, const IrNode *node, uint32_t slot)
 
 static inline bool equal_node(const Ir *ir, const IrNode *a, const IrNode *b, const Ref *args)
 {
-    if (a->hash != b->hash || a->op != b->op || a->type != b->type || a->count != b->count || a->payload != b->payload)
+    if (a->hash != b->hash || a->op != b->op || a->type != b->type || a->count != b->count ||
+        a->payload != b->payload)
         return false;
     const Ref *own = ir->args + a->first;
     for (int i = 0; i < b->count; i++)
@@ -189,7 +193,8 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
     }
     node.payload = (uint32_t)ir->number_count;
     node.origin = ir->origin;
-    for (int i = 0; i < lanes; i++) /* `numbers` may point into ir->numbers, whose old array the arena keeps */
+    /* `numbers` may point into ir->numbers, whose old array the arena keeps */
+    for (int i = 0; i < lanes; i++)
         ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
     return add_node(ir, &node, at);
 }
@@ -242,9 +247,11 @@ void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments)
 {
     enum { SET_SHIFT = 8 };
     for (int i = 0; i < count; i++)
-        arguments[i] = ir_make(
-            ir, (IrNode){.op = OP_argument, .type = types[i], .payload = (uint32_t)set << SET_SHIFT | (uint32_t)i},
-            NULL);
+        arguments[i] = ir_make(ir,
+                               (IrNode){.op = OP_argument,
+                                        .type = types[i],
+                                        .payload = (uint32_t)set << SET_SHIFT | (uint32_t)i},
+                               NULL);
 }
 
 static int *function_of(Ir *ir, Ref result)
@@ -289,7 +296,10 @@ const IrOutput *ir_output_of(const Ir *ir, OutputKind kind)
     return NULL;
 }
 
-bool ir_is_of_fragments(const IrOutput *output) { return output->kind != OUT_displacement && output->kind != OUT_normal; }
+bool ir_is_of_fragments(const IrOutput *output)
+{
+    return output->kind != OUT_displacement && output->kind != OUT_normal;
+}
 
 /* Users come after operands, and a function's result before its calls: one sweep down suffices. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
@@ -300,7 +310,8 @@ void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
             continue;
         for (int i = 0; i < node->count; i++)
             live[ir->args[node->first + (uint32_t)i]] = 1;
-        if (ir_applies(ir, ref) && node->payload < ir->function_count) /* ir_check asks before it knows */
+        /* ir_check asks before it knows */
+        if (ir_applies(ir, ref) && node->payload < ir->function_count)
             live[ir->functions[node->payload].result] = 1;
     }
     live[0] = 0;
@@ -330,8 +341,8 @@ int ir_cost(const Ir *ir, Ref ref)
     const int lanes = type_table[node->type].lanes;
     switch (node->op) {
 #define operand_lanes ir_lanes(ir, ir_arg(ir, ref, 0))
-#define COST(name, count)                                                                                              \
-    case OP_##name:                                                                                                    \
+#define COST(name, count)                                                                          \
+    case OP_##name:                                                                                \
         return count;
 #include "grammar/ops.def"
 #undef operand_lanes

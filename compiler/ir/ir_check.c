@@ -12,7 +12,8 @@ static const char *check_arity(const IrNode *node)
 static const char *check_call(const Ir *ir, Ref ref)
 {
     static const char letters[] = "?if234s";
-    static const Type types[] = {TYPE_bool, TYPE_int, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4, TYPE_sampler};
+    static const Type types[] = {TYPE_bool, TYPE_int,  TYPE_float,  TYPE_vec2,
+                                 TYPE_vec3, TYPE_vec4, TYPE_sampler};
     const IrNode *node = ir_at(ir, ref);
     const char *arguments = function_arguments((int)node->payload);
     if (strlen(arguments) != node->count)
@@ -20,7 +21,8 @@ static const char *check_call(const Ir *ir, Ref ref)
     for (int i = 0; i < node->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != types[strchr(letters, arguments[i]) - letters])
             return "a call's argument has the wrong type";
-    return node->type == function_row((int)node->payload)->result ? NULL : "a call has the wrong type";
+    return node->type == function_row((int)node->payload)->result ? NULL
+                                                                  : "a call has the wrong type";
 }
 
 static const char *check_application(const Ir *ir, Ref ref)
@@ -31,7 +33,8 @@ static const char *check_application(const Ir *ir, Ref ref)
     for (int i = 0; i < function->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, function->arguments[i]))
             return "an application's argument has the wrong type";
-    return ir_type(ir, ref) == ir_type(ir, function->result) ? NULL : "an application has the wrong type";
+    return ir_type(ir, ref) == ir_type(ir, function->result) ? NULL
+                                                             : "an application has the wrong type";
 }
 
 static const char *check_apply(const Ir *ir, Ref ref)
@@ -45,7 +48,8 @@ static const char *check_apply(const Ir *ir, Ref ref)
 static const char *check_kernel(const Ir *ir, Ref ref)
 {
     const IrNode *node = ir_at(ir, ref);
-    if (node->payload >= ir->function_count || ir->functions[node->payload].count + 1 != node->count ||
+    if (node->payload >= ir->function_count ||
+        ir->functions[node->payload].count + 1 != node->count ||
         ir_type(ir, ir_arg(ir, ref, node->count - 1)) != TYPE_vec3)
         return "a kernel does not fit its function";
     return check_application(ir, ref);
@@ -110,7 +114,9 @@ static const char *check_linear(const Ir *ir, Ref ref)
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
         if (ir_type(ir, ir_arg(ir, ref, i)) != ir_type(ir, ref))
             return "a matrix and its vector differ in lanes";
-    return ir_at(ir, ref)->count == ir_lanes(ir, ref) + 1 ? NULL : "a matrix has the wrong number of columns";
+    return ir_at(ir, ref)->count == ir_lanes(ir, ref) + 1
+               ? NULL
+               : "a matrix has the wrong number of columns";
 }
 
 static const char *check_swizzle(const Ir *ir, Ref ref)
@@ -125,8 +131,8 @@ static const char *check_swizzle(const Ir *ir, Ref ref)
 static const char *check_special(const Ir *ir, Ref ref)
 {
     switch (ir_at(ir, ref)->op) {
-#define CHECK(name, function)                                                                                          \
-    case OP_##name:                                                                                                    \
+#define CHECK(name, function)                                                                      \
+    case OP_##name:                                                                                \
         return function(ir, ref);
 #include "grammar/ops.def"
     default:

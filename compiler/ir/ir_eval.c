@@ -1,4 +1,5 @@
-/* Evaluates an Ir in double precision, node by node, functions by applying them to their arguments' values. */
+/* Evaluates an Ir in double precision, node by node, functions by applying them to their arguments'
+ * values. */
 #include "compiler/ir/fold.h"
 #include <string.h>
 
@@ -38,8 +39,14 @@ static void copy(const IrNode *node, const double *numbers, double *result)
     memcpy(result, numbers, sizeof *numbers * (size_t)type_table[node->type].lanes);
 }
 
-static void eval_const(const Site *s, double *result) { copy(s->node, ir_numbers(s->e->ir, s->ref), result); }
-static void eval_input(const Site *s, double *result) { copy(s->node, s->e->inputs[s->node->payload], result); }
+static void eval_const(const Site *s, double *result)
+{
+    copy(s->node, ir_numbers(s->e->ir, s->ref), result);
+}
+static void eval_input(const Site *s, double *result)
+{
+    copy(s->node, s->e->inputs[s->node->payload], result);
+}
 /* A sampler has no lanes; the reference gets its number. */
 static void eval_texture(const Site *s, double *result) { result[0] = s->node->payload; }
 
@@ -61,7 +68,8 @@ static void eval_member(const Site *s, double *result)
     copy(s->node, s->e->ir->constants[s->node->payload].numbers, result);
 }
 
-/* Its place among the arguments, which is not the number it was made with once others were dropped. */
+/* Its place among the arguments, which is not the number it was made with once others were
+ * dropped. */
 static int argument_number(const IrFunction *function, Ref argument)
 {
     int i = 0;
@@ -88,7 +96,8 @@ static void run_function(const Site *s, const FoldArg *args, double *result)
 
 static void eval_apply(const Site *s, double *result) { run_function(s, s->args, result); }
 
-/* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to 1: a position moves by all three, a vec2 by two. */
+/* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to
+ * 1: a position moves by all three, a vec2 by two. */
 static void eval_kernel(const Site *s, double *result)
 {
     FoldArg moved[FOLD_OPERANDS];
@@ -127,9 +136,9 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
     memset(result, 0, sizeof *frame->value);
     load_arguments(e, frame, ref, args);
     switch (node->op) {
-#define EVAL(name, function)                                                                                           \
-    case OP_##name:                                                                                                    \
-        function(&site, result);                                                                                       \
+#define EVAL(name, function)                                                                       \
+    case OP_##name:                                                                                \
+        function(&site, result);                                                                   \
         break;
 #include "grammar/ops.def"
     default:
@@ -139,7 +148,8 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
         result[i] = rounded(e, node, args, result[i]);
 }
 
-/* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select are evaluated. */
+/* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select
+ * are evaluated. */
 static void eval(Evaluator *e, Frame *frame, Ref result)
 {
     uint8_t *needed = arena_zero(&e->scratch, result + 1);
@@ -154,8 +164,9 @@ static void eval(Evaluator *e, Frame *frame, Ref result)
         }
 }
 
-void ir_eval_rounded(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-                     const IrRounding *rounding, double result[MOST_OUTPUTS][4])
+void ir_eval_rounded(const Ir *ir, const ReferenceContext *context,
+                     const double inputs[INPUT_COUNT][4], const IrRounding *rounding,
+                     double result[MOST_OUTPUTS][4])
 {
     Evaluator e = {.ir = ir, .context = context, .inputs = inputs, .rounding = rounding};
     Frame frame = {0};

@@ -6,7 +6,7 @@
  *     left unused in the fork            mean */
 #include "compiler/ir/ir.h"
 
-#define COPY(list, count, room) \
+#define COPY(list, count, room)                                                                    \
     copy->list = arena_copy(arena, ir->list, ir->count, ir->room, sizeof *ir->list)
 
 Ir *ir_fork(const Ir *ir, Session *session)
@@ -28,7 +28,8 @@ Ir *ir_fork(const Ir *ir, Session *session)
     COPY(constants, constant_count, constant_room);
     COPY(maps, map_count, map_room);
     COPY(function_of, function_of_room, function_of_room);
-    copy->table = arena_copy(arena, ir->table, ir->mask + (size_t)1, ir->mask + (size_t)1, sizeof *ir->table);
+    copy->table =
+        arena_copy(arena, ir->table, ir->mask + (size_t)1, ir->mask + (size_t)1, sizeof *ir->table);
     copy->texture_index = hash_index_copy(arena, &ir->texture_index);
     copy->constant_index = hash_index_copy(arena, &ir->constant_index);
     copy->map_index = hash_index_copy(arena, &ir->map_index);

@@ -71,7 +71,8 @@ static void print_node(Text *out, const Ir *ir, Ref ref)
         text_format(out, " %%%u", ir_arg(ir, ref, i));
 }
 
-/* The last node that a function's line speaks of: an argument that is not used may come after the result. */
+/* The last node that a function's line speaks of: an argument that is not used may come after the
+ * result. */
 static Ref last_of(const IrFunction *function)
 {
     Ref last = function->result;
@@ -87,7 +88,8 @@ typedef struct {
 
 static Completed completed_functions(const Ir *ir, Arena *scratch)
 {
-    Completed by = {ARENA_ARRAY(scratch, int, ir->count), ARENA_ARRAY(scratch, int, ir->function_count + 1)};
+    Completed by = {ARENA_ARRAY(scratch, int, ir->count),
+                    ARENA_ARRAY(scratch, int, ir->function_count + 1)};
     for (int f = (int)ir->function_count - 1; f >= 0; f--) {
         Ref last = last_of(&ir->functions[f]);
         by.next[f] = by.first[last];
@@ -127,8 +129,8 @@ void ir_print(Text *out, const Ir *ir)
         print_functions(out, ir, &by, ref);
     }
     for (int i = 0; i < ir->output_count; i++)
-        text_format(out, "out %s %d = %%%u\n", output_names[ir->outputs[i].kind], ir->outputs[i].index,
-                    ir->outputs[i].value);
+        text_format(out, "out %s %d = %%%u\n", output_names[ir->outputs[i].kind],
+                    ir->outputs[i].index, ir->outputs[i].value);
     arena_free(&scratch);
 }
 
@@ -136,22 +138,26 @@ void ir_dot(Text *out, const Ir *ir)
 {
     Arena scratch = {0};
     uint8_t *live = ir_live(ir, &scratch);
-    text_put(out, "digraph material {\n  rankdir=BT;\n  node [shape=box, fontname=\"monospace\"];\n");
+    text_put(out,
+             "digraph material {\n  rankdir=BT;\n  node [shape=box, fontname=\"monospace\"];\n");
     for (Ref ref = 1; ref < ir->count; ref++) {
         const IrNode *node = ir_at(ir, ref);
         if (!live[ref])
             continue;
-        text_format(out, "  n%u [label=\"%s %s", ref, op_text((Op)node->op), type_table[node->type].name);
+        text_format(out, "  n%u [label=\"%s %s", ref, op_text((Op)node->op),
+                    type_table[node->type].name);
         print_payload(out, ir, node);
         text_put(out, "\"];\n");
         for (int i = 0; i < node->count; i++)
             text_format(out, "  n%u -> n%u;\n", ir_arg(ir, ref, i), ref);
         if (ir_applies(ir, ref))
-            text_format(out, "  n%u -> n%u [style=dashed];\n", ir->functions[node->payload].result, ref);
+            text_format(out, "  n%u -> n%u [style=dashed];\n", ir->functions[node->payload].result,
+                        ref);
     }
     for (int i = 0; i < ir->output_count; i++)
-        text_format(out, "  o%d [label=\"%s %d\", style=bold];\n  n%u -> o%d;\n", i, output_names[ir->outputs[i].kind],
-                    ir->outputs[i].index, ir->outputs[i].value, i);
+        text_format(out, "  o%d [label=\"%s %d\", style=bold];\n  n%u -> o%d;\n", i,
+                    output_names[ir->outputs[i].kind], ir->outputs[i].index, ir->outputs[i].value,
+                    i);
     text_put(out, "}\n");
     arena_free(&scratch);
 }

@@ -1,10 +1,13 @@
-/* The nodes of one function, or of main: found from its roots, so that many functions cost no more than what they hold. */
+/* The nodes of one function, or of main: found from its roots, so that many functions cost no more
+ * than what they hold. */
 #include "compiler/ir/ir.h"
 #include <stdlib.h>
 
 enum {
     SPARSE = 8
-}; /* numbers for each node from which on sorting the nodes is less work than looking at all numbers */
+    /* numbers for each node from which on sorting the nodes is less work than looking at all
+       numbers */
+};
 
 static int falling(const void *a, const void *b)
 {

@@ -86,7 +86,8 @@ static int argument_payload(int set, int number)
 /* The number, or -1 if the text has not said what that function is. */
 static int defined_function(const Scanner *s, int number)
 {
-    bool known = number >= 0 && (size_t)number < s->ir->function_count && s->ir->functions[number].result;
+    bool known =
+        number >= 0 && (size_t)number < s->ir->function_count && s->ir->functions[number].result;
     return known ? number : -1;
 }
 
@@ -98,7 +99,9 @@ static int attribute_payload(const Graph *graph, const char *text)
     memcpy(name, text, size);
     name[size] = 0;
     const int found = names_find(&graph->attribute_names, name);
-    const AttributePart part = !text[size] ? ATTRIBUTE_value : strcmp(text + size, ".byX") ? ATTRIBUTE_by_y : ATTRIBUTE_by_x;
+    const AttributePart part = !text[size]                   ? ATTRIBUTE_value
+                               : strcmp(text + size, ".byX") ? ATTRIBUTE_by_y
+                                                             : ATTRIBUTE_by_x;
     return found < 0 ? -1 : found * ATTRIBUTE_PARTS + (int)part;
 }
 
@@ -146,11 +149,13 @@ static Ref read_const(Scanner *s, Op op, Type type)
     double lanes[4] = {0};
     char text[LIMIT_NAME];
     for (int i = 0; i < type_table[type].lanes; i++)
-        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i]) || lanes[i] - lanes[i] != 0) {
+        if (!word(s, text, sizeof text) || !text_number(text, strlen(text), &lanes[i]) ||
+            lanes[i] - lanes[i] != 0) {
             fail(s, "a constant lacks a number");
             return 0;
         }
-    return op_payload[op] == PAYLOAD_numbers ? ir_const(s->ir, type, lanes) : ir_constant(s->ir, type, lanes, NULL);
+    return op_payload[op] == PAYLOAD_numbers ? ir_const(s->ir, type, lanes)
+                                             : ir_constant(s->ir, type, lanes, NULL);
 }
 
 static Ref read_node(Scanner *s)
@@ -175,14 +180,16 @@ static Ref read_node(Scanner *s)
         fail(s, "the wrong number of operands");
         return 0;
     }
-    return ir_make(s->ir, (IrNode){.op = op, .type = type, .count = count, .payload = payload}, args);
+    return ir_make(s->ir, (IrNode){.op = op, .type = type, .count = count, .payload = payload},
+                   args);
 }
 
 static bool read_output(Scanner *s)
 {
     char kind[16], index[16], equals[8], value[16];
-    if (!word(s, kind, sizeof kind) || !word(s, index, sizeof index) || !word(s, equals, sizeof equals) ||
-        !word(s, value, sizeof value) || s->ir->output_count == MOST_OUTPUTS)
+    if (!word(s, kind, sizeof kind) || !word(s, index, sizeof index) ||
+        !word(s, equals, sizeof equals) || !word(s, value, sizeof value) ||
+        s->ir->output_count == MOST_OUTPUTS)
         return fail(s, "an output is not `out kind index = %node`");
     Ref ref = operand(s, value);
     ir_output(s->ir,
@@ -195,7 +202,8 @@ static bool read_output(Scanner *s)
     return ref != 0;
 }
 
-/* Room for function fN: a function stands where its last node does, which need not be in the order of the numbers. */
+/* Room for function fN: a function stands where its last node does, which need not be in the order
+ * of the numbers. */
 static bool number_function(Scanner *s, const char *text, size_t *number)
 {
     const IrFunction none = {0};
@@ -204,7 +212,8 @@ static bool number_function(Scanner *s, const char *text, size_t *number)
     if (text[0] != 'f' || end == text + 1 || *end || *number >= MOST_FUNCTIONS)
         return false;
     while (s->ir->function_count <= *number)
-        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room, none);
+        ARENA_PUSH(s->ir->arena, s->ir->functions, s->ir->function_count, s->ir->function_room,
+                   none);
     return !s->ir->functions[*number].result;
 }
 
@@ -214,8 +223,9 @@ static bool read_function(Scanner *s)
     char text[LIMIT_NAME];
     size_t number;
     IrFunction function = {.arguments = ARENA_ARRAY(s->ir->arena, Ref, MOST_OPERANDS)};
-    if (!word(s, text, sizeof text) || !number_function(s, text, &number) || !word(s, text, sizeof text) ||
-        !word(s, text, sizeof text) || !(function.result = operand(s, text)))
+    if (!word(s, text, sizeof text) || !number_function(s, text, &number) ||
+        !word(s, text, sizeof text) || !word(s, text, sizeof text) ||
+        !(function.result = operand(s, text)))
         return fail(s, "a function is not `function fN = %result %argument...`");
     while (function.count < MOST_OPERANDS && word(s, text, sizeof text))
         if (!(function.arguments[function.count++] = operand(s, text)))
@@ -244,7 +254,9 @@ static bool read_line(Scanner *s)
 Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault)
 {
     size_t size = strlen(text) + 1; /* a node takes more than a byte */
-    Scanner s = {.ir = ir_new(session, graph), .at = text, .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
+    Scanner s = {.ir = ir_new(session, graph),
+                 .at = text,
+                 .named_room = size < LARGEST_NUMBER ? size : LARGEST_NUMBER};
     s.named = ARENA_ARRAY(session->arena, Ref, s.named_room);
     while (*s.at && !s.fault) {
         if (!read_line(&s))

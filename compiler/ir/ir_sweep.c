@@ -5,8 +5,10 @@
 typedef struct {
     bool any;
     Ref *node;
-    uint32_t *function;    /* a function whose result changed is a new one: its calls then come after the new result */
-    int *by_result, *next; /* functions of a result: head by Ref, from 1; then the next with the same */
+    /* a function whose result changed is a new one: its calls then come after the new result */
+    uint32_t *function;
+    /* functions of a result: head by Ref, from 1; then the next with the same */
+    int *by_result, *next;
 } Moves;
 
 static Moves new_moves(const Ir *ir, Arena *scratch)
@@ -64,7 +66,10 @@ static void pass_head(Ir *ir, Ref old, Ref better)
         ir_set_head(ir, better, true);
 }
 
-bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user) { return ir_sweep_unsettled(ir, 0, rewrite, user); }
+bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user)
+{
+    return ir_sweep_unsettled(ir, 0, rewrite, user);
+}
 
 bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void *user)
 {

@@ -2,7 +2,10 @@
 #include "compiler/ir/job.h"
 #include "compiler/base/json_write.h"
 
-static const char *choice_name(const Job *job, int axis) { return choice_table[job->choice[axis]].name; }
+static const char *choice_name(const Job *job, int axis)
+{
+    return choice_table[job->choice[axis]].name;
+}
 
 void job_put_choices(Text *out, const Job *job)
 {
@@ -10,7 +13,8 @@ void job_put_choices(Text *out, const Job *job)
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
         if ((int)job->choice[axis] == axis_table[axis].first)
             continue;
-        text_format(out, "%s %s=%s", any ? "" : "// choices:", axis_table[axis].name, choice_name(job, axis));
+        text_format(out, "%s %s=%s", any ? "" : "// choices:", axis_table[axis].name,
+                    choice_name(job, axis));
         any = true;
     }
     text_put(out, any ? "\n" : "");

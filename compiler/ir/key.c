@@ -1,5 +1,6 @@
-/* The deep structure of an IR as a list of words, and its hash. A word stands for a node's operation, type and payload, then one
- * for each operand: the number that the walk gave it, or for a constant its type. Numbers are listed beside.
+/* The deep structure of an IR as a list of words, and its hash. A word stands for a node's
+ * operation, type and payload, then one for each operand: the number that the walk gave it, or for
+ * a constant its type. Numbers are listed beside.
  *
  *     add(x, 2)    words: input x -- add, 1, a float --    numbers: 2
  *     add(x, 3)    the same words: one shape; other numbers: two keys */
@@ -25,7 +26,10 @@ typedef struct {
     size_t member_count, member_room;
 } Walk;
 
-static void put(Walk *w, uint32_t word) { ARENA_PUSH(w->arena, w->words, w->word_count, w->word_room, word); }
+static void put(Walk *w, uint32_t word)
+{
+    ARENA_PUSH(w->arena, w->words, w->word_count, w->word_room, word);
+}
 
 static void put_text(Walk *w, const char *text)
 {
@@ -81,8 +85,8 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
 /* What a program wants of a texture; which picture it is changes nothing. */
 static void put_texture(Walk *w, const IrTexture *texture)
 {
-    put(w, (uint32_t)texture->kind << 3 | (uint32_t)texture->floats << 2 | (uint32_t)texture->sampled << 1 |
-               texture->srgb);
+    put(w, (uint32_t)texture->kind << 3 | (uint32_t)texture->floats << 2 |
+               (uint32_t)texture->sampled << 1 | texture->srgb);
     put(w, (uint32_t)texture->texels << 8 | (uint32_t)texture->wrap);
 }
 
@@ -136,7 +140,8 @@ static void push(Walk *w, Ref ref)
         ARENA_PUSH(w->arena, w->stack, w->depth, w->stack_room, ref);
 }
 
-/* Operands first, the left one before the right. A node stays on the stack until all of its operands are numbered. */
+/* Operands first, the left one before the right. A node stays on the stack until all of its
+ * operands are numbered. */
 static void visit(Walk *w, Ref root)
 {
     push(w, root);
@@ -160,7 +165,8 @@ static void visit(Walk *w, Ref root)
 
 static void put_job(Walk *w, const Job *job, int optimize)
 {
-    put(w, (uint32_t)job->target << 16 | (uint32_t)job->pass << 8 | (uint32_t)job->origin << 3 | (uint32_t)job->moved << 2 | (uint32_t)job->instances << 1 | (optimize > 0));
+    put(w, (uint32_t)job->target << 16 | (uint32_t)job->pass << 8 | (uint32_t)job->origin << 3 |
+               (uint32_t)job->moved << 2 | (uint32_t)job->instances << 1 | (optimize > 0));
     for (int axis = 0; axis < AXIS_COUNT; axis++) /* library files may exist in variants */
         put(w, axis_table[axis].chunks ? (uint32_t)job->choice[axis] : 0);
 }
@@ -184,7 +190,8 @@ IrKey ir_key(Session *session, const Ir *ir, const Job *job)
     XXH3_128bits_reset(&both);
     XXH3_128bits_update(&both, &shape, sizeof shape);
     XXH3_128bits_update(&both, w.numbers, w.number_count * sizeof *w.numbers);
-    IrKey key = {key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count, NULL, 0};
+    IrKey key = {
+        key_of(shape), key_of(XXH3_128bits_digest(&both)), NULL, (int)w.place_count, NULL, 0};
     NumberPlace *places = ARENA_ARRAY(session->arena, NumberPlace, w.place_count + 1);
     if (w.place_count)
         memcpy(places, w.places, w.place_count * sizeof *places);

@@ -2,8 +2,8 @@
  *
  *     defs: { clay: { map: Blend, input: { map: Granite } } }    clay, and below it clay_granite
  *     diffuse: { map: Blend }                                    diffuse_blend
- *     defs: { mix: { map: Blend } }                              blend_mix, as GLSL has a function mix
- *     a Mix that nobody names                                    mix_map
+ *     defs: { mix: { map: Blend } } blend_mix, as GLSL has a function mix a Mix that nobody names
+ *     mix_map
  *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
 #include "compiler/ir/ir.h"
 #include "compiler/front/reserved.h"
@@ -27,7 +27,10 @@ static void put_identifier(Text *name, const char *word)
     }
 }
 
-static bool is_usable(const char *name) { return text_is_letter(name[0]) && !reserved_is_word(name); }
+static bool is_usable(const char *name)
+{
+    return text_is_letter(name[0]) && !reserved_is_word(name);
+}
 
 /* Owner, kind and own word, joined: those that are not NULL. */
 static const char *join_words(Arena *arena, const char *owner, const char *kind, const char *word)
@@ -49,8 +52,8 @@ static const char *join_words(Arena *arena, const char *owner, const char *kind,
 static const char *name_of(Arena *arena, const Node *map)
 {
     const char *kind = kind_table[map->kind].function;
-    const char *plain =
-        map->name ? join_words(arena, NULL, NULL, map->name) : join_words(arena, map->owner, kind, NULL);
+    const char *plain = map->name ? join_words(arena, NULL, NULL, map->name)
+                                  : join_words(arena, map->owner, kind, NULL);
     if (is_usable(plain))
         return plain;
     const char *named = join_words(arena, NULL, kind, map->name ? map->name : map->owner);
@@ -76,7 +79,8 @@ const char *ir_origin_name(Arena *arena, const Ir *ir, uint32_t origin)
 {
     if (origin == ORIGIN_SURFACE)
         return "surface";
-    return origin < ORIGIN_MAPS ? slot_table[origin - ORIGIN_SLOTS].name : name_of(arena, ir_origin_map(ir, origin));
+    return origin < ORIGIN_MAPS ? slot_table[origin - ORIGIN_SLOTS].name
+                                : name_of(arena, ir_origin_map(ir, origin));
 }
 
 uint32_t ir_origin(Ir *ir, const Node *map)

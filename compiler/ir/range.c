@@ -2,7 +2,8 @@
  *
  *     a = fract(u)       [0, 1], whatever u is
  *     b = sub(a, 0.5)    [-0.5, 0.5]
- *     c = mul(b, b)      [0, 0.25]: one value twice, where the corners alone would give [-0.25, 0.25]
+ *     c = mul(b, b)      [0, 0.25]: one value twice, where the corners alone would give [-0.25,
+ *                        0.25]
  *     d = max(c, 0)      is c, as opt_range finds */
 #include "compiler/ir/range.h"
 #include "compiler/library/references.h"
@@ -18,9 +19,9 @@ typedef struct {
 typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
-    uint32_t set;   /* these guards, and no others: each set that held has a number of its own */
-    int steps;      /* left */
-    int depth;      /* of nodes that are being looked at again */
+    uint32_t set; /* these guards, and no others: each set that held has a number of its own */
+    int steps;    /* left */
+    int depth;    /* of nodes that are being looked at again */
 } Guards;
 
 /* What was found of a node's lane while a set of guards held. */
@@ -45,10 +46,12 @@ struct Seen *range_seen_new(Arena *arena)
     return seen;
 }
 
-/* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it in b. What an arm computes of
- * t is computed once more with that, as far as LIMIT_GUARD_STEPS and LIMIT_GUARD_DEPTH go; beyond, what is known everywhere.
+/* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it
+ * in b. What an arm computes of t is computed once more with that, as far as LIMIT_GUARD_STEPS and
+ * LIMIT_GUARD_DEPTH go; beyond, what is known everywhere.
  *
- *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1], so [0, 2] */
+ *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1],
+ *                                             so [0, 2] */
 
 static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
 {
@@ -98,8 +101,10 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
 }
 
-/* The node that a condition compares with a constant, and where it lies when the condition holds, and when not. */
-static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *value, Interval sides[2])
+/* The node that a condition compares with a constant, and where it lies when the condition holds,
+ * and when not. */
+static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *value,
+                           Interval sides[2])
 {
     const IrNode *node = ir_at(ir, condition);
     if (node->op != OP_lt && node->op != OP_le)
@@ -142,7 +147,8 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
 /* Union of both arms, for a condition that is no comparison with a constant, or too many guards. */
 static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
-    return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane), range_of(r, ir, ir_arg(ir, ref, 2), lane));
+    return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane),
+                range_of(r, ir, ir_arg(ir, ref, 2), lane));
 }
 
 void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found)
@@ -188,14 +194,14 @@ static Interval table_range(int function)
     switch (function) {
 #define ANY              -INFINITY, INFINITY
 #define RANGE(low, high) low, high
-#define FUNCTION(name, result, arguments, range, cost, doc)                                                            \
-    case FN_##name:                                                                                                    \
+#define FUNCTION(name, result, arguments, range, cost, doc)                                        \
+    case FN_##name:                                                                                \
         return (Interval){range};
 #include "grammar/functions.def"
 #undef RANGE
 #undef ANY
-#define BETWEEN(map, low, high)                                                                                        \
-    case FN_FIRST_MAP + KIND_##map:                                                                                    \
+#define BETWEEN(map, low, high)                                                                    \
+    case FN_FIRST_MAP + KIND_##map:                                                                \
         return (Interval){low, high};
 #include "grammar/maps.def"
     default:
@@ -258,7 +264,8 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     }
 }
 
-/* The sum of the products of lanes; of one lane alone, where all are as one, as often as there are lanes. */
+/* The sum of the products of lanes; of one lane alone, where all are as one, as often as there are
+ * lanes. */
 static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
@@ -295,7 +302,8 @@ static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Interval all = {0, 0};
     for (int i = 1; i < ir_at(ir, ref)->count; i++)
-        all = sum(all, times(range_of(r, ir, ir_arg(ir, ref, 0), i - 1), range_of(r, ir, ir_arg(ir, ref, i), lane)));
+        all = sum(all, times(range_of(r, ir, ir_arg(ir, ref, 0), i - 1),
+                             range_of(r, ir, ir_arg(ir, ref, i), lane)));
     return all;
 }
 
@@ -342,9 +350,11 @@ static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 }
 
 /* What is no operand may be anything. */
-static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i, int lane)
+static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i,
+                                     int lane)
 {
-    return i < node->count ? range_of(r, ir, ir->args[node->first + (uint32_t)i], lane) : everything;
+    return i < node->count ? range_of(r, ir, ir->args[node->first + (uint32_t)i], lane)
+                           : everything;
 }
 
 /* Of an operation that works lane by lane: the RANGE lines of ops.def. */
@@ -355,8 +365,8 @@ static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     const Interval a = operand_range(r, ir, node, 0, lane), b = operand_range(r, ir, node, 1, lane),
                    c = operand_range(r, ir, node, 2, lane);
     switch (node->op) {
-#define RANGE(name, interval)                                                                                          \
-    case OP_##name:                                                                                                    \
+#define RANGE(name, interval)                                                                      \
+    case OP_##name:                                                                                \
         return interval;
 #include "grammar/ops.def"
     default:
@@ -367,8 +377,8 @@ static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     switch (ir_at(ir, ref)->op) {
-#define RANGE_NODE(name, function)                                                                                     \
-    case OP_##name:                                                                                                    \
+#define RANGE_NODE(name, function)                                                                 \
+    case OP_##name:                                                                                \
         return function(r, ir, ref, lane);
 #include "grammar/ops.def"
     default:

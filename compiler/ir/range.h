@@ -4,13 +4,15 @@
 #include "compiler/ir/interval.h"
 #include "compiler/ir/ir.h"
 
-/* Where in Ranges.of a node's intervals begin, 0: it may be anything; and whether each of its lanes has one there. */
+/* Where in Ranges.of a node's intervals begin, 0: it may be anything; and whether each of its lanes
+ * has one there. */
 typedef struct {
     uint32_t first : 31, by_lane : 1;
 } RangePlace;
 
 typedef struct Ranges {
-    Interval *of;          /* of each node that was looked at as many as it has lanes, or one; the first is of none */
+    /* of each node that was looked at as many as it has lanes, or one; the first is of none */
+    Interval *of;
     size_t used, room;     /* of them */
     RangePlace *place;     /* by Ref */
     size_t place_room;     /* of them */
@@ -19,15 +21,21 @@ typedef struct Ranges {
     struct Guards *guards; /* under way: range.c */
     uint64_t guarded;      /* marks of the nodes that the guards compare; 0: no guards */
     struct Seen *seen;     /* while they hold; NULL: there are none */
-    uint64_t *marks;       /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
+    /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
+    uint64_t *marks;
 } Ranges;
 
-/* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound by a rounding's worth: 1e-5 of it. */
+/* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound
+ * by a rounding's worth: 1e-5 of it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
-/* Of live nodes; any other may be anything. What was found before, in the same arena, is not found again: all but `lanes` is zero if nothing was. */
+/* Of live nodes; any other may be anything. What was found before, in the same arena, is not found
+ * again: all but `lanes` is zero if nothing was. */
 void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
 /* Something was found of it. */
-static inline bool range_is_found(const Ranges *r, Ref ref) { return ref < r->count && r->place[ref].first; }
+static inline bool range_is_found(const Ranges *r, Ref ref)
+{
+    return ref < r->count && r->place[ref].first;
+}
 /* Of what some values are made of. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
 /* The interval of such a node holds to the last bit. */

@@ -2,12 +2,15 @@
 #include "compiler/ir/range.h"
 #include <math.h>
 
-static bool compares(const Ir *ir, Ref ref) { return ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le); }
+static bool compares(const Ir *ir, Ref ref)
+{
+    return ir_is(ir, ref, OP_lt) || ir_is(ir, ref, OP_le);
+}
 
 static bool is_asked(const uint8_t *live, Ref ref) { return !live || live[ref]; }
 
-/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs; and those of its operands. NULL: no
- * condition does. */
+/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs;
+ * and those of its operands. NULL: no condition does. */
 static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
     uint64_t *marks = NULL;
@@ -57,7 +60,8 @@ static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t
 {
     r->count = count;
     r->place = arena_reach(arena, r->place, count, &r->place_room, sizeof *r->place);
-    r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL; /* all lanes as one know no guards */
+    /* all lanes as one know no guards */
+    r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL;
     if (r->marks && !r->seen)
         r->seen = range_seen_new(arena);
     if (!r->used)

@@ -7,8 +7,9 @@ int std140_offset(const char *type, int *size)
     static const struct {
         const char *name;
         int align, size;
-    } rows[] = {{"int", 4, 4},    {"uint", 4, 4},   {"uvec2", 8, 8}, {"uvec4", 16, 16}, {"float", 4, 4}, {"vec2", 8, 8},
-                {"vec3", 16, 12}, {"vec4", 16, 16}, {"mat3", 16, 48},  {"mat4", 16, 64}};
+    } rows[] = {{"int", 4, 4},    {"uint", 4, 4},  {"uvec2", 8, 8},  {"uvec4", 16, 16},
+                {"float", 4, 4},  {"vec2", 8, 8},  {"vec3", 16, 12}, {"vec4", 16, 16},
+                {"mat3", 16, 48}, {"mat4", 16, 64}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         size_t length = strlen(rows[i].name);
         if (strncmp(type, rows[i].name, length) != 0 || (type[length] && type[length] != ' '))

@@ -1,10 +1,12 @@
-/* --layout=auto: which slots lie together. A case stores the slots of some of the materials' sets; how few words a pixel does it
- * take, if every set shall find a case, and then how few cases? One by one they are tried.
+/* --layout=auto: which slots lie together. A case stores the slots of some of the materials' sets;
+ * how few words a pixel does it take, if every set shall find a case, and then how few cases? One
+ * by one they are tried.
  *
- *     sets {diffuse, emissive} of 40 bits, {diffuse, specular} of 32, {diffuse, ior} of 28, and words of 32
- *     1 word: the first set alone is too large. 2 words, 1 case: the union of all takes 52 and fits: 8 bytes, no bits to tell cases.
- *     Were the union 70: the second set joins the first's case if both fit there together, else it opens the second case; what
- *     has come to a dead end goes back to the last choice. */
+ *     sets {diffuse, emissive} of 40 bits, {diffuse, specular} of 32, {diffuse, ior} of 28, and
+ *     words of 32 1 word: the first set alone is too large. 2 words, 1 case: the union of all takes
+ *     52 and fits: 8 bytes, no bits to tell cases. Were the union 70: the second set joins the
+ *     first's case if both fit there together, else it opens the second case; what has come to a
+ *     dead end goes back to the last choice. */
 #include "compiler/layout/auto_layout.h"
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +27,8 @@ typedef struct {
 typedef struct {
     const FieldRow *fields; /* by falling size */
     int field_count;
-    unsigned sets[MATC_SETS + 1]; /* none of which lies within another; those that take the most bits first */
+    /* none of which lies within another; those that take the most bits first */
+    unsigned sets[MATC_SETS + 1];
     int set_count;
     LayoutRow row; /* as large as the cases may be, and so many of them */
     int steps;
@@ -51,7 +54,8 @@ static bool can_fit(const Search *s, unsigned slots)
 {
     FieldRow fields[SLOT_COUNT];
     CaseRow only = {.fields = fields};
-    LayoutRow row = s->row; /* each of its cases by itself, beside the number that tells them apart */
+    /* each of its cases by itself, beside the number that tells them apart */
+    LayoutRow row = s->row;
     Placement placement;
     for (int i = 0; i < s->field_count; i++)
         if (slots >> s->fields[i].source[0].slot & 1)
@@ -69,7 +73,8 @@ static bool fits(Search *s, unsigned slots)
     return at->fits;
 }
 
-/* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a new one. */
+/* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a
+ * new one. */
 static bool divide(Search *s, int next)
 {
     Division *found = s->found;

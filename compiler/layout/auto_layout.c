@@ -32,7 +32,8 @@ static void put_plan(Parts *parts, const Plan *plan, const MatcSlotRange *range)
 static const char *doc_of(Arena *arena, int materials)
 {
     Text text = text_new(arena);
-    text_format(&text, materials == 1 ? "Made for one material." : "Made for %d materials.", materials);
+    text_format(&text, materials == 1 ? "Made for one material." : "Made for %d materials.",
+                materials);
     return text.at;
 }
 
@@ -60,13 +61,16 @@ static CaseRow make_case(Arena *arena, const FieldRow *fields, int count, unsign
     return row;
 }
 
-static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan plans[SLOT_COUNT], double scale,
-                                 Division *division)
+static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan plans[SLOT_COUNT],
+                                 double scale, Division *division)
 {
     Parts parts = {.fixed = ARENA_ARRAY(arena, FixedRow, SLOT_COUNT)};
     CaseRow *cases = ARENA_ARRAY(arena, CaseRow, MOST_AUTO_CASES);
     LayoutRow *row = ARENA_NEW(arena, LayoutRow);
-    *row = (LayoutRow){.name = "auto", .doc = doc_of(arena, ranges->materials), .fixed = parts.fixed, .cases = cases};
+    *row = (LayoutRow){.name = "auto",
+                       .doc = doc_of(arena, ranges->materials),
+                       .fixed = parts.fixed,
+                       .cases = cases};
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         plans[slot] = auto_plan_slot((Slot)slot, &ranges->slot[slot], scale);
         put_plan(&parts, &plans[slot], &ranges->slot[slot]);
@@ -79,7 +83,8 @@ static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan pl
     row->case_count = division->count;
     for (int i = 0; i < division->count; i++) {
         cases[i] = make_case(arena, parts.fields, parts.count, division->slots[i]);
-        cases[i].doc = i ? doc_of_case(arena, division, i) : row->doc; /* the first one's is the layout's */
+        /* the first one's is the layout's */
+        cases[i].doc = i ? doc_of_case(arena, division, i) : row->doc;
     }
     return row;
 }

@@ -8,8 +8,9 @@
 
 /* What the slots of one material can be, by its optimised IR of the pass value with all slots. */
 void auto_ranges(const Ir *ir, MatcRanges *one);
-/* The layout of the materials that `ranges` were joined of; `error` is the colours', 0: that of classes.def. NULL: no layout has so
- * many words. The report tells of every slot what became of it. */
+/* The layout of the materials that `ranges` were joined of; `error` is the colours', 0: that of
+ * classes.def. NULL: no layout has so many words. The report tells of every slot what became of
+ * it. */
 const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double error, Text *report);
 
 /* What becomes of a slot. */
@@ -40,8 +41,8 @@ typedef struct {
     int words_of_one;                /* if there were but one case */
 } Division;
 
-/* The fewest words that hold the fields, each one slot's, and then the fewest cases. A material finds all of its slots in a case.
- * False: no layout has so many words. auto_cases.c */
+/* The fewest words that hold the fields, each one slot's, and then the fewest cases. A material
+ * finds all of its slots in a case. False: no layout has so many words. auto_cases.c */
 bool auto_divide(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division);
 /* Gives the row so many words: targets of four, two and one. */
 void auto_choose_formats(LayoutRow *row, int words);

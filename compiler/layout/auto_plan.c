@@ -23,7 +23,9 @@ static double class_error(const Plan *plan, const FieldRow *field)
             return sqrt(field_high(field)) * .5 / (ldexp(1, field->bits) - 1);
         return displayed(fmax(plan->low, 0) + step) - displayed(plan->low);
     case CLASS_UNIT_relative:
-        return encoding_table[field->encoding].unit == UNIT_relative ? step : step / fmax(plan->low, 1e-30);
+        return encoding_table[field->encoding].unit == UNIT_relative
+                   ? step
+                   : step / fmax(plan->low, 1e-30);
     default:
         return step;
     }
@@ -31,7 +33,8 @@ static double class_error(const Plan *plan, const FieldRow *field)
 
 static FieldRow make_field(const Wish *wish, Encoding encoding)
 {
-    FieldRow field = {.encoding = encoding, .count = wish->gray ? 1 : wish->lanes, .gray = wish->gray};
+    FieldRow field = {
+        .encoding = encoding, .count = wish->gray ? 1 : wish->lanes, .gray = wish->gray};
     for (int lane = 0; lane < field.count; lane++)
         field.source[lane] = (SlotLane){wish->plan->slot, lane};
     return field;
@@ -44,7 +47,8 @@ int auto_field_bits(const FieldRow *field)
 }
 
 /* The encoding at the fewest bits that do, if they are fewer than those of the best one so far. */
-static void try_encoding(const Wish *wish, Encoding encoding, double low, double high, FieldRow *best)
+static void try_encoding(const Wish *wish, Encoding encoding, double low, double high,
+                         FieldRow *best)
 {
     const EncodingRow *row = &encoding_table[encoding];
     FieldRow field = make_field(wish, encoding);
@@ -57,7 +61,8 @@ static void try_encoding(const Wish *wish, Encoding encoding, double low, double
             break;
     const bool does = class_error(wish->plan, &field) <= wish->plan->error * (1 + SAME);
     const bool better = !best->bits || auto_field_bits(&field) < auto_field_bits(best);
-    const bool best_does = best->bits && class_error(wish->plan, best) <= wish->plan->error * (1 + SAME);
+    const bool best_does =
+        best->bits && class_error(wish->plan, best) <= wish->plan->error * (1 + SAME);
     if (does ? !best_does || better : !best->bits)
         *best = field;
 }
@@ -141,8 +146,10 @@ Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
     if (row->kind == CLASS_color && plan.kind == CLASS_color)
         plan.high = fmin(plan.high, 1);
     plan.fate = FATE_field;
-    const bool gray = lanes > 1 && range->alike == range->counted && class_table[plan.kind].unit != CLASS_UNIT_degrees;
-    plan.field = best_field(&(Wish){&plan, gray, lanes}); /* a direction is encoded as one, whatever its lanes are */
+    const bool gray = lanes > 1 && range->alike == range->counted &&
+                      class_table[plan.kind].unit != CLASS_UNIT_degrees;
+    /* a direction is encoded as one, whatever its lanes are */
+    plan.field = best_field(&(Wish){&plan, gray, lanes});
     plan.error = class_error(&plan, &plan.field);
     return plan;
 }

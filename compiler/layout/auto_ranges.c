@@ -11,7 +11,8 @@ void matc_ranges_init(MatcRanges *ranges)
 {
     if (!ranges)
         return;
-    memset(ranges, 0, sizeof *ranges); /* what lies between members too: equal ranges are equal bytes */
+    /* what lies between members too: equal ranges are equal bytes */
+    memset(ranges, 0, sizeof *ranges);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         for (int lane = 0; lane < FIELD_LANES; lane++) {
             ranges->slot[slot].low[lane] = INFINITY;
@@ -39,7 +40,8 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* Lanes that are the same by how they are computed, by those of the operands: the SAME lines of ops.def. */
+/* Lanes that are the same by how they are computed, by those of the operands: the SAME lines of
+ * ops.def. */
 static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const double *numbers = ir_numbers(ir, ref);
@@ -86,8 +88,8 @@ static bool same_lanes(const Ir *ir, Ref ref, const uint8_t *same)
     if (ir_lanes(ir, ref) == 1)
         return true;
     switch (op) {
-#define SAME(name, function)                                                                                           \
-    case OP_##name:                                                                                                    \
+#define SAME(name, function)                                                                       \
+    case OP_##name:                                                                                \
         return function(ir, ref, same);
 #include "grammar/ops.def"
     default:
@@ -104,12 +106,13 @@ static uint8_t *find_same(const Ir *ir, Arena *arena)
 }
 
 /* One material's slot; what a surface cannot be is taken off. */
-static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same, const IrOutput *output,
-                      MatcSlotRange *range)
+static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
+                      const IrOutput *output, MatcSlotRange *range)
 {
     const SlotRow *row = &slot_table[output->index];
     const Ref value = output->value;
-    const bool draws = ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
+    const bool draws =
+        ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
     range->drawn = draws;
     if (slot_class_table[output->index].kind == CLASS_none || draws)
         return; /* another slot has it, or who draws knows it */
@@ -118,7 +121,8 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same, c
     range->alike = same[value];
     for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
         Interval found = range_of(ranges, ir, value, lane);
-        if (slot_mixing((Slot)output->index) == MIXING_DIRECTION) /* it is stored as the eye sees it: no way is ever left out */
+        /* it is stored as the eye sees it: no way is ever left out */
+        if (slot_mixing((Slot)output->index) == MIXING_DIRECTION)
             found = (Interval){row->low, row->high};
         range->low[lane] = fmin(fmax(found.low, row->low), row->high);
         range->high[lane] = fmax(fmin(found.high, row->high), row->low);

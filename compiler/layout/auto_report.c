@@ -36,7 +36,9 @@ static void put_fate(Text *out, const Plan *plan, const MatcSlotRange *range, in
                     range->counted);
         break;
     case FATE_absent:
-        text_format(out, materials == 1 ? "dropped: as absent" : "dropped: as absent in all %d materials", materials);
+        text_format(
+            out, materials == 1 ? "dropped: as absent" : "dropped: as absent in all %d materials",
+            materials);
         break;
     case FATE_taken:
         text_put(out, "dropped: the transparency has taken it in");
@@ -83,7 +85,8 @@ static void put_cases(Text *out, const Division *division)
     text_char(out, '\n');
 }
 
-static void put_sizes(Text *out, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
+static void put_sizes(Text *out, const MatcRanges *ranges, const LayoutRow *row,
+                      const Division *division)
 {
     text_format(out, "%d bytes a pixel", layout_bytes(row));
     if (division->count > 1)
@@ -95,10 +98,12 @@ static void put_sizes(Text *out, const MatcRanges *ranges, const LayoutRow *row,
                 layout_bytes(&layout_table[LAYOUT_thesis]));
 }
 
-void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row, const Division *division)
+void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,
+                 const Division *division)
 {
     put_sizes(out, ranges, row, division);
-    text_format(out, "%-25s %-18s %-28s %4s  %s\n", "slot", "range", "stored as", "bits", "error at most");
+    text_format(out, "%-25s %-18s %-28s %4s  %s\n", "slot", "range", "stored as", "bits",
+                "error at most");
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         const Plan *plan = &plans[slot];
         Text range = text_new(out->arena);

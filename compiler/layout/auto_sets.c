@@ -1,6 +1,7 @@
-/* Which slots materials have together: sets of slots with the number of materials that have just these. There is room for so many;
- * those with the most slots stay, since small ones are the likeliest to lie within another, and the rest become one. What stays
- * are the first ones of all that ever came, so that the order in which they come is of no account. */
+/* Which slots materials have together: sets of slots with the number of materials that have just
+ * these. There is room for so many; those with the most slots stay, since small ones are the
+ * likeliest to lie within another, and the rest become one. What stays are the first ones of all
+ * that ever came, so that the order in which they come is of no account. */
 #include "compiler/layout/auto_layout.h"
 #include <string.h>
 

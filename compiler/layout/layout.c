@@ -79,13 +79,17 @@ static unsigned fixed_slots(const FixedRow *fixed, int count)
     return slots;
 }
 
-unsigned layout_fixed_slots(const LayoutRow *row) { return fixed_slots(row->fixed, row->fixed_count); }
+unsigned layout_fixed_slots(const LayoutRow *row)
+{
+    return fixed_slots(row->fixed, row->fixed_count);
+}
 
 unsigned layout_slots(const LayoutRow *row)
 {
     unsigned slots = layout_fixed_slots(row);
     for (int i = 0; i < row->case_count; i++)
-        slots |= layout_case_slots(&row->cases[i]) | fixed_slots(row->cases[i].fixed, row->cases[i].fixed_count);
+        slots |= layout_case_slots(&row->cases[i]) |
+                 fixed_slots(row->cases[i].fixed, row->cases[i].fixed_count);
     return slots;
 }
 
@@ -107,7 +111,8 @@ static int bits_for(int count)
     return bits;
 }
 
-/* Numbers of further cases: of four bits at most. Where they are not enough, the last of them says that one more of so many bits follows. */
+/* Numbers of further cases: of four bits at most. Where they are not enough, the last of them says
+ * that one more of so many bits follows. */
 enum { SHORT_BITS = 4, SHORT_NUMBERS = 1 << SHORT_BITS, ESCAPE = SHORT_NUMBERS - 1 };
 
 int layout_case_bits(const LayoutRow *row) { return bits_for(plain_count(row)); }
@@ -130,7 +135,8 @@ static unsigned further_code(const LayoutRow *row, int further, int *bits)
 
 static bool is_last_word(const LayoutRow *row, int target, int lane)
 {
-    return target + 1 == layout_targets(row) && lane + 1 == format_table[row->formats[target]].lanes;
+    return target + 1 == layout_targets(row) &&
+           lane + 1 == format_table[row->formats[target]].lanes;
 }
 
 double layout_case_code(const LayoutRow *row, int number, int target, int lane)
@@ -141,7 +147,8 @@ double layout_case_code(const LayoutRow *row, int number, int target, int lane)
     int bits;
     if (target || lane)
         return mark;
-    return mark + (further < 0 ? number : ldexp(further_code(row, further, &bits), layout_case_bits(row)));
+    return mark +
+           (further < 0 ? number : ldexp(further_code(row, further, &bits), layout_case_bits(row)));
 }
 
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
@@ -153,9 +160,10 @@ int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last)
     const Further numbers = layout_further(row);
     const uint32_t code = first >> layout_case_bits(row);
     const int further = (int)(code & ((1u << numbers.bits) - 1));
-    return plain_count(row) + (further < numbers.few || !numbers.more_bits
-                                   ? further
-                                   : ESCAPE + (int)(code >> SHORT_BITS & ((1u << numbers.more_bits) - 1)));
+    return plain_count(row) +
+           (further < numbers.few || !numbers.more_bits
+                ? further
+                : ESCAPE + (int)(code >> SHORT_BITS & ((1u << numbers.more_bits) - 1)));
 }
 
 bool piece_is_slot(const Piece *piece)
@@ -189,8 +197,9 @@ static bool fits(const Room *room, const LayoutRow *row, const Piece *piece)
     if (format->words != encoding_table[piece->field->encoding].words)
         return false;
     const int mark = room->marked && is_last_word(row, piece->target, piece->lane);
-    return format->words ? room->taken[piece->target][piece->lane] + piece->size <= format->bits - mark
-                         : fits_lanes(room, format, piece);
+    return format->words
+               ? room->taken[piece->target][piece->lane] + piece->size <= format->bits - mark
+               : fits_lanes(room, format, piece);
 }
 
 static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
@@ -216,7 +225,8 @@ static bool is_sound(const FieldRow *field)
 {
     const EncodingRow *encoding = &encoding_table[field->encoding];
     return field->count >= 1 && field->count <= FIELD_LANES && field->bits >= encoding->least &&
-           field->bits <= encoding->most && (!encoding->takes || field->count % encoding->takes == 0);
+           field->bits <= encoding->most &&
+           (!encoding->takes || field->count % encoding->takes == 0);
 }
 
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement)
@@ -233,11 +243,13 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
         return &fields->fields[0]; /* nowhere to tell the cases apart */
     for (int i = 0; i < fields->field_count; i++) {
         const FieldRow *field = &fields->fields[i];
-        int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes : field->count;
+        int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes
+                                                          : field->count;
         if (!is_sound(field))
             return field;
         for (int first = 0; first < field->count; first += takes) {
-            Piece piece = {.field = field, .first = first, .count = takes, .size = field_size(field)};
+            Piece piece = {
+                .field = field, .first = first, .count = takes, .size = field_size(field)};
             if (placement->count == MOST_PIECES || !find_room(&room, row, &piece))
                 return field;
             placement->pieces[placement->count++] = piece;

@@ -1,4 +1,5 @@
-/* Where a layout's fields lie: each group of lanes that an encoding takes is one piece of a render target. */
+/* Where a layout's fields lie: each group of lanes that an encoding takes is one piece of a render
+ * target. */
 #ifndef MATC_LAYOUT_H
 #define MATC_LAYOUT_H
 #include "compiler/base/text.h"
@@ -19,13 +20,15 @@ typedef struct {
     int count;
 } Placement;
 
-/* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it. The same rows always give
- * the same places. NULL, or the field that does not fit in. */
+/* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it.
+ * The same rows always give the same places. NULL, or the field that does not fit in. */
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
-/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of further cases stand behind them. */
+/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of
+ * further cases stand behind them. */
 int layout_case_bits(const LayoutRow *row);
-/* Numbers of further cases: the first `few` have `bits`; where `more_bits` is not 0, the others have the number `few` and, behind it, one of
- * their own, counted from 0. Of 20 cases 15 have four bits, 0 to 14, and five have the number 15 and three bits more. */
+/* Numbers of further cases: the first `few` have `bits`; where `more_bits` is not 0, the others
+ * have the number `few` and, behind it, one of their own, counted from 0. Of 20 cases 15 have four
+ * bits, 0 to 14, and five have the number 15 and three bits more. */
 typedef struct {
     int bits, few, more_bits;
 } Further;
@@ -49,8 +52,8 @@ bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);
 /* The slots of layout_slots() that are the same for all materials. */
 unsigned layout_fixed_slots(const LayoutRow *row);
-/* A case stores every slot of the layout that is not fixed, so that every material has one. Where none does, what changes
- * nothing need not be stored. */
+/* A case stores every slot of the layout that is not fixed, so that every material has one. Where
+ * none does, what changes nothing need not be stored. */
 bool layout_is_whole(const LayoutRow *row);
 /* The slot that is not stored but the same for all materials; NULL: it is stored, or absent. */
 const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);

@@ -1,4 +1,5 @@
-/* Whether a layout that was read can be: its fields are possible, its slots whole, its targets large enough. */
+/* Whether a layout that was read can be: its fields are possible, its slots whole, its targets
+ * large enough. */
 #include "compiler/layout/layout_read.h"
 
 typedef struct {
@@ -43,12 +44,13 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
     bool fine = true;
     for (int i = 0; i < field->count && fine; i++) {
         const SlotRow *slot = &slot_table[field->source[i].slot];
-        if (directions && (slot_mixing(field->source[i].slot) != MIXING_DIRECTION || field->source[i].lane != i))
+        if (directions &&
+            (slot_mixing(field->source[i].slot) != MIXING_DIRECTION || field->source[i].lane != i))
             fine = diag_add(k->session, span, DIAG_field_normal, encoding->name);
         else if (!directions && slot->low < 0 && field_low(field) >= 0)
-            fine = diag_add(k->session, span, DIAG_field_sign, encoding->name, number_text(k, field_low(field)),
-                            number_text(k, field_high(field)), slot->name, number_text(k, slot->low),
-                            number_text(k, slot->high));
+            fine = diag_add(k->session, span, DIAG_field_sign, encoding->name,
+                            number_text(k, field_low(field)), number_text(k, field_high(field)),
+                            slot->name, number_text(k, slot->low), number_text(k, slot->high));
     }
     k->fine &= fine;
 }
@@ -72,12 +74,14 @@ static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
             stored = last[slot][lane] ? last[slot][lane] : stored;
         for (int lane = 0; stored && lane < type_table[slot_table[slot].type].lanes; lane++)
             if (!last[slot][lane])
-                k->fine = diag_add(k->session, trees[stored - 1]->span, DIAG_slot_in_part,
-                                   lane_text(k, (SlotLane){(Slot)slot, lane}), slot_table[slot].name);
+                k->fine =
+                    diag_add(k->session, trees[stored - 1]->span, DIAG_slot_in_part,
+                             lane_text(k, (SlotLane){(Slot)slot, lane}), slot_table[slot].name);
     }
 }
 
-/* "left are 3 bits of 0.r, 32 bits of 1.g", "left are 0.a, 2.r", ...: what the fields before leave. */
+/* "left are 3 bits of 0.r, 32 bits of 1.g", "left are 0.a, 2.r", ...: what the fields before
+ * leave. */
 static const char *left_text(Checker *k, const Placement *placement, bool words)
 {
     Text text = text_new(k->session->arena);
@@ -89,7 +93,8 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
             int left = format->bits - (target || lane ? 0 : layout_case_bits(k->row));
             for (int i = 0; i < placement->count; i++) {
                 const Piece *piece = &placement->pieces[i];
-                if (piece->target == target && lane >= piece->lane && lane < piece->lane + (words ? 1 : piece->size))
+                if (piece->target == target && lane >= piece->lane &&
+                    lane < piece->lane + (words ? 1 : piece->size))
                     left = words ? left - piece->size : 0;
             }
             if (!left)
@@ -100,7 +105,10 @@ static const char *left_text(Checker *k, const Placement *placement, bool words)
             text_format(&text, "%d.%c", target, "rgba"[lane]);
         }
     }
-    return text.size ? text.at : any ? "nothing is left" : words ? "no target holds words" : "no target holds floats";
+    return text.size ? text.at
+           : any     ? "nothing is left"
+           : words   ? "no target holds words"
+                     : "no target holds floats";
 }
 
 static void check_room(Checker *k, int number, Tree *const *trees)
@@ -113,17 +121,20 @@ static void check_room(Checker *k, int number, Tree *const *trees)
     Text encoding = text_new(k->session->arena), size = text_new(k->session->arena);
     layout_put_encoding(&encoding, fault);
     text_format(&size, words ? "%d bits of one word" : "%d lanes of one target", field_size(fault));
-    k->fine = diag_add(k->session, trees[fault - k->row->cases[number].fields]->span, DIAG_field_full, encoding.at,
-                       slot_table[fault->source[0].slot].name, size.at, left_text(k, &placement, words));
+    k->fine = diag_add(k->session, trees[fault - k->row->cases[number].fields]->span,
+                       DIAG_field_full, encoding.at, slot_table[fault->source[0].slot].name,
+                       size.at, left_text(k, &placement, words));
 }
 
 static void check_cases(Checker *k, const Tree *file)
 {
-    if ((layout_case_bits(k->row) || k->row->further_count) && !format_table[k->row->formats[0]].words)
+    if ((layout_case_bits(k->row) || k->row->further_count) &&
+        !format_table[k->row->formats[0]].words)
         k->fine = diag_add(k->session, tree_find(file, "targets")->value->span, DIAG_case_words);
 }
 
-bool layout_check(Session *session, const LayoutRow *row, const Tree *file, Tree *const *const *trees)
+bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
+                  Tree *const *const *trees)
 {
     Checker k = {session, row, true};
     for (int number = 0; number < row->case_count; number++) {

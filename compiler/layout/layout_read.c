@@ -1,4 +1,5 @@
-/* Tree -> LayoutRow: the keys of a layout file, their types, the names in them. layout_check.c knows what fits together. */
+/* Tree -> LayoutRow: the keys of a layout file, their types, the names in them. layout_check.c
+ * knows what fits together. */
 #include "compiler/layout/layout_read.h"
 #include "compiler/front/resolve.h"
 #include <math.h>
@@ -11,8 +12,14 @@ typedef struct {
     bool fine;
 } Reader;
 
-static const char *format_name(const void *user, int i) { return (void)user, format_table[i + 1].name; }
-static const char *encoding_name(const void *user, int i) { return (void)user, encoding_table[i].name; }
+static const char *format_name(const void *user, int i)
+{
+    return (void)user, format_table[i + 1].name;
+}
+static const char *encoding_name(const void *user, int i)
+{
+    return (void)user, encoding_table[i].name;
+}
 static const char *slot_name(const void *user, int i) { return (void)user, slot_table[i].name; }
 static const char *key_name(const void *user, int i) { return ((const char *const *)user)[i]; }
 
@@ -46,7 +53,8 @@ static void wrong_type(Reader *r, const Tree *tree, const char *what, const char
 }
 
 /* Keys that are not in the list are told. */
-static void check_keys(Reader *r, const Tree *object, const char *what, const char *const *keys, int count)
+static void check_keys(Reader *r, const Tree *object, const char *what, const char *const *keys,
+                       int count)
 {
     for (uint32_t i = 0; i < object->count; i++) {
         int k = 0;
@@ -55,7 +63,8 @@ static void check_keys(Reader *r, const Tree *object, const char *what, const ch
         if (k < count)
             continue;
         const char *near = diag_suggest(r->session, object->members[i].key, key_name, keys, count);
-        diag_add(r->session, object->members[i].span, DIAG_layout_key, what, object->members[i].key, near);
+        diag_add(r->session, object->members[i].span, DIAG_layout_key, what, object->members[i].key,
+                 near);
         fail(r);
     }
 }
@@ -73,7 +82,8 @@ static Tree *member(Reader *r, const Tree *object, const char *what, const char 
     return NULL;
 }
 
-static const char *text_of(Reader *r, const Tree *object, const char *what, const char *key, bool must)
+static const char *text_of(Reader *r, const Tree *object, const char *what, const char *key,
+                           bool must)
 {
     const Tree *tree = member(r, object, what, key, must);
     if (!tree)
@@ -141,7 +151,8 @@ static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
         const char *rgba = strchr(all, *letters), *at = strchr("xyzw", *letters);
         int lane = rgba ? (int)(rgba - all) : at ? (int)(at - "xyzw") : FIELD_LANES;
         if (lane >= lanes || field->count == FIELD_LANES) {
-            diag_add(r->session, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name, all);
+            diag_add(r->session, tree->span, DIAG_layout_lanes, tree->text, slot_table[slot].name,
+                     all);
             fail(r);
             return;
         }
@@ -208,7 +219,8 @@ static void read_gray(Reader *r, const Tree *object, FieldRow *field)
         wrong_type(r, tree, "gray", "true or false");
         return;
     }
-    bool whole = field->count > 1 && field->count == type_table[slot_table[field->source[0].slot].type].lanes;
+    bool whole = field->count > 1 &&
+                 field->count == type_table[slot_table[field->source[0].slot].type].lanes;
     for (int i = 0; i < field->count; i++)
         whole &= field->source[i].slot == field->source[0].slot && field->source[i].lane == i;
     if (yes && (!whole || encoding_table[field->encoding].takes > 1)) {
@@ -246,7 +258,8 @@ static CaseRow read_case(Reader *r, const Tree *object, const char *what, int nu
     r->trees[number] = items;
     for (int i = 0; i < count; i++)
         read_field(r, items[i], &fields[i]);
-    return (CaseRow){.fields = fields, .field_count = count, .doc = text_of(r, object, what, "doc", false)};
+    return (CaseRow){
+        .fields = fields, .field_count = count, .doc = text_of(r, object, what, "doc", false)};
 }
 
 /* Further cases stand behind all others, and mark a word. */
@@ -269,9 +282,11 @@ static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
 {
     const int lanes = type_table[slot_table[fixed->slot].type].lanes;
     const Tree *value = from->value;
-    bool fine = value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
+    bool fine =
+        value->kind == TREE_list ? value->count == (uint32_t)lanes : value->kind == TREE_scalar;
     for (int lane = 0; lane < lanes && fine; lane++)
-        fine = tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
+        fine =
+            tree_number(value->kind == TREE_list ? value->items[lane] : value, &fixed->value[lane]);
     if (!fine)
         wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
 }
@@ -282,7 +297,8 @@ typedef struct {
     int count;
 } ConstantOf;
 
-static int read_constants(Reader *r, const Tree *from, const char *owner, ConstantOf of, const FixedRow **rows)
+static int read_constants(Reader *r, const Tree *from, const char *owner, ConstantOf of,
+                          const FixedRow **rows)
 {
     const Tree *object = member(r, from, owner, "constants", false);
     int found = 0;
@@ -294,7 +310,8 @@ static int read_constants(Reader *r, const Tree *from, const char *owner, Consta
     }
     FixedRow *fixed = ARENA_ARRAY(r->session->arena, FixedRow, object->count + 1);
     for (uint32_t i = 0; i < object->count; i++) {
-        Tree key = {.kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
+        Tree key = {
+            .kind = TREE_scalar, .span = object->members[i].span, .text = object->members[i].key};
         int slot = row_of(r, &key, "constants", &slot_names);
         if (slot < 0)
             continue;
@@ -316,7 +333,8 @@ static void read_cases(Reader *r, const Tree *file)
     static const char *const keys[] = {"doc", "further", "fields", "constants"};
     int more = 0;
     const ListKey list = {"a layout", "cases", LIMIT_LAYOUT_CASES - 1};
-    Tree **items = member(r, file, list.owner, list.key, false) ? items_of(r, file, list, &more) : NULL;
+    Tree **items =
+        member(r, file, list.owner, list.key, false) ? items_of(r, file, list, &more) : NULL;
     CaseRow *cases = ARENA_ARRAY(r->session->arena, CaseRow, 1 + more);
     r->trees = ARENA_ARRAY(r->session->arena, Tree *const *, 1 + more);
     cases[0] = read_case(r, file, "a layout", 0);
@@ -355,7 +373,8 @@ const LayoutRow *layout_read(Session *session, const Tree *tree)
     r.row->name = text_of(&r, tree, "a layout", "layout", true);
     r.row->doc = text_of(&r, tree, "a layout", "doc", false);
     if (r.fine && !resolve_is_name(r.row->name)) {
-        diag_add(session, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name, LIMIT_NAME);
+        diag_add(session, tree_find(tree, "layout")->value->span, DIAG_bad_name, r.row->name,
+                 LIMIT_NAME);
         fail(&r);
     }
     read_targets(&r, tree);

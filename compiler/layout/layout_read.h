@@ -6,8 +6,10 @@
 
 /* The layout of a tree, in the arena; NULL: see the diagnostics. */
 const LayoutRow *layout_read(Session *session, const Tree *tree);
-/* Whether all of its fields are possible, fit in, and make whole slots; `trees[i][k]` is where field k of case i stands. */
-bool layout_check(Session *session, const LayoutRow *row, const Tree *file, Tree *const *const *trees);
+/* Whether all of its fields are possible, fit in, and make whole slots; `trees[i][k]` is where
+ * field k of case i stands. */
+bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
+                  Tree *const *const *trees);
 /* The same layout as a file; it reads back to an equal row. */
 void layout_write(Text *out, const LayoutRow *row);
 #endif

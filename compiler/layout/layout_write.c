@@ -54,7 +54,8 @@ static void put_constants(Text *out, const FixedRow *rows, int count, const char
         text_format(out, "%sconstants:\n", indent);
     for (int i = 0; i < count; i++) {
         const int lanes = type_table[slot_table[rows[i].slot].type].lanes;
-        text_format(out, lanes > 1 ? "%s  %s: [" : "%s  %s: ", indent, slot_table[rows[i].slot].name);
+        text_format(out, lanes > 1 ? "%s  %s: [" : "%s  %s: ", indent,
+                    slot_table[rows[i].slot].name);
         for (int lane = 0; lane < lanes; lane++) {
             text_put(out, lane ? ", " : "");
             text_double(out, rows[i].value[lane]);

@@ -1,6 +1,7 @@
-/* Diamond-square on the torus, semantics.md 2.2, for any size: the lines of a grid of n cells stand at floor(i width / n), so
- * that for powers of two the cells are GroIMP's, and for others they differ by a texel. Where lines coincide, the first value
- * of a texel stays. The generator is seeded; GroIMP ignores the seed, which is its seed 0. */
+/* Diamond-square on the torus, semantics.md 2.2, for any size: the lines of a grid of n cells stand
+ * at floor(i width / n), so that for powers of two the cells are GroIMP's, and for others they
+ * differ by a texel. Where lines coincide, the first value of a texel stays. The generator is
+ * seeded; GroIMP ignores the seed, which is its seed 0. */
 #include "compiler/library/carpenter.h"
 #include "compiler/library/java_random.h"
 #include <math.h>
@@ -23,20 +24,23 @@ static float *texel(Relief *r, int column, int row)
     return &r->texels[y * r->width + x];
 }
 
-/* The mean of the texels at (column +- a, row +- b) and (column +- c, row +- d), moved by a random offset. */
+/* The mean of the texels at (column +- a, row +- b) and (column +- c, row +- d), moved by a random
+ * offset. */
 static void subdivide(Relief *r, int column, int row, const int reach[4])
 {
     float *target = texel(r, column, row);
     if (!isnan(*target))
         return;
-    double sum =
-        (double)*texel(r, column - reach[0], row - reach[1]) + (double)*texel(r, column + reach[0], row + reach[1]) +
-        (double)*texel(r, column - reach[2], row - reach[3]) + (double)*texel(r, column + reach[2], row + reach[3]);
+    double sum = (double)*texel(r, column - reach[0], row - reach[1]) +
+                 (double)*texel(r, column + reach[0], row + reach[1]) +
+                 (double)*texel(r, column - reach[2], row - reach[3]) +
+                 (double)*texel(r, column + reach[2], row + reach[3]);
     double value = sum / 4 + (double)java_random_signed(&r->state) * r->reach;
     *target = (float)fmax(fmin(value, GREATEST), -GREATEST);
 }
 
-/* One level: the centres of all cells from their corners, then the middles of the edges from the four texels beside them. */
+/* One level: the centres of all cells from their corners, then the middles of the edges from the
+ * four texels beside them. */
 static void refine(Relief *r)
 {
     static const int diagonal[4] = {1, 1, 1, -1}, straight[4] = {1, 0, 0, 1};
@@ -52,8 +56,10 @@ static void refine(Relief *r)
 
 void carpenter_bake(const CarpenterRelief *carpenter, float *texels)
 {
-    const int width = carpenter->width, height = carpenter->height, greater = width > height ? width : height;
-    Relief relief = {width, height, .lines = 2, .reach = carpenter->noise, java_random(carpenter->seed), texels};
+    const int width = carpenter->width, height = carpenter->height,
+              greater = width > height ? width : height;
+    Relief relief = {
+        width, height, .lines = 2, .reach = carpenter->noise, java_random(carpenter->seed), texels};
     for (int i = 0; i < width * height; i++)
         texels[i] = NAN;
     texels[0] = (float)fmax(fmin(carpenter->color, GREATEST), -GREATEST);

@@ -3,7 +3,8 @@
 #define MATC_CARPENTER_H
 #include <stdint.h>
 
-/* The parameters of the map: the height at the corners, the reach of the first offsets, and how fast they fall with the level. */
+/* The parameters of the map: the height at the corners, the reach of the first offsets, and how
+ * fast they fall with the level. */
 typedef struct {
     double color, noise, roughness;
     int64_t seed;

@@ -1,5 +1,6 @@
-/* Cells: every whole square or cube has a point of its own, at random. Distances to the nearest two, and whose they are, by asking ring
- * after ring of cells around: none beyond the third can have one of the nearest two, as compiler/library/cells.h proves. */
+/* Cells: every whole square or cube has a point of its own, at random. Distances to the nearest
+ * two, and whose they are, by asking ring after ring of cells around: none beyond the third can
+ * have one of the nearest two, as compiler/library/cells.h proves. */
 #include "compiler/library/cells.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -9,7 +10,8 @@ static const double TURN = 33554432;                   /* of the hash of words: 
 
 static bool of_floats(ReferenceNoise noise)
 {
-    return noise == REFERENCE_LATTICE_FLOAT || noise == REFERENCE_SIMPLEX_FLOAT || noise == REFERENCE_GROIMP_FLOAT;
+    return noise == REFERENCE_LATTICE_FLOAT || noise == REFERENCE_SIMPLEX_FLOAT ||
+           noise == REFERENCE_GROIMP_FLOAT;
 }
 
 static uint32_t mixed(uint32_t h)
@@ -32,7 +34,8 @@ static uint32_t cube(uint32_t x) { return x * x % PRIME * x % PRIME; }
 static uint32_t residue_of(double cell)
 {
     const double near = cell - PERIOD * floor(cell / PERIOD);
-    const uint32_t c = near >= 0 && near < PERIOD ? (uint32_t)near : 0, block = c / PRIME, rest = c % PRIME;
+    const uint32_t c = near >= 0 && near < PERIOD ? (uint32_t)near : 0, block = c / PRIME,
+                   rest = c % PRIME;
     return cube((block * (rest + 3) + rest) % PRIME);
 }
 
@@ -49,7 +52,9 @@ static Chance chance_of_words(const double cell[3], int dimensions)
     const double number = ldexp((next ^ (next >> 16)) >> 8, -24);
     if (dimensions == 2)
         return (Chance){{((h >> 16) + .5) / 65536, ((h & 65535) + .5) / 65536, .5}, number};
-    return (Chance){{((h >> 21) + .5) / 2048, ((h >> 10 & 2047) + .5) / 2048, ((h & 1023) + .5) / 1024}, number};
+    return (Chance){
+        {((h >> 21) + .5) / 2048, ((h >> 10 & 2047) + .5) / 2048, ((h & 1023) + .5) / 1024},
+        number};
 }
 
 static Chance chance_of_floats(const double cell[3], int dimensions)
@@ -70,7 +75,8 @@ static double distance(const double a[3], CellsDistance how)
     return sqrt(a[0] * a[0] + a[1] * a[1] + a[2] * a[2]);
 }
 
-/* How the distance to a point changes as the point that is asked moves, which is against the way to it. */
+/* How the distance to a point changes as the point that is asked moves, which is against the way to
+ * it. */
 static void rise_of(const CellsPoint *point, CellsDistance how, double rise[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -84,7 +90,8 @@ static void rise_of(const CellsPoint *point, CellsDistance how, double rise[3])
     }
 }
 
-/* Equally far: the one of the first cell, with x as the fastest axis, so that the order of asking does not matter. */
+/* Equally far: the one of the first cell, with x as the fastest axis, so that the order of asking
+ * does not matter. */
 static bool is_nearer(const CellsPoint *a, const CellsPoint *b)
 {
     if (a->distance != b->distance)
@@ -110,11 +117,12 @@ static CellsPoint point_of(ReferenceNoise noise, const CellsQuestion *q, const i
     double cell[3] = {0};
     for (int i = 0; i < q->dimensions; i++)
         cell[i] = floor(q->p[i]) + offset[i];
-    const Chance chance =
-        of_floats(noise) ? chance_of_floats(cell, q->dimensions) : chance_of_words(cell, q->dimensions);
+    const Chance chance = of_floats(noise) ? chance_of_floats(cell, q->dimensions)
+                                           : chance_of_words(cell, q->dimensions);
     CellsPoint point = {.number = chance.number, .cell = {offset[0], offset[1], offset[2]}};
     for (int i = 0; i < q->dimensions; i++)
-        point.away[i] = offset[i] - (q->p[i] - floor(q->p[i])) + .5 + q->jitter * (chance.place[i] - .5);
+        point.away[i] =
+            offset[i] - (q->p[i] - floor(q->p[i])) + .5 + q->jitter * (chance.place[i] - .5);
     point.distance = distance(point.away, q->how);
     return point;
 }
@@ -133,8 +141,9 @@ static void meet_ring(ReferenceNoise noise, const CellsQuestion *q, int ring, Ce
         }
 }
 
-/* A point of the ring k is k - 1 away or more: where the second nearest is nearer, no further ring has one of the two. With p in the middle of a cell
- * and both neighbours' points .9 away, the rings 0 and 1 are asked, 27 cells of 343. */
+/* A point of the ring k is k - 1 away or more: where the second nearest is nearer, no further ring
+ * has one of the two. With p in the middle of a cell and both neighbours' points .9 away, the rings
+ * 0 and 1 are asked, 27 cells of 343. */
 CellsPair cells_nearest(ReferenceNoise noise, const CellsQuestion *q)
 {
     const CellsPoint none = {.distance = INFINITY};
@@ -144,14 +153,16 @@ CellsPair cells_nearest(ReferenceNoise noise, const CellsQuestion *q)
     return pair;
 }
 
-/* Arguments: p, a rest that is added to it, jitter, which is taken to 0 or 1 beyond these, distance. */
+/* Arguments: p, a rest that is added to it, jitter, which is taken to 0 or 1 beyond these,
+ * distance. */
 static CellsQuestion question(int dimensions, const double *args)
 {
     CellsQuestion q = {.dimensions = dimensions};
     for (int i = 0; i < dimensions; i++)
         q.p[i] = args[i] + args[dimensions + i];
     q.jitter = fmin(fmax(args[2 * dimensions], 0), 1);
-    q.how = (CellsDistance)whole_between(args[2 * dimensions + 1], CELLS_EUCLIDEAN, CELLS_CHEBYSHEV);
+    q.how =
+        (CellsDistance)whole_between(args[2 * dimensions + 1], CELLS_EUCLIDEAN, CELLS_CHEBYSHEV);
     return q;
 }
 
@@ -178,7 +189,9 @@ static void rise(const void *context, int dimensions, const double *args, double
     rise_of(&pair.first, q.how, first);
     rise_of(&pair.second, q.how, second);
     for (int i = 0; i < 3; i++)
-        result[i] = measure <= CELLS_FIRST ? first[i] : measure < CELLS_BETWEEN ? second[i] : second[i] - first[i];
+        result[i] = measure <= CELLS_FIRST    ? first[i]
+                    : measure < CELLS_BETWEEN ? second[i]
+                                              : second[i] - first[i];
     result[3] = measure_of(&pair, measure);
 }
 

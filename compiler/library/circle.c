@@ -1,4 +1,5 @@
-/* The bounded forms of functions that GLSL leaves open: what they mean is what C's functions are. */
+/* The bounded forms of functions that GLSL leaves open: what they mean is what C's functions
+ * are. */
 #include "compiler/library/reference.h"
 
 REFERENCE(sineBounded) { (void)context, result[0] = sin(args[0]); }
@@ -7,5 +8,8 @@ REFERENCE(tangentBounded) { (void)context, result[0] = tan(args[0]); }
 REFERENCE(arcsineBounded) { (void)context, result[0] = asin(clamp(args[0], -1, 1)); }
 REFERENCE(arccosineBounded) { (void)context, result[0] = acos(clamp(args[0], -1, 1)); }
 REFERENCE(arctangentBounded) { (void)context, result[0] = atan(args[0]); }
-REFERENCE(angleBounded) { (void)context, result[0] = args[0] == 0 && args[1] == 0 ? 0 : atan2(args[0], args[1]); }
+REFERENCE(angleBounded)
+{
+    (void)context, result[0] = args[0] == 0 && args[1] == 0 ? 0 : atan2(args[0], args[1]);
+}
 REFERENCE(powerCompensated) { (void)context, result[0] = pow(args[0], args[1]); }

@@ -1,4 +1,5 @@
-/* Pictures and reliefs, semantics.md 2.2. Arguments: the texture's index, u, v, and its size, which the texture itself knows. */
+/* Pictures and reliefs, semantics.md 2.2. Arguments: the texture's index, u, v, and its size, which
+ * the texture itself knows. */
 #include "compiler/library/reference.h"
 #include "compiler/library/srgb.h"
 #include <stddef.h>
@@ -22,9 +23,13 @@ static ReferenceTexture fetched_of(const void *context, double index)
 
 enum { NOWHERE = -1 };
 
-static double rest(double whole, double divisor) { return whole - divisor * floor(whole / divisor); }
+static double rest(double whole, double divisor)
+{
+    return whole - divisor * floor(whole / divisor);
+}
 
-/* A whole number as an index below size, or NOWHERE; a coordinate that is not finite has none, and 0 keeps the cast defined. */
+/* A whole number as an index below size, or NOWHERE; a coordinate that is not finite has none, and
+ * 0 keeps the cast defined. */
 static int index_of(ReferenceWrap wrap, double whole, int size)
 {
     if (whole >= 0 && whole < size)
@@ -41,17 +46,21 @@ static int index_of(ReferenceWrap wrap, double whole, int size)
     return index >= 0 && index < size ? (int)index : 0;
 }
 
-/* A coordinate in texels. Whole turns go first: the product of a great one has no digits left for the weight. */
+/* A coordinate in texels. Whole turns go first: the product of a great one has no digits left for
+ * the weight. */
 static double in_texels(const ReferenceTexture *texture, double coordinate, int size)
 {
-    const double turn = texture->wrap == REFERENCE_REPEAT ? 1 : texture->wrap == REFERENCE_MIRROR ? 2 : 0;
+    const double turn = texture->wrap == REFERENCE_REPEAT   ? 1
+                        : texture->wrap == REFERENCE_MIRROR ? 2
+                                                            : 0;
     return turn > 0 ? fraction(coordinate / turn) * turn * size : coordinate * size;
 }
 
 /* A texel as OpenGL reads it: the lanes that a texture of one lane lacks are 0, 0, 1. */
 static void texel(const ReferenceTexture *texture, double column, double row, double result[LANES])
 {
-    const int x = index_of(texture->wrap, column, texture->width), y = index_of(texture->wrap, row, texture->height);
+    const int x = index_of(texture->wrap, column, texture->width),
+              y = index_of(texture->wrap, row, texture->height);
     const bool there = x != NOWHERE && y != NOWHERE;
     const size_t at = there ? (size_t)y * (size_t)texture->width + (size_t)x : 0;
     for (int lane = 0; lane < LANES; lane++) {
@@ -72,7 +81,8 @@ static void texel(const ReferenceTexture *texture, double column, double row, do
 static double blend(double a, double b, double t) { return a * (1 - t) + b * t; }
 
 /* The texels from (column, row) on, mixed. The weights may be negative. */
-static void mixed(const ReferenceTexture *texture, const double at[2], const double weight[2], double result[LANES])
+static void mixed(const ReferenceTexture *texture, const double at[2], const double weight[2],
+                  double result[LANES])
 {
     double corner[4][LANES];
     for (int i = 0; i < 4; i++)
@@ -97,7 +107,8 @@ REFERENCE(imageNearest)
 
 static void bilinear(const ReferenceTexture *texture, const double uv[2], double result[LANES])
 {
-    const double at[2] = {in_texels(texture, uv[0], texture->width), in_texels(texture, uv[1], texture->height)};
+    const double at[2] = {in_texels(texture, uv[0], texture->width),
+                          in_texels(texture, uv[1], texture->height)};
     const double low[2] = {floor(at[0]), floor(at[1])};
     const double weight[2] = {at[0] - low[0], at[1] - low[1]};
     mixed(texture, low, weight, result);
@@ -115,7 +126,8 @@ REFERENCE(imageSampled) { bilinear(texture_of(context, args[0]), &args[1], resul
 REFERENCE(imageCentred)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    bilinear(texture, (double[]){args[1] - .5 / texture->width, args[2] - .5 / texture->height}, result);
+    bilinear(texture, (double[]){args[1] - .5 / texture->width, args[2] - .5 / texture->height},
+             result);
 }
 
 REFERENCE(pictureSize)
@@ -128,8 +140,10 @@ REFERENCE(pictureSize)
 REFERENCE(carpenterRelief)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    /* Whole turns go first, as the product of a great coordinate and the size has no digits left for the weight. */
-    const double at[2] = {(args[1] - trunc(args[1])) * texture->width, (args[2] - trunc(args[2])) * texture->height};
+    /* Whole turns go first, as the product of a great coordinate and the size has no digits left
+     * for the weight. */
+    const double at[2] = {(args[1] - trunc(args[1])) * texture->width,
+                          (args[2] - trunc(args[2])) * texture->height};
     const double low[2] = {trunc(at[0]), trunc(at[1])};
     const double weight[2] = {at[0] - low[0], at[1] - low[1]};
     double lanes[LANES];
@@ -145,8 +159,10 @@ static void mixed_along(const ReferenceTexture *texture, const double at[2], con
     for (int i = 0; i < 4; i++)
         texel(texture, at[0] + (i & 1), at[1] + (i >> 1), corner[i]);
     for (int lane = 0; lane < LANES; lane++) {
-        double by_u = blend(corner[1][lane] - corner[0][lane], corner[3][lane] - corner[2][lane], weight[1]);
-        double by_v = blend(corner[2][lane] - corner[0][lane], corner[3][lane] - corner[1][lane], weight[0]);
+        double by_u =
+            blend(corner[1][lane] - corner[0][lane], corner[3][lane] - corner[2][lane], weight[1]);
+        double by_v =
+            blend(corner[2][lane] - corner[0][lane], corner[3][lane] - corner[1][lane], weight[0]);
         result[lane] = by_u * rate[0] + by_v * rate[1];
     }
 }
@@ -154,38 +170,48 @@ static void mixed_along(const ReferenceTexture *texture, const double at[2], con
 REFERENCE(imageAlong)
 {
     const ReferenceTexture texture = fetched_of(context, args[0]);
-    const double at[2] = {in_texels(&texture, args[1], texture.width), in_texels(&texture, args[2], texture.height)};
-    const double low[2] = {floor(at[0]), floor(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
-    mixed_along(&texture, low, weight, (double[]){args[5] * texture.width, args[6] * texture.height}, result);
+    const double at[2] = {in_texels(&texture, args[1], texture.width),
+                          in_texels(&texture, args[2], texture.height)};
+    const double low[2] = {floor(at[0]), floor(at[1])},
+                 weight[2] = {at[0] - low[0], at[1] - low[1]};
+    mixed_along(&texture, low, weight,
+                (double[]){args[5] * texture.width, args[6] * texture.height}, result);
 }
 
 REFERENCE(reliefAlong)
 {
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    const double at[2] = {(args[1] - trunc(args[1])) * texture->width, (args[2] - trunc(args[2])) * texture->height};
-    const double low[2] = {trunc(at[0]), trunc(at[1])}, weight[2] = {at[0] - low[0], at[1] - low[1]};
+    const double at[2] = {(args[1] - trunc(args[1])) * texture->width,
+                          (args[2] - trunc(args[2])) * texture->height};
+    const double low[2] = {trunc(at[0]), trunc(at[1])},
+                 weight[2] = {at[0] - low[0], at[1] - low[1]};
     double lanes[LANES];
-    mixed_along(texture, low, weight, (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
+    mixed_along(texture, low, weight,
+                (double[]){args[5] * texture->width, args[6] * texture->height}, lanes);
     result[0] = lanes[0];
 }
 
 /* The mean of samples over a footprint: the changes of u and v to the right, then upward. */
-static void footprint_mean(const ReferenceTexture *texture, const double uv[2], const double spread[4],
-                           double result[LANES])
+static void footprint_mean(const ReferenceTexture *texture, const double uv[2],
+                           const double spread[4], double result[LANES])
 {
     enum { SIDE = 16 };
     for (int lane = 0; lane < LANES; lane++)
         result[lane] = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         double a = (i % SIDE + .5) / SIDE - .5, b = (i / SIDE + .5) / SIDE - .5, sample[LANES];
-        const double at[2] = {uv[0] + a * spread[0] + b * spread[2], uv[1] + a * spread[1] + b * spread[3]};
+        const double at[2] = {uv[0] + a * spread[0] + b * spread[2],
+                              uv[1] + a * spread[1] + b * spread[3]};
         bilinear(texture, at, sample);
         for (int lane = 0; lane < LANES; lane++)
             result[lane] += sample[lane] / (SIDE * SIDE);
     }
 }
 
-REFERENCE(imageFiltered) { footprint_mean(texture_of(context, args[0]), &args[1], &args[5], result); }
+REFERENCE(imageFiltered)
+{
+    footprint_mean(texture_of(context, args[0]), &args[1], &args[5], result);
+}
 
 /* Texels that a change of uv crosses. */
 static double texels_across(const ReferenceTexture *texture, const double *change)
@@ -194,7 +220,8 @@ static double texels_across(const ReferenceTexture *texture, const double *chang
 }
 
 /* Up to a texel a pixel the sampler magnifies: the value at the point. */
-static void shown(const ReferenceTexture *texture, const double uv[2], const double spread[4], double result[LANES])
+static void shown(const ReferenceTexture *texture, const double uv[2], const double spread[4],
+                  double result[LANES])
 {
     if (fmax(texels_across(texture, spread), texels_across(texture, spread + 2)) <= 1)
         bilinear(texture, uv, result);
@@ -205,8 +232,8 @@ static void shown(const ReferenceTexture *texture, const double uv[2], const dou
 REFERENCE(imageSampledOver) { shown(texture_of(context, args[0]), &args[1], &args[5], result); }
 
 /* By how much a lane is greater one texel further along u and along v, over a texel. */
-static void rise(const ReferenceTexture *texture, const double uv[2], double lane, const double spread[4],
-                 double *result)
+static void rise(const ReferenceTexture *texture, const double uv[2], double lane,
+                 const double spread[4], double *result)
 {
     const int one = whole_between(lane, 0, LANES - 1), size[] = {texture->width, texture->height};
     double here[LANES], beyond[LANES];
@@ -225,14 +252,18 @@ REFERENCE(imageRise)
     rise(&texture, &args[1], args[5], (double[4]){0}, result);
 }
 
-REFERENCE(imageRiseOver) { rise(texture_of(context, args[0]), &args[1], args[5], &args[6], result); }
+REFERENCE(imageRiseOver)
+{
+    rise(texture_of(context, args[0]), &args[1], args[5], &args[6], result);
+}
 
 /* Far from the origin the picture itself counts, and not what is said of it. */
 REFERENCE(imageRiseNear)
 {
     enum { FAR = 65536 };
     const ReferenceTexture *texture = texture_of(context, args[0]);
-    const bool minified = fmax(texels_across(texture, &args[6]), texels_across(texture, &args[8])) > 1;
+    const bool minified =
+        fmax(texels_across(texture, &args[6]), texels_across(texture, &args[8])) > 1;
     if (minified && fmax(fabs(args[1]) * texture->width, fabs(args[2]) * texture->height) <= FAR)
         memcpy(result, &args[10], 2 * sizeof *result);
     else

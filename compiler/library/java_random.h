@@ -1,4 +1,5 @@
-/* java.util.Random, as its documentation defines it: 48 bits of linear congruence. GroIMP's tables and reliefs come from it. */
+/* java.util.Random, as its documentation defines it: 48 bits of linear congruence. GroIMP's tables
+ * and reliefs come from it. */
 #ifndef MATC_JAVA_RANDOM_H
 #define MATC_JAVA_RANDOM_H
 #include <stdint.h>
@@ -7,7 +8,10 @@ enum { JAVA_RANDOM_BITS = 48 };
 #define JAVA_RANDOM_FACTOR 0x5DEECE66DULL
 #define JAVA_RANDOM_MASK   ((1ULL << JAVA_RANDOM_BITS) - 1)
 
-static inline uint64_t java_random(int64_t seed) { return ((uint64_t)seed ^ JAVA_RANDOM_FACTOR) & JAVA_RANDOM_MASK; }
+static inline uint64_t java_random(int64_t seed)
+{
+    return ((uint64_t)seed ^ JAVA_RANDOM_FACTOR) & JAVA_RANDOM_MASK;
+}
 
 /* Java's next(bits): the topmost bits of the next state. */
 static inline uint32_t java_random_bits(uint64_t *state, int bits)

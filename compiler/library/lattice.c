@@ -1,4 +1,5 @@
-/* The lattice noises of semantics.md 3.1 in double precision. They differ only in the numbers that stand at a corner. */
+/* The lattice noises of semantics.md 3.1 in double precision. They differ only in the numbers that
+ * stand at a corner. */
 #include "compiler/library/java_random.h"
 #include "compiler/library/reference.h"
 #include <pthread.h>
@@ -22,7 +23,8 @@ typedef struct {
 
 static uint16_t permutation[PERIOD];
 static float
-    random_table[RANDOM_COUNT + NUMBERS - 1 + (OUTPUTS - 1) * RANDOM_STEP]; /* repeats its beginning at its end */
+    /* repeats its beginning at its end */
+    random_table[RANDOM_COUNT + NUMBERS - 1 + (OUTPUTS - 1) * RANDOM_STEP];
 static pthread_once_t tables_once = PTHREAD_ONCE_INIT;
 
 static void build_tables(void)
@@ -71,7 +73,8 @@ static double signed_bits(uint32_t h)
 static Corner integer_corner(const uint32_t c[3], int outputs)
 {
     Corner corner;
-    uint32_t h = mix_bits(c[0] * 0x9E3779B1u ^ c[1] * 0x85EBCA77u ^ (c[2] * 0xC2B2AE3Du + 0x165667B1u));
+    uint32_t h =
+        mix_bits(c[0] * 0x9E3779B1u ^ c[1] * 0x85EBCA77u ^ (c[2] * 0xC2B2AE3Du + 0x165667B1u));
     for (int output = 0; output < outputs; output++) {
         for (int i = 0; i < NUMBERS; i++)
             corner.number[output][i] = signed_bits(h << 7 * i);
@@ -108,10 +111,12 @@ static Corner float_corner(const uint32_t c[3], int outputs)
 {
     static const uint32_t factor[NUMBERS] = {1, 209, 304, 373}, offset[NUMBERS] = {0, 97, 211, 523};
     Corner corner;
-    uint32_t h = cube(cube(cube(prime_axis(c[0]) + PRIME_STEP) + prime_axis(c[1])) + prime_axis(c[2]));
+    uint32_t h =
+        cube(cube(cube(prime_axis(c[0]) + PRIME_STEP) + prime_axis(c[1])) + prime_axis(c[2]));
     for (int output = 0; output < outputs; output++) {
         for (int i = 0; i < NUMBERS; i++)
-            corner.number[output][i] = ((double)((h * factor[i] + offset[i]) % PRIME) - PRIME / 2) / (PRIME / 2.);
+            corner.number[output][i] =
+                ((double)((h * factor[i] + offset[i]) % PRIME) - PRIME / 2) / (PRIME / 2.);
         h = cube(h + PRIME_STEP);
     }
     return corner;
@@ -124,7 +129,8 @@ static Corner groimp_corner(const uint32_t c[3], int outputs)
     uint32_t h = p[p[p[c[0]] ^ c[1]] ^ c[2]] % RANDOM_COUNT;
     for (int output = 0; output < outputs; output++)
         for (int i = 0; i < NUMBERS; i++)
-            corner.number[output][i] = (double)random_table[h + (uint32_t)(RANDOM_STEP * output + i)];
+            corner.number[output][i] =
+                (double)random_table[h + (uint32_t)(RANDOM_STEP * output + i)];
     return corner;
 }
 
@@ -145,7 +151,8 @@ static Corner corner_of(ReferenceNoise noise, const uint32_t c[3], int outputs)
     }
 }
 
-/* A whole number modulo the period. A coordinate that is not finite has no cell; the first one keeps the cast defined. */
+/* A whole number modulo the period. A coordinate that is not finite has no cell; the first one
+ * keeps the cast defined. */
 static uint32_t wrap(double whole)
 {
     double wrapped = whole - PERIOD * floor(whole / PERIOD);
@@ -195,15 +202,16 @@ static void cubic(ReferenceNoise noise, const double p[3], Sum *sum)
             share[axis] = upper ? s : 1 - s;
             rise[axis] = upper ? ds : -ds;
         }
-        const Weight weight = {
-            share[0] * share[1] * share[2],
-            {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2], share[0] * share[1] * rise[2]}};
+        const Weight weight = {share[0] * share[1] * share[2],
+                               {rise[0] * share[1] * share[2], share[0] * rise[1] * share[2],
+                                share[0] * share[1] * rise[2]}};
         Corner corner = corner_of(noise, c, sum->outputs);
         add_corner(&corner, e, &weight, sum);
     }
 }
 
-/* The corners of the simplex around x, in order: each step goes along the axis of the next smaller fraction. */
+/* The corners of the simplex around x, in order: each step goes along the axis of the next smaller
+ * fraction. */
 static void simplex_steps(const double x[3], int steps[4][3])
 {
     int rank[3];
@@ -217,11 +225,12 @@ static void simplex_steps(const double x[3], int steps[4][3])
             steps[corner][i] = rank[i] < corner;
 }
 
-/* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends where a simplex does, so that
- * the noise is continuous; the kernel's usual 0.6 is not. */
+/* Gradient noise on the simplex lattice (Gustavson 2005) with the kernel (1/2 - r^2)^4, which ends
+ * where a simplex does, so that the noise is continuous; the kernel's usual 0.6 is not. */
 static void simplex(ReferenceNoise noise, const double far[3], Sum *sum)
 {
-    const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD), fmod(far[2], 3. * PERIOD)};
+    const double p[3] = {fmod(far[0], 3. * PERIOD), fmod(far[1], 3. * PERIOD),
+                         fmod(far[2], 3. * PERIOD)};
     double skew = (p[0] + p[1] + p[2]) / 3, base[3], x0[3], unskew;
     int steps[4][3];
     for (int i = 0; i < 3; i++)
@@ -259,7 +268,8 @@ static Sum lattice(ReferenceNoise noise, const double p[3], int outputs)
     return sum;
 }
 
-void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3], double slope[3][3])
+void reference_lattice_slope(ReferenceNoise noise, const double p[3], double result[3],
+                             double slope[3][3])
 {
     const Sum sum = lattice(noise, p, OUTPUTS);
     memcpy(result, sum.value, sizeof sum.value);

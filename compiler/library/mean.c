@@ -1,4 +1,5 @@
-/* Means over boxes, from antiderivatives in double precision. Arguments: the place, the box's edge. */
+/* Means over boxes, from antiderivatives in double precision. Arguments: the place, the box's
+ * edge. */
 #include "compiler/library/reference.h"
 
 typedef double Wave(double v);
@@ -6,19 +7,25 @@ typedef double Wave(double v);
 static const double NARROW =
     1e-9; /* edges up to here are none: in double the difference of two integrals has no digits */
 static const double POINT =
-    1e-6; /* edges up to here are none to a wave that jumps: in GLSL the distance to the jump has no digits */
+    /* edges up to here are none to a wave that jumps: in GLSL the distance to the jump has no
+     * digits */
+    1e-6;
 
 /* A wave of period 1 and its antiderivative over [0, 1], from 0. */
 typedef struct {
     Wave *wave, *integral;
 } Periodic;
 
-static double integral_to(const Periodic *p, double v) { return floor(v) * p->integral(1) + p->integral(fraction(v)); }
+static double integral_to(const Periodic *p, double v)
+{
+    return floor(v) * p->integral(1) + p->integral(fraction(v));
+}
 
 static double box_mean(const Periodic *p, double v, double edge)
 {
     double t = fraction(v);
-    return edge <= NARROW ? p->wave(t) : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
+    return edge <= NARROW ? p->wave(t)
+                          : (integral_to(p, t + edge / 2) - integral_to(p, t - edge / 2)) / edge;
 }
 
 static double stripe(double v) { return fraction(v) < .5 ? 1 : -1; }
@@ -65,7 +72,8 @@ static double stripes_along(const double *args, int lanes)
     for (int i = 0; i < 4; i++) {
         double product = 1;
         for (int lane = 0; lane < lanes; lane++)
-            product *= stripe_mean(args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane], args[2 * lanes + lane]);
+            product *= stripe_mean(args[lane] + ((i + .5) / 4 - .5) * args[lanes + lane],
+                                   args[2 * lanes + lane]);
         sum += product / 4;
     }
     return sum;
@@ -113,8 +121,14 @@ static double jump_mean(const Periodic *p, double v, double edge)
     return edge <= POINT ? p->wave(fraction(v)) : box_mean(p, v, edge);
 }
 
-REFERENCE(rampMean) { (void)context, result[0] = jump_mean(&(Periodic){ramp, ramp_integral}, args[0], args[1]); }
-REFERENCE(cubicMean) { (void)context, result[0] = jump_mean(&(Periodic){cubic, cubic_integral}, args[0], args[1]); }
+REFERENCE(rampMean)
+{
+    (void)context, result[0] = jump_mean(&(Periodic){ramp, ramp_integral}, args[0], args[1]);
+}
+REFERENCE(cubicMean)
+{
+    (void)context, result[0] = jump_mean(&(Periodic){cubic, cubic_integral}, args[0], args[1]);
+}
 REFERENCE(triangleMean)
 {
     (void)context, result[0] = box_mean(&(Periodic){triangle, triangle_integral}, args[0], args[1]);
@@ -124,11 +138,13 @@ REFERENCE(scallopMean)
     (void)context, result[0] = box_mean(&(Periodic){scallop, scallop_integral}, args[0], args[1]);
 }
 
-/* The difference of a wave at a box's ends over its edge; of a box that is the point, the slope there. */
+/* The difference of a wave at a box's ends over its edge; of a box that is the point, the slope
+ * there. */
 static double end_rate(Wave *wave, Wave *slope, const double *args, double point)
 {
     double t = fraction(args[0]), edge = args[1];
-    return edge <= point ? slope(t) : (wave(fraction(t + edge / 2)) - wave(fraction(t - edge / 2))) / edge;
+    return edge <= point ? slope(t)
+                         : (wave(fraction(t + edge / 2)) - wave(fraction(t - edge / 2))) / edge;
 }
 
 static double ramp_slope(double t)
@@ -137,13 +153,22 @@ static double ramp_slope(double t)
     return 2;
 }
 static double cubic_slope(double t) { return 12 * t * (1 - t); }
-static double triangle_slope(double t) { return t == .25 || t == .75 ? 0 : t < .25 || t > .75 ? 4 : -4; }
+static double triangle_slope(double t)
+{
+    return t == .25 || t == .75 ? 0 : t < .25 || t > .75 ? 4 : -4;
+}
 static double scallop_slope(double t) { return 2 * M_PI * cos(M_PI * t); }
 
 REFERENCE(rampRate) { (void)context, result[0] = end_rate(ramp, ramp_slope, args, POINT); }
 REFERENCE(cubicRate) { (void)context, result[0] = end_rate(cubic, cubic_slope, args, POINT); }
-REFERENCE(triangleRate) { (void)context, result[0] = end_rate(triangle, triangle_slope, args, NARROW); }
-REFERENCE(scallopRate) { (void)context, result[0] = end_rate(scallop, scallop_slope, args, NARROW); }
+REFERENCE(triangleRate)
+{
+    (void)context, result[0] = end_rate(triangle, triangle_slope, args, NARROW);
+}
+REFERENCE(scallopRate)
+{
+    (void)context, result[0] = end_rate(scallop, scallop_slope, args, NARROW);
+}
 
 /* Arguments: root, then columns and offset, each as three numbers that are added. */
 static double affine(const double *args, int lane)

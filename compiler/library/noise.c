@@ -1,15 +1,20 @@
-/* Noise and turbulence, semantics.md 3.1 and 3.2: plain, over a square (Filtered), and their derivatives. Arguments of the latter:
- * p, a rest that is added to it, octaves, frequencyRatio, noiseRatio, the square's edge. */
+/* Noise and turbulence, semantics.md 3.1 and 3.2: plain, over a square (Filtered), and their
+ * derivatives. Arguments of the latter: p, a rest that is added to it, octaves, frequencyRatio,
+ * noiseRatio, the square's edge. */
 #include "compiler/library/reference.h"
 
 enum { GRANITE_OCTAVES = 6 };
 
-/* What an octave is replaced with where it is finer than the square; measured, the same numbers as noiseStatistics.glsl. */
+/* What an octave is replaced with where it is finer than the square; measured, the same numbers as
+ * noiseStatistics.glsl. */
 typedef struct {
     double mean, variance, magnitude, grain;
 } Statistics;
 
-static ReferenceNoise noise_of(const void *context) { return ((const ReferenceContext *)context)->noise; }
+static ReferenceNoise noise_of(const void *context)
+{
+    return ((const ReferenceContext *)context)->noise;
+}
 
 static Statistics statistics(const void *context)
 {
@@ -25,10 +30,13 @@ static Statistics statistics(const void *context)
     }
 }
 
-/* Noise at (p + rest) times `scale`, and its gradient there, which is 0 where the noise is clamped. */
-static double noise_at(const void *context, const double p[3], const double rest[3], double scale, double gradient[3])
+/* Noise at (p + rest) times `scale`, and its gradient there, which is 0 where the noise is
+ * clamped. */
+static double noise_at(const void *context, const double p[3], const double rest[3], double scale,
+                       double gradient[3])
 {
-    const double q[3] = {scale * (p[0] + rest[0]), scale * (p[1] + rest[1]), scale * (p[2] + rest[2])};
+    const double q[3] = {scale * (p[0] + rest[0]), scale * (p[1] + rest[1]),
+                         scale * (p[2] + rest[2])};
     double slope[3];
     const double value = 2 * reference_lattice(noise_of(context), q, slope);
     for (int i = 0; i < 3; i++)
@@ -36,7 +44,8 @@ static double noise_at(const void *context, const double p[3], const double rest
     return clamp(value, -1, 1);
 }
 
-/* What is lost, a (1 - 1 / (1 + b w^2 + c w^4)) until that is all: no difference of ones for a narrow width. */
+/* What is lost, a (1 - 1 / (1 + b w^2 + c w^4)) until that is all: no difference of ones for a
+ * narrow width. */
 static double lost(const void *context, double width, const double factor[3])
 {
     double w = width * statistics(context).grain, bend = w * w * (factor[1] + factor[2] * w * w);
@@ -45,11 +54,18 @@ static double lost(const void *context, double width, const double factor[3])
 
 static const double of_octave[] = {1.43, .383, .0467}, of_magnitude[] = {1.35, 1.08, .19};
 
-static double octave_share(const void *context, double width) { return 1 - lost(context, width, of_octave); }
+static double octave_share(const void *context, double width)
+{
+    return 1 - lost(context, width, of_octave);
+}
 
-static double magnitude_share(const void *context, double width) { return 1 - lost(context, width, of_magnitude); }
+static double magnitude_share(const void *context, double width)
+{
+    return 1 - lost(context, width, of_magnitude);
+}
 
-/* Variance that is left of an octave, beside its slope, whose mean square over an edge of 1 is `steep` of the variance. */
+/* Variance that is left of an octave, beside its slope, whose mean square over an edge of 1 is
+ * `steep` of the variance. */
 static double left_out(const void *context, double loss, double width, double steep)
 {
     double w = width * statistics(context).grain, share = 1 - loss;
@@ -71,7 +87,8 @@ typedef struct {
 /* Arguments after p: from `args` on. */
 static Octaves octaves_of(const double *p, const double *rest, const double *args, double width)
 {
-    return (Octaves){p, rest, whole_between(args[0], 1, REFERENCE_OCTAVES), args[1], args[2], width};
+    return (Octaves){p,       rest,    whole_between(args[0], 1, REFERENCE_OCTAVES),
+                     args[1], args[2], width};
 }
 
 /* Gradient and value. */
@@ -82,7 +99,8 @@ static void turbulence(const void *context, const Octaves *o, double result[4])
     for (int k = 0; k < o->octaves; k++) {
         double scale = pow(o->frequency, k), strength = pow(o->strength, k), gradient[3];
         double share = o->width > 0 ? octave_share(context, o->width * fabs(scale)) : 1;
-        double value = noise_at(context, o->p, o->rest, scale, gradient), mean = statistics(context).mean;
+        double value = noise_at(context, o->p, o->rest, scale, gradient),
+               mean = statistics(context).mean;
         for (int i = 0; i < 3; i++)
             result[i] += strength * share * scale * gradient[i];
         result[3] += strength * (mean + share * (value - mean));
@@ -120,13 +138,14 @@ REFERENCE(turbulenceVariance)
     result[0] = 0;
     for (int k = 0; k < octaves; k++) {
         double width = args[3] * fabs(pow(args[1], k));
-        result[0] += variance * pow(args[2], 2 * k) * left_out(context, lost(context, width, of_octave), width, 4.73);
+        result[0] += variance * pow(args[2], 2 * k) *
+                     left_out(context, lost(context, width, of_octave), width, 4.73);
     }
 }
 
 /* The vector and its derivative along a direction. */
-static void vector_turbulence(const void *context, const Octaves *o, const double direction[3], double value[3],
-                              double along[3])
+static void vector_turbulence(const void *context, const Octaves *o, const double direction[3],
+                              double value[3], double along[3])
 {
     const double mean = statistics(context).mean / 2; /* of a lane */
     for (int i = 0; i < 3; i++)
@@ -134,7 +153,8 @@ static void vector_turbulence(const void *context, const Octaves *o, const doubl
     for (int k = 0; k < o->octaves; k++) {
         double scale = pow(o->frequency, k), term[3], slope[3][3], q[3];
         double whole = pow(o->strength, k);
-        double strength = whole * (o->width > 0 ? octave_share(context, o->width * fabs(scale)) : 1);
+        double strength =
+            whole * (o->width > 0 ? octave_share(context, o->width * fabs(scale)) : 1);
         for (int i = 0; i < 3; i++)
             q[i] = scale * (o->p[i] + o->rest[i]);
         reference_lattice_slope(noise_of(context), q, term, slope);
@@ -172,7 +192,8 @@ static void granite(const void *context, const double *args, double result[4])
     for (int i = 0; i < 4; i++)
         result[i] = 0;
     for (int k = 0; k < GRANITE_OCTAVES; k++) {
-        double scale = ldexp(4, k), strength = ldexp(1, -k), gradient[3], mean = statistics(context).magnitude;
+        double scale = ldexp(4, k), strength = ldexp(1, -k), gradient[3],
+               mean = statistics(context).magnitude;
         double value = noise_at(context, args, args + 3, scale, gradient);
         double share = magnitude_share(context, scale * args[6]), side = value < 0 ? -1 : 1;
         for (int i = 0; i < 3; i++)
@@ -195,6 +216,7 @@ REFERENCE(graniteVariance)
     result[0] = 0;
     for (int k = 0; k < GRANITE_OCTAVES; k++) {
         double width = args[0] * ldexp(4, k);
-        result[0] += ldexp(.081, -2 * k) * left_out(context, lost(context, width, of_magnitude), width, 14.6);
+        result[0] += ldexp(.081, -2 * k) *
+                     left_out(context, lost(context, width, of_magnitude), width, 14.6);
     }
 }

@@ -10,7 +10,8 @@ static double side(double v) { return v < 0 ? -1 : 1; }
 
 void normal_octahedral_map(const double n[3], double e[2])
 {
-    double sum = fmax(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), LEAST_SUM), x = n[0] / sum, y = n[1] / sum;
+    double sum = fmax(fabs(n[0]) + fabs(n[1]) + fabs(n[2]), LEAST_SUM), x = n[0] / sum,
+           y = n[1] / sum;
     e[0] = n[2] < 0 ? (1 - fabs(y)) * side(x) : x;
     e[1] = n[2] < 0 ? (1 - fabs(x)) * side(y) : y;
 }
@@ -18,13 +19,17 @@ void normal_octahedral_map(const double n[3], double e[2])
 void normal_octahedral_unmap(const double e[2], double n[3])
 {
     double z = 1 - fabs(e[0]) - fabs(e[1]), fold = fmax(-z, 0);
-    double x = e[0] - side(e[0]) * fold, y = e[1] - side(e[1]) * fold, length = sqrt(x * x + y * y + z * z);
+    double x = e[0] - side(e[0]) * fold, y = e[1] - side(e[1]) * fold,
+           length = sqrt(x * x + y * y + z * z);
     n[0] = x / length;
     n[1] = y / length;
     n[2] = z / length;
 }
 
-static int nearest(double v, int levels) { return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1); }
+static int nearest(double v, int levels)
+{
+    return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1);
+}
 
 static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 
@@ -47,7 +52,8 @@ void normal_octahedral_encode_precise(const double n[3], int levels, int code[2]
         if (tried[0] >= levels || tried[1] >= levels)
             continue;
         normal_octahedral_decode(tried, levels, decoded);
-        double distance = square(n[0] - decoded[0]) + square(n[1] - decoded[1]) + square(n[2] - decoded[2]);
+        double distance =
+            square(n[0] - decoded[0]) + square(n[1] - decoded[1]) + square(n[2] - decoded[2]);
         if (distance >= least)
             continue;
         least = distance;
@@ -62,7 +68,8 @@ void normal_octahedral_decode(const int code[2], int levels, double n[3])
     normal_octahedral_unmap(e, n);
 }
 
-/* For a unit vector the radius |n.xy| / sqrt(8 n.z + 8) is sqrt((1 - n.z) / 8), which keeps its digits below the equator. */
+/* For a unit vector the radius |n.xy| / sqrt(8 n.z + 8) is sqrt((1 - n.z) / 8), which keeps its
+ * digits below the equator. */
 void normal_spheremap_map(const double n[3], double e[2])
 {
     double x = n[0], y = n[1], z = n[2], length = hypot(x, y);

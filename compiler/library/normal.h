@@ -1,5 +1,6 @@
-/* Unit normals as two whole numbers in [0, levels): the references of the encodings, in double precision.
- * 2^b levels are b bits; 2^b - 1 are b bits that hold the axes exactly ("snorm"), which is what matc packs. */
+/* Unit normals as two whole numbers in [0, levels): the references of the encodings, in double
+ * precision. 2^b levels are b bits; 2^b - 1 are b bits that hold the axes exactly ("snorm"), which
+ * is what matc packs. */
 #ifndef MATC_LIB_NORMAL_H
 #define MATC_LIB_NORMAL_H
 

@@ -32,14 +32,16 @@ uint16_t pack_half_bits(double v)
 double pack_half_value(uint16_t bits)
 {
     int exponent = bits >> 10 & 31, mantissa = bits & 1023;
-    double size = exponent ? ldexp(EXPONENTS_OF_ONE + mantissa, exponent - 25) : mantissa * HALF_SUBNORMAL;
+    double size =
+        exponent ? ldexp(EXPONENTS_OF_ONE + mantissa, exponent - 25) : mantissa * HALF_SUBNORMAL;
     return bits & 0x8000 ? -size : size;
 }
 
 REFERENCE(packPair)
 {
     (void)context;
-    double x = floor(PAIR_SCALE * clamp(args[0], 0, 1)), y = floor(PAIR_SCALE * clamp(args[1], 0, 1));
+    double x = floor(PAIR_SCALE * clamp(args[0], 0, 1)),
+           y = floor(PAIR_SCALE * clamp(args[1], 0, 1));
     result[0] = ldexp(1 + fraction(x / 8) + y / 1024, (int)floor(x / 8));
 }
 
@@ -52,14 +54,18 @@ REFERENCE(unpackPair)
     result[1] = 128 * fraction(m) / PAIR_SCALE;
 }
 
-static int nearest(double v, int levels) { return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1); }
+static int nearest(double v, int levels)
+{
+    return whole_between(clamp(v, 0, 1) * (levels - 1) + .5, 0, levels - 1);
+}
 
 static int bits_of(double v) { return whole_between(v, 1, REFERENCE_BITS); }
 
 REFERENCE(packRadix)
 {
     (void)context;
-    result[0] = pack_half_from_code(nearest(args[0], RADIX_X) + RADIX_X * nearest(args[1], RADIX_Y));
+    result[0] =
+        pack_half_from_code(nearest(args[0], RADIX_X) + RADIX_X * nearest(args[1], RADIX_Y));
 }
 
 REFERENCE(plainHalf)
@@ -116,6 +122,7 @@ REFERENCE(sharedExponentBits)
     if (floor(ldexp(greatest, bits + EXPONENT_BIAS - exponent) + .5) >= ldexp(1, bits))
         exponent++;
     for (int i = 0; i < 3; i++)
-        code += ldexp(floor(ldexp(clamp(args[i], 0, most), bits + EXPONENT_BIAS - exponent) + .5), i * bits);
+        code += ldexp(floor(ldexp(clamp(args[i], 0, most), bits + EXPONENT_BIAS - exponent) + .5),
+                      i * bits);
     result[0] = code + ldexp(exponent, 3 * bits);
 }

@@ -3,7 +3,8 @@
 
 static double sinc(double x) { return fabs(x) < 1e-9 ? 1 : sin(x) / x; }
 
-/* E (sum of sin)^2 = (sum of means)^2 + sum of variances, the three axes being independent over a box. */
+/* E (sum of sin)^2 = (sum of means)^2 + sum of variances, the three axes being independent over a
+ * box. */
 static double leopard_mean(const double *args, double *sum)
 {
     double variance = 0;
@@ -31,7 +32,8 @@ REFERENCE(leopardFilteredGradient)
     result[3] = leopard_mean(args, &sum);
     for (int i = 0; i < 3; i++) {
         double left = sinc(args[3 + i] / 2), mean = sin(args[i]) * left;
-        result[i] = (2 * (sum - mean) * cos(args[i]) * left + sin(2 * args[i]) * sinc(args[3 + i])) / 9;
+        result[i] =
+            (2 * (sum - mean) * cos(args[i]) * left + sin(2 * args[i]) * sinc(args[3 + i])) / 9;
     }
 }
 

@@ -3,12 +3,13 @@
 #include "grammar/tables.h"
 #include <stddef.h>
 
-#define FUNCTION(name, result, arguments, range, cost, doc)                                                            \
+#define FUNCTION(name, result, arguments, range, cost, doc)                                        \
     void reference_##name(const void *, const double *, double *);
 #include "grammar/functions.def"
 
 #define OWN_DECLARATION(function)
-#define VOLUME_DECLARATION(function)             void reference_##function(const void *, const double *, double *);
+#define VOLUME_DECLARATION(function)                                                               \
+    void reference_##function(const void *, const double *, double *);
 #define MAP(name, function, lowering, cost, doc) lowering##_DECLARATION(function)
 #include "grammar/maps.def"
 

@@ -1,11 +1,12 @@
 /* Preetham's sky, semantics.md 4.5, and what it scales by.
  *
- * The source says "total irradiance of sky + sun" and no more. Taken here: on the horizontal plane, mean of linear red, green
- * and blue, at radiance factor 1 (or else the factor would cancel); the sky's radiance integrated over the upper half space
- * with the cosine, plus the sun's disc of 32 arc minutes through Preetham's attenuations by Rayleigh scattering, aerosol,
- * ozone and water vapour; the mixed gases absorb only above 759 nm, beyond the sun's spectrum here. The tables are those of the
- * paper's appendix; published programs carry the same numbers. The colour matching functions are the sums of Gaussians of
- * Wyman, Sloan and Shirley (2013), a fit to CIE 1931. */
+ * The source says "total irradiance of sky + sun" and no more. Taken here: on the horizontal plane,
+ * mean of linear red, green and blue, at radiance factor 1 (or else the factor would cancel); the
+ * sky's radiance integrated over the upper half space with the cosine, plus the sun's disc of 32
+ * arc minutes through Preetham's attenuations by Rayleigh scattering, aerosol, ozone and water
+ * vapour; the mixed gases absorb only above 759 nm, beyond the sun's spectrum here. The tables are
+ * those of the paper's appendix; published programs carry the same numbers. The colour matching
+ * functions are the sums of Gaussians of Wyman, Sloan and Shirley (2013), a fit to CIE 1931. */
 #include "compiler/library/sky.h"
 #include "compiler/library/reference.h"
 
@@ -49,16 +50,19 @@ static const double solar[] = {
 #define SOLAR_UNIT 100. /* to W/(m2 nm sr) */
 /* Absorption, 1/cm, of ozone. */
 static const double ozone[][2] = {
-    {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009}, {475, .012}, {480, .014},
-    {485, .017}, {490, .021}, {495, .025}, {500, .03},  {505, .035}, {510, .04},  {515, .045}, {520, .048}, {525, .057},
-    {530, .063}, {535, .07},  {540, .075}, {545, .08},  {550, .085}, {555, .095}, {560, .103}, {565, .11},  {570, .12},
-    {575, .122}, {580, .12},  {585, .118}, {590, .115}, {595, .12},  {600, .125}, {605, .13},  {610, .12},  {620, .105},
-    {630, .09},  {640, .079}, {650, .067}, {660, .057}, {670, .048}, {680, .036}, {690, .028}, {700, .023}, {710, .018},
-    {720, .014}, {730, .011}, {740, .01},  {750, .009},
+    {355, 0},    {445, .003}, {450, .003}, {455, .004}, {460, .006}, {465, .008}, {470, .009},
+    {475, .012}, {480, .014}, {485, .017}, {490, .021}, {495, .025}, {500, .03},  {505, .035},
+    {510, .04},  {515, .045}, {520, .048}, {525, .057}, {530, .063}, {535, .07},  {540, .075},
+    {545, .08},  {550, .085}, {555, .095}, {560, .103}, {565, .11},  {570, .12},  {575, .122},
+    {580, .12},  {585, .118}, {590, .115}, {595, .12},  {600, .125}, {605, .13},  {610, .12},
+    {620, .105}, {630, .09},  {640, .079}, {650, .067}, {660, .057}, {670, .048}, {680, .036},
+    {690, .028}, {700, .023}, {710, .018}, {720, .014}, {730, .011}, {740, .01},  {750, .009},
 };
-/* Absorption, 1/cm, of water vapour. The band of the mixed gases, 759 to 771 nm, lies outside the sun's spectrum above. */
+/* Absorption, 1/cm, of water vapour. The band of the mixed gases, 759 to 771 nm, lies outside the
+ * sun's spectrum above. */
 static const double water[][2] = {
-    {689, 0}, {690, .016}, {700, .024}, {710, .0125}, {720, 1}, {730, .87}, {740, .061}, {750, .001},
+    {689, 0}, {690, .016}, {700, .024}, {710, .0125},
+    {720, 1}, {730, .87},  {740, .061}, {750, .001},
 };
 
 static double curve_at(Curve curve, double nm)
@@ -80,7 +84,8 @@ static double lobe(double nm, double peak, double below, double above)
 
 static void color_matching(double nm, double xyz[3])
 {
-    xyz[0] = 1.056 * lobe(nm, 599.8, 37.9, 31) + .362 * lobe(nm, 442, 16, 26.7) - .065 * lobe(nm, 501.1, 20.4, 26.2);
+    xyz[0] = 1.056 * lobe(nm, 599.8, 37.9, 31) + .362 * lobe(nm, 442, 16, 26.7) -
+             .065 * lobe(nm, 501.1, 20.4, 26.2);
     xyz[1] = .821 * lobe(nm, 568.8, 46.9, 40.5) + .286 * lobe(nm, 530.9, 16.3, 31.1);
     xyz[2] = 1.217 * lobe(nm, 437, 11.8, 36) + .681 * lobe(nm, 459, 26, 13.8);
 }
@@ -88,8 +93,9 @@ static void color_matching(double nm, double xyz[3])
 /* Linear sRGB; a colour outside its gamut is moved toward white until no component is below 0. */
 static void rgb_of_xyz(const double xyz[3], double rgb[3])
 {
-    static const double matrix[3][3] = {
-        {3.2404542, -1.5371385, -.4985314}, {-.9692660, 1.8760108, .0415560}, {.0556434, -.2040259, 1.0572252}};
+    static const double matrix[3][3] = {{3.2404542, -1.5371385, -.4985314},
+                                        {-.9692660, 1.8760108, .0415560},
+                                        {.0556434, -.2040259, 1.0572252}};
     for (int i = 0; i < 3; i++)
         rgb[i] = matrix[i][0] * xyz[0] + matrix[i][1] * xyz[1] + matrix[i][2] * xyz[2];
     double least = fmin(fmin(fmin(rgb[0], rgb[1]), rgb[2]), 0);
@@ -106,7 +112,8 @@ static double transmittance(double nm, double m, double turbidity)
     double um = nm / 1000, steam = curve_at(CURVE(water), nm) * water_depth * m;
     double depth = m * .008735 * pow(um, -4.08)                        /* Rayleigh */
                    + m * (.04608 * turbidity - .04586) * pow(um, -1.3) /* aerosol */
-                   + m * curve_at(CURVE(ozone), nm) * ozone_depth + .2385 * steam / pow(1 + 20.07 * steam, .45);
+                   + m * curve_at(CURVE(ozone), nm) * ozone_depth +
+                   .2385 * steam / pow(1 + 20.07 * steam, .45);
     return exp(-depth);
 }
 
@@ -116,7 +123,8 @@ static void sun_irradiance(double slope, double turbidity, double rgb[3])
     rgb[0] = rgb[1] = rgb[2] = 0;
     if (slope <= 0)
         return;
-    double angle = acos(fmin(slope, 1)), m = 1 / (slope + .15 * pow(93.885 - angle / DEGREE, -1.253));
+    double angle = acos(fmin(slope, 1)),
+           m = 1 / (slope + .15 * pow(93.885 - angle / DEGREE, -1.253));
     double xyz[3] = {0};
     for (int nm = FIRST_NM, i = 0; nm <= LAST_NM; nm += STEP_NM, i++) {
         double matching[3], radiance = solar[i] * SOLAR_UNIT * transmittance(nm, m, turbidity);
@@ -129,7 +137,8 @@ static void sun_irradiance(double slope, double turbidity, double rgb[3])
         rgb[lane] *= 2 * M_PI * (1 - cos(SUN_RADIUS));
 }
 
-/* Perez' function of one lane, of the cosine of the angle to the zenith and the angle to the sun. */
+/* Perez' function of one lane, of the cosine of the angle to the zenith and the angle to the
+ * sun. */
 static double perez(double rows[SKY_ROWS][3], int lane, double slope, double angle)
 {
     double cosine = cos(angle);
@@ -137,7 +146,10 @@ static double perez(double rows[SKY_ROWS][3], int lane, double slope, double ang
            (1 + rows[C][lane] * exp(rows[D][lane] * angle) + rows[E][lane] * cosine * cosine);
 }
 
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /* Of vectors that may be long or short; (0, 0, 1) for none. */
 static void unit(const double v[3], double result[3])
@@ -153,7 +165,8 @@ static void unit(const double v[3], double result[3])
 
 static double angle_between(const double a[3], const double b[3])
 {
-    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+    const double cross[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                             a[0] * b[1] - a[1] * b[0]};
     return atan2(sqrt(dot(cross, cross)), dot(a, b));
 }
 
@@ -174,7 +187,8 @@ static void radiance(double rows[SKY_ROWS][3], const double direction[3], double
     rgb_of_xyz(xyz, rgb);
 }
 
-/* Irradiance of the horizontal plane by the sky: midpoint rule, over the half of the circle on one side of the sun. */
+/* Irradiance of the horizontal plane by the sky: midpoint rule, over the half of the circle on one
+ * side of the sun. */
 static double sky_irradiance(double rows[SKY_ROWS][3])
 {
     double sum = 0, start = atan2(rows[SUN][1], rows[SUN][0]);
@@ -196,11 +210,11 @@ static void zenith(double turbidity, double s, double result[3])
     double t = turbidity, chi = (4. / 9 - t / 120) * (M_PI - 2 * s);
     result[0] = fmax((4.0453 * t - 4.9710) * tan(chi) - .2155 * t + 2.4192, 0);
     result[1] = t * t * (((.00165 * s - .00374) * s + .00208) * s) +
-                t * (((-.02902 * s + .06377) * s - .03202) * s + .00394) + ((.11693 * s - .21196) * s + .06052) * s +
-                .25885;
+                t * (((-.02902 * s + .06377) * s - .03202) * s + .00394) +
+                ((.11693 * s - .21196) * s + .06052) * s + .25885;
     result[2] = t * t * (((.00275 * s - .00610) * s + .00316) * s) +
-                t * (((-.04212 * s + .08970) * s - .04153) * s + .00515) + ((.15346 * s - .26756) * s + .06669) * s +
-                .26688;
+                t * (((-.04212 * s + .08970) * s - .04153) * s + .00515) +
+                ((.15346 * s - .26756) * s + .06669) * s + .26688;
 }
 
 /* As sky_coefficients, but for the scale. */
@@ -232,7 +246,8 @@ static double scale_of(double rows[SKY_ROWS][3], const double sun_rgb[3])
     return total > 0 ? MATERIAL_IRRADIANCE / total : 0;
 }
 
-void sky_coefficients(const double sun[3], double turbidity, double radiance_factor, double out[7][3])
+void sky_coefficients(const double sun[3], double turbidity, double radiance_factor,
+                      double out[7][3])
 {
     const double t = clamp(turbidity, LEAST_TURBIDITY, GREATEST_TURBIDITY);
     double sun_rgb[3];

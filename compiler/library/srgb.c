@@ -1,4 +1,5 @@
-/* IEC 61966-2-1, with the constants that it publishes: a straight line near black, a power of 2.4 above. */
+/* IEC 61966-2-1, with the constants that it publishes: a straight line near black, a power of 2.4
+ * above. */
 #include "compiler/library/srgb.h"
 #include <math.h>
 

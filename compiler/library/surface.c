@@ -35,7 +35,8 @@ REFERENCE(safeNormalize)
 REFERENCE(normalizeAlong)
 {
     (void)context;
-    double length = sqrt(args[0] * args[0] + args[1] * args[1] + args[2] * args[2]), toward = 0, n[3];
+    double length = sqrt(args[0] * args[0] + args[1] * args[1] + args[2] * args[2]), toward = 0,
+           n[3];
     length = fmax(length, 1e-30);
     for (int i = 0; i < 3; i++) {
         n[i] = args[i] / length;
@@ -45,16 +46,22 @@ REFERENCE(normalizeAlong)
         result[i] = (args[3 + i] - n[i] * toward) / length;
 }
 
-static double dot3(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot3(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /* By the angle of du between the frame's vectors. */
 REFERENCE(anisotropyStored)
 {
     (void)context;
     const double *n = args + 2, *du = args + 5, *dv = args + 8, flat = n[0] * n[0] + n[1] * n[1];
-    const double w = 1 / fmax(n[2] < 0 ? flat / (1 - n[2]) : 1 + n[2], 1e-12); /* of a rounded n near (0, 0, -1), too */
-    const double t[3] = {1 - w * n[0] * n[0], -w * n[0] * n[1], -n[0]}, b[3] = {-w * n[0] * n[1], 1 - w * n[1] * n[1], -n[1]};
-    const double cross[3] = {du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2], du[0] * dv[1] - du[1] * dv[0]};
+    /* of a rounded n near (0, 0, -1), too */
+    const double w = 1 / fmax(n[2] < 0 ? flat / (1 - n[2]) : 1 + n[2], 1e-12);
+    const double t[3] = {1 - w * n[0] * n[0], -w * n[0] * n[1], -n[0]},
+                 b[3] = {-w * n[0] * n[1], 1 - w * n[1] * n[1], -n[1]};
+    const double cross[3] = {du[1] * dv[2] - du[2] * dv[1], du[2] * dv[0] - du[0] * dv[2],
+                             du[0] * dv[1] - du[1] * dv[0]};
     const double strength = hypot(args[0], args[1]), own = atan2(args[1], args[0]);
     const double turn = 2 * atan2(dot3(du, b), dot3(du, t)) + (dot3(cross, n) < 0 ? -own : own);
     result[0] = strength * cos(turn);

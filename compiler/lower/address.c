@@ -1,12 +1,16 @@
-/* The addresses of pictures but for `repeat`, as a change of the coordinate. A texel's value stands at its lower corner, so the four that
- * are mixed at u lie around the sampler's place u + 1/2 texel:
+/* The addresses of pictures but for `repeat`, as a change of the coordinate. A texel's value stands
+ * at its lower corner, so the four that are mixed at u lie around the sampler's place u + 1/2
+ * texel:
  *
- *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last one, and no way round to the first
+ *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last one, and no way
+ *               round to the first
  *     mirror    the sampler's place is folded into [0, 1], 1 - |1 - x| of x mod 2, then as clamp
- *     border    as clamp, times how much of the box that is one texel wide, or as wide as the pixel, lies in the picture
+ *     border    as clamp, times how much of the box that is one texel wide, or as wide as the
+ *               pixel, lies in the picture
  *
- * Of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the box from -.4 to .6 texels has .6 in
- * the picture, so border is .6 of the first texel, as GL mixes it with its border. */
+ * Of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the box from
+ * -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as GL mixes it with
+ * its border. */
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 
@@ -23,8 +27,9 @@ static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
     return build_div(ir, build_add(ir, texel, build_all(ir, TYPE_vec2, 0.5)), picture->size);
 }
 
-/* u + shift folded into [0, 1]. Two whole turns go before the shift is added, which would be lost far from the origin. Where the sum is
- * above 2 it comes out below 0, and is kept at the edge like its mirror image. 0: no shift. */
+/* u + shift folded into [0, 1]. Two whole turns go before the shift is added, which would be lost
+ * far from the origin. Where the sum is above 2 it comes out below 0, and is kept at the edge like
+ * its mirror image. 0: no shift. */
 static Ref folded(Ir *ir, Ref u, Ref shift)
 {
     Ref one = build_all(ir, TYPE_vec2, 1);
@@ -48,12 +53,13 @@ Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
         return uv;
     Ref place = address_unfolded(ir, picture, picture->smooth ? uv : centred(ir, picture, uv));
     Ref least = picture->smooth ? build_all(ir, TYPE_vec2, 0) : texels(ir, picture, 0.5);
-    Ref most = build_sub(ir, build_all(ir, TYPE_vec2, 1), texels(ir, picture, picture->smooth ? 1 : 0.5));
+    Ref most =
+        build_sub(ir, build_all(ir, TYPE_vec2, 1), texels(ir, picture, picture->smooth ? 1 : 0.5));
     return build_clamp(ir, place, least, most);
 }
 
-/* The part of a box that lies in the picture, over the box, by lane. One texel wide it begins at u, in texels; a wider one has the same
- * middle. */
+/* The part of a box that lies in the picture, over the box, by lane. One texel wide it begins at u,
+ * in texels; a wider one has the same middle. */
 static Ref overlap(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 {
     Ref zero = build_all(ir, TYPE_vec2, 0), one = build_all(ir, TYPE_vec2, 1);
@@ -84,13 +90,16 @@ Ref address_share(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 Ref address_texels(Ir *ir, Ref call)
 {
     const IrNode node = *ir_at(ir, call);
-    if (node.op != OP_call || (node.payload != FN_imageSampled && node.payload != FN_imageSampledOver))
+    if (node.op != OP_call ||
+        (node.payload != FN_imageSampled && node.payload != FN_imageSampledOver))
         return 0;
     Ref sampler = ir_arg(ir, call, 0), uv = ir_arg(ir, call, 1);
-    const Addressed picture = {ir->textures[ir_at(ir, sampler)->payload].wrap, true, ir_arg(ir, call, 2)};
+    const Addressed picture = {ir->textures[ir_at(ir, sampler)->payload].wrap, true,
+                               ir_arg(ir, call, 2)};
     if (picture.address == WORD_Address_repeat)
         return 0;
     Ref share = address_share(ir, &picture, uv, 0);
-    Ref value = build_call(ir, FN_imageBilinear, sampler, address_place(ir, &picture, uv), picture.size);
+    Ref value =
+        build_call(ir, FN_imageBilinear, sampler, address_place(ir, &picture, uv), picture.size);
     return share ? build_mul(ir, value, build_splat(ir, share, TYPE_vec4)) : value;
 }

@@ -1,19 +1,24 @@
-/* What rounding takes from a coordinate: affine chains of constants are followed back, in double, to the value they start from,
- * and GLSL computes M root + offset as a whole number and a fraction, each good to the last bit.
+/* What rounding takes from a coordinate: affine chains of constants are followed back, in double,
+ * to the value they start from, and GLSL computes M root + offset as a whole number and a fraction,
+ * each good to the last bit.
  *
- *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x - 492.7
- *     GLSL gets 1000 = 1000 + 0 + 0 and 492.7 = 492.625 + 2457 / 2^15 + 1.8e-5: two parts of 12 bits, and what is left. So no
- *     product rounds, where 1000 (x - 0.5) + 7.3 in floats loses 3e-5 of the fraction by which a noise goes */
+ *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x -
+ *                                         492.7
+ *     GLSL gets 1000 = 1000 + 0 + 0 and 492.7 = 492.625 + 2457 / 2^15 + 1.8e-5: two parts of 12
+ *     bits, and what is left. So no product rounds, where 1000 (x - 0.5) + 7.3 in floats loses 3e-5
+ *     of the fraction by which a noise goes */
 #include "compiler/lower/footprint.h"
 #include <float.h>
 #include <math.h>
 
 enum { LANES = AFFINE_LANES };
-static const double GREATEST = FLT_MAX / 4; /* of a factor or an offset: twice of it is a float yet */
+/* of a factor or an offset: twice of it is a float yet */
+static const double GREATEST = FLT_MAX / 4;
 
 static Line constant(double value) { return (Line){.offset = value}; }
 
-/* A node that is nothing affine: it is what others start from. Of a vec4 only the first three lanes can be that. */
+/* A node that is nothing affine: it is what others start from. Of a vec4 only the first three lanes
+ * can be that. */
 static Line start(Ref ref, int lane)
 {
     Line line = {.root = ref, .closed = lane >= LANES};
@@ -48,12 +53,14 @@ static Line line_of(const Lower *l, Ref ref, int lane)
         lane = 0;
     if (ir_is(l->ir, ref, OP_const))
         return constant(ir_numbers(l->ir, ref)[lane]);
-    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)lane] : start(ref, lane);
+    return l->affine.first[ref] ? l->affine.lines[l->affine.first[ref] - 1 + (size_t)lane]
+                                : start(ref, lane);
 }
 
 static Line sum_line(const Lower *l, Ref ref, int lane)
 {
-    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane), sum;
+    Line a = line_of(l, ir_arg(l->ir, ref, 0), lane), b = line_of(l, ir_arg(l->ir, ref, 1), lane),
+         sum;
     return combined(&a, &b, ir_is(l->ir, ref, OP_sub) ? -1 : 1, &sum) ? sum : start(ref, lane);
 }
 
@@ -70,7 +77,8 @@ static Line linear_line(const Lower *l, Ref ref, int lane)
 {
     Line total = constant(0);
     for (int k = 1; k < ir_at(l->ir, ref)->count; k++) {
-        Line factor = line_of(l, ir_arg(l->ir, ref, k), lane), x = line_of(l, ir_arg(l->ir, ref, 0), k - 1), sum;
+        Line factor = line_of(l, ir_arg(l->ir, ref, k), lane),
+             x = line_of(l, ir_arg(l->ir, ref, 0), k - 1), sum;
         if (factor.root)
             return start(ref, lane);
         Line part = scaled(x, factor.offset);
@@ -107,8 +115,8 @@ static Line swizzle_line(const Lower *l, Ref ref, int lane)
 static Line new_line(const Lower *l, Ref ref, int lane)
 {
     switch (ir_at(l->ir, ref)->op) {
-#define AFFINE(name, function)                                                                                         \
-    case OP_##name:                                                                                                    \
+#define AFFINE(name, function)                                                                     \
+    case OP_##name:                                                                                \
         return function(l, ref, lane);
 #include "grammar/ops.def"
     default:
@@ -136,11 +144,13 @@ static bool is_finite(const Line *line)
     return greatest <= GREATEST && !isnan(line->offset);
 }
 
-/* Finds the lines of all nodes up to this one that have none yet. Operands have lower numbers, so theirs are there. */
+/* Finds the lines of all nodes up to this one that have none yet. Operands have lower numbers, so
+ * theirs are there. */
 static void follow(Lower *l, Ref last)
 {
     Affine *affine = &l->affine;
-    affine->first = arena_reach(l->session->arena, affine->first, last, &affine->first_room, sizeof *affine->first);
+    affine->first = arena_reach(l->session->arena, affine->first, last, &affine->first_room,
+                                sizeof *affine->first);
     for (; affine->done <= last; affine->done++) {
         Ref ref = affine->done;
         if (!is_affine(ir_at(l->ir, ref)))
@@ -251,7 +261,8 @@ bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *p
     }
     for (int d = 0; d < DIRECTION_COUNT; d++) { /* the sum changes as the coordinate does */
         Ref slope = slope_of(l, coordinate, (Direction)d);
-        slope_set(l, parts->whole, (Direction)d, slope && scale != 1 ? build_scale(ir, slope, scale) : slope);
+        slope_set(l, parts->whole, (Direction)d,
+                  slope && scale != 1 ? build_scale(ir, slope, scale) : slope);
         slope_set(l, parts->fraction, (Direction)d, 0);
     }
     return true;

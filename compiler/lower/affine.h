@@ -14,7 +14,8 @@ typedef struct {
 
 /* The lines found so far. */
 typedef struct {
-    uint32_t *first; /* by Ref: of its lanes in `lines`, from 1; 0: the node is what others start from */
+    /* by Ref: of its lanes in `lines`, from 1; 0: the node is what others start from */
+    uint32_t *first;
     size_t first_room;
     Line *lines;
     size_t count, room;

@@ -1,4 +1,5 @@
-/* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for noise, samples for the rest. */
+/* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for
+ * noise, samples for the rest. */
 #include "compiler/lower/address.h"
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
@@ -56,9 +57,10 @@ static Answer octaves(Lower *l, const Octaves *o, Answer p, const Ref *args, int
         int used = 0;
         Ref middle = tap_count ? taps[i].middle : p.value;
         all[used++] = is_long ? parts.whole : middle;
-        all[used++] = !is_long         ? build_vec3(ir, 0, 0, 0)
-                      : tap_count <= 1 ? parts.fraction
-                                       : build_add(ir, parts.fraction, build_sub(ir, middle, p.value));
+        all[used++] = !is_long ? build_vec3(ir, 0, 0, 0)
+                      : tap_count <= 1
+                          ? parts.fraction
+                          : build_add(ir, parts.fraction, build_sub(ir, middle, p.value));
         for (int k = 0; k < count; k++)
             all[used++] = args[k];
         all[used++] = edge;
@@ -79,7 +81,8 @@ static bool is_plain(Lower *l, Answer p)
 /* Noise, by its function where nothing is filtered. */
 static Answer noise(Lower *l, int plain, const Octaves *o, Answer p, const Ref args[3])
 {
-    return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3)) : octaves(l, o, p, args, 3);
+    return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3))
+                          : octaves(l, o, p, args, 3);
 }
 
 Answer area_turbulence(Lower *l, Answer p, const Ref args[3])
@@ -91,7 +94,8 @@ Answer area_turbulence(Lower *l, Answer p, const Ref args[3])
 Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
 {
     /* a lane has the variance 0.26^2, the scalar noise 1/4; of simplex noise 0.256^2, 0.232 */
-    static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3, 0.26 * 0.26 / 0.25};
+    static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
+                                    0.26 * 0.26 / 0.25};
     static const Octaves simplex = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
                                     0.256 * 0.256 / 0.232};
     bool is_simplex = l->job->choice[AXIS_noise] == CHOICE_noise_simplex;
@@ -104,7 +108,8 @@ static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
-/* Of cells finer than a pixel four samples know less than what all have in the mean: they give way to it from 1.5 cells on, and at 3.5 are nothing. */
+/* Of cells finer than a pixel four samples know less than what all have in the mean: they give way
+ * to it from 1.5 cells on, and at 3.5 are nothing. */
 static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
 {
     Ir *ir = l->ir;
@@ -114,12 +119,14 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
     if (!edges || !cells_far(l, (Far)kind_table[kind].far, args, &far))
         return near;
     Ref beyond = build_sub(ir, footprint_greatest_lane(l, edges), build_float(ir, begin));
-    Ref share = build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
+    Ref share =
+        build_clamp(ir, build_scale(ir, beyond, 1 / width), build_float(ir, 0), build_float(ir, 1));
     Ref value = build_mix(ir, near.value, far.value, share);
     return (Answer){value, build_mix(ir, near.variance, far.variance, share), NULL};
 }
 
-/* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are alike. */
+/* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are
+ * alike. */
 static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
@@ -154,18 +161,23 @@ static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 
 static Answer fading(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
-    const Octaves own = {(Function)kind_table[kind].mean, (Function)kind_table[kind].variance, TYPE_float, 1};
+    const Octaves own = {(Function)kind_table[kind].mean, (Function)kind_table[kind].variance,
+                         TYPE_float, 1};
     return is_plain(l, p) ? point(l, kind, p, args, count) : octaves(l, &own, p, args, count);
 }
 
 Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
-    static Answer (*const filters[])(Lower *, Kind, Answer, const Ref *, int) = {
-        [FILTER_samples] = sampled, [FILTER_point] = point, [FILTER_box] = boxes, [FILTER_octaves] = fading};
+    static Answer (*const filters[])(Lower *, Kind, Answer, const Ref *,
+                                     int) = {[FILTER_samples] = sampled,
+                                             [FILTER_point] = point,
+                                             [FILTER_box] = boxes,
+                                             [FILTER_octaves] = fading};
     return filters[kind_table[kind].filter](l, kind, p, args, count);
 }
 
-/* q without its whole part. It changes as q does, also where the parts of a long coordinate leave the change to the whole one. */
+/* q without its whole part. It changes as q does, also where the parts of a long coordinate leave
+ * the change to the whole one. */
 static Ref within_period(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -188,7 +200,8 @@ Ref area_odd_share(Lower *l, Answer q)
         return 0;
     Ref part = within_period(l, q.value), longer = footprint_longer(l, q, &edges);
     if (longer) {
-        product = build_call(ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, part, longer, edges);
+        product =
+            build_call(ir, lanes == 2 ? FN_stripesAlong2 : FN_stripesAlong3, part, longer, edges);
     } else {
         Ref stripes = build_call(ir, lanes == 2 ? FN_stripes2 : FN_stripes3, part, edges);
         product = build_swizzle(ir, stripes, lane[0]);
@@ -232,7 +245,10 @@ Function area_picture_function(const Lower *l, Ref uv, bool smooth)
     return passed ? FN_imageSampledOver : FN_imageSampled;
 }
 
-static bool is_sampler(Function function) { return function == FN_imageSampled || function == FN_imageSampledOver; }
+static bool is_sampler(Function function)
+{
+    return function == FN_imageSampled || function == FN_imageSampledOver;
+}
 
 static Addressed addressed(const Picture *p)
 {
@@ -267,7 +283,8 @@ static Spread spread_of(Lower *l, Ref uv)
 static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point, Spread spread)
 {
     Ir *ir = l->ir;
-    Ref right = build_or_zero(ir, spread.right, TYPE_vec2), up = build_or_zero(ir, spread.up, TYPE_vec2);
+    Ref right = build_or_zero(ir, spread.right, TYPE_vec2),
+        up = build_or_zero(ir, spread.up, TYPE_vec2);
     return build_call(ir, function, p->sampler, point, p->size, right, up);
 }
 
@@ -287,7 +304,8 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     Ir *ir = l->ir;
     Ref place = place_of(l, p, point), wide = 0, value;
     if (is_sampler(p->function))
-        wide = texels_across(l, p, p->address == WORD_Address_border ? spread_of(l, uv) : (Spread){0, 0});
+        wide = texels_across(l, p,
+                             p->address == WORD_Address_border ? spread_of(l, uv) : (Spread){0, 0});
     if (p->function == FN_imageSampledOver)
         value = picture_over(l, p->function, p, place, spread_of(l, uv));
     else
@@ -295,8 +313,9 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     return with_border(l, p, value, (Ref[]){point, wide});
 }
 
-/* Of a picture whose sampler does all beyond the edges. With the neighbours' footprint it is read outside of every branch, which is faster
- * than to tell it one within: on an H100 3 reads of it take 0.2 ns a pixel, 3 that are told 0.8. */
+/* Of a picture whose sampler does all beyond the edges. With the neighbours' footprint it is read
+ * outside of every branch, which is faster than to tell it one within: on an H100 3 reads of it
+ * take 0.2 ns a pixel, 3 that are told 0.8. */
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
 {
     Ir *ir = l->ir;
@@ -344,7 +363,8 @@ Ref area_picture(Lower *l, const Picture *p, Ref uv)
 {
     Ref points[MOST_TAPS], values[MOST_TAPS] = {0};
     const Spread spread = spread_of(l, uv);
-    const bool has_mipmaps = target_table[l->job->target].words || p->address == WORD_Address_repeat;
+    const bool has_mipmaps =
+        target_table[l->job->target].words || p->address == WORD_Address_repeat;
     if (is_sampler(p->function) || !footprint_is_filtered(l) || (!spread.right && !spread.up))
         return area_picture_near(l, p, uv, uv);
     if (p->function == FN_imageBilinear && has_mipmaps)
@@ -371,15 +391,17 @@ static Ref step_share(Lower *l, Ref from, Ref edge)
 {
     Ir *ir = l->ir;
     Ref zero = build_float(ir, 0), one = build_float(ir, 1), least = build_neg(ir, edge);
-    Ref along = build_add(ir, footprint_over_edge(l, build_clamp(ir, from, least, edge), edge), build_float(ir, 0.5));
+    Ref along = build_add(ir, footprint_over_edge(l, build_clamp(ir, from, least, edge), edge),
+                          build_float(ir, 0.5));
     Ref is_box = build_lt(ir, zero, edge);
     return build_select(ir, is_box, build_clamp(ir, along, zero, one), build_step(ir, zero, from));
 }
 
-/* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the two, with both its bends rounded over
- * the narrower one: nothing cancels, whichever is how many times the other. Of the bends only one is near.
- *   w = 1, b = 4: the ramp begins at low - 3/2 and ends at high + 3/2; where it begins the box reaches to
- *   low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
+/* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the
+ * two, with both its bends rounded over the narrower one: nothing cancels, whichever is how many
+ * times the other. Of the bends only one is near.
+ *   w = 1, b = 4: the ramp begins at low - 3/2 and ends at high + 3/2; where it begins the box
+ *   reaches to low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
 {
     Ir *ir = l->ir;
@@ -391,7 +413,8 @@ Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)
     Ref more = build_scale(ir, build_sub(ir, wider, width), 0.5);
     Ref begin = build_add(ir, from, more), end = build_sub(ir, build_sub(ir, t, high), more);
     Ref position = build_clamp(ir, begin, build_neg(ir, wider), build_add(ir, wider, wider));
-    Ref bends = build_sub(ir, footprint_box_corner(l, begin, narrower), footprint_box_corner(l, end, narrower));
+    Ref bends = build_sub(ir, footprint_box_corner(l, begin, narrower),
+                          footprint_box_corner(l, end, narrower));
     Ref share = build_clamp(ir, footprint_over_edge(l, position, wider), zero, one);
     return build_add(ir, share, footprint_over_edge(l, bends, wider));
 }

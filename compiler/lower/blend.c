@@ -1,10 +1,11 @@
 /* Blends by weights: how much of a pixel's box of t, or of a point, every item is.
  *
- *     items at 0, .3 and 1 answering a, b, c; the pixel's t is in [.25, .45]. The step from a to b has gone 47 / 48 of its
- *     way on the mean, that from b to c 9 / 112:
+ *     items at 0, .3 and 1 answering a, b, c; the pixel's t is in [.25, .45]. The step from a to b
+ *     has gone 47 / 48 of its way on the mean, that from b to c 9 / 112:
  *     area:    a + (b - a) 47 / 48 + (c - b) 9 / 112
- *     weights: a (1 - 47 / 48) + b (47 / 48 - 9 / 112) + c 9 / 112, which loses no small item behind a great one
- *     guards:  the same, a costly c standing as w != 0 ? c : 0 by its weight w. With t in [.1, .2] that is 0 */
+ *     weights: a (1 - 47 / 48) + b (47 / 48 - 9 / 112) + c 9 / 112, which loses no small item
+ *     behind a great one guards: the same, a costly c standing as w != 0 ? c : 0 by its weight w.
+ *     With t in [.1, .2] that is 0 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/area.h"
 #include <math.h>
@@ -15,7 +16,8 @@ enum {
     KNOWN_DEPTH = 6, /* operations that are looked through for a value's bounds */
 };
 
-/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never taken. */
+/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never
+ * taken. */
 Ref blend_position(Lower *l, Ref t, Ref low, Ref high)
 {
     Ir *ir = l->ir;
@@ -38,15 +40,18 @@ Ref blend_guarded(Lower *l, Ref shown, Ref value)
     return guard;
 }
 
-bool blend_is_costly(const Ir *ir, Ref result) { return lower_cost_below(ir, result, BLEND_CHEAP) >= BLEND_CHEAP; }
+bool blend_is_costly(const Ir *ir, Ref result)
+{
+    return lower_cost_below(ir, result, BLEND_CHEAP) >= BLEND_CHEAP;
+}
 
-/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT lines of ops.def; -1: it may be
- * anywhere. */
+/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT
+ * lines of ops.def; -1: it may be anywhere. */
 static int first_in_unit(Op op)
 {
     switch (op) {
-#define UNIT(name, first)                                                                                              \
-    case OP_##name:                                                                                                    \
+#define UNIT(name, first)                                                                          \
+    case OP_##name:                                                                                \
         return first;
 #include "grammar/ops.def"
     default:
@@ -87,8 +92,8 @@ static bool alike_constants(const Ir *ir, const Stop *stops, int count)
     return greatest <= ALIKE * least;
 }
 
-/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a small item behind a great one
- * would be lost. */
+/* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a
+ * small item behind a great one would be lost. */
 bool blend_alike(const Ir *ir, const Stop *stops, int count)
 {
     bool unit = true;
@@ -103,7 +108,8 @@ typedef struct {
     int count, first, last;
 } Run;
 
-/* Where the items first..last of so many show: above the value before them and below the one behind; closed: on these, too. 0: everywhere. */
+/* Where the items first..last of so many show: above the value before them and below the one
+ * behind; closed: on these, too. 0: everywhere. */
 static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
 {
     Ir *ir = l->ir;
@@ -145,7 +151,9 @@ const Stop *blend_guarded_items(Lower *l, Ref t, const Stop *stops, int count, b
         Ref shown = where_result(l, t, (Run){stops, count, i, count}, closed);
         if (!shown)
             continue;
-        own = own ? own : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops, sizeof *stops * (size_t)count);
+        own = own ? own
+                  : memcpy(ARENA_ARRAY(l->session->arena, Stop, count), stops,
+                           sizeof *stops * (size_t)count);
         Ref guard = blend_guarded(l, shown, result);
         for (int k = i; k < count; k++)
             if (stops[k].result == result)
@@ -166,19 +174,22 @@ static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
     return edge ? area_ramp(l, t, edge, stop[0].value, stop[1].value) : blend_share(l, t, stop);
 }
 
-/* The mean over a box of t: every step from one item to the next counts by how much of it the box has behind it. */
+/* The mean over a box of t: every step from one item to the next counts by how much of it the box
+ * has behind it. */
 static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
     Ref result = stops[0].result;
     for (int i = 1; i < count; i++) {
         Ref share = step_share(l, t, edge, &stops[i - 1]);
-        result = build_add(ir, result, build_mul(ir, build_sub(ir, stops[i].result, stops[i - 1].result), share));
+        result = build_add(
+            ir, result, build_mul(ir, build_sub(ir, stops[i].result, stops[i - 1].result), share));
     }
     return result;
 }
 
-/* Of every item, how much of the box has come to it, or of the point: all to the first, and none beyond the last. */
+/* Of every item, how much of the box has come to it, or of the point: all to the first, and none
+ * beyond the last. */
 static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
@@ -206,8 +217,8 @@ static bool has_costly(const Ir *ir, const Stop *stops, int count)
     return false;
 }
 
-/* What the items that answer what item i does weigh together, item i being the first of them; 0: it is not. Neighbours are one, so that
- * those that are everywhere weigh 1. */
+/* What the items that answer what item i does weigh together, item i being the first of them; 0: it
+ * is not. Neighbours are one, so that those that are everywhere weigh 1. */
 static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int count, int i)
 {
     const Ref result = stops[i].result;
@@ -224,8 +235,9 @@ static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int c
     return sum;
 }
 
-/* The mean over a box of t, its costly items behind guards: an item counts by its weight, so where that is 0 it may be anything, and is
- * not computed. The condition is the weight itself, whatever rounding made of it. */
+/* The mean over a box of t, its costly items behind guards: an item counts by its weight, so where
+ * that is 0 it may be anything, and is not computed. The condition is the weight itself, whatever
+ * rounding made of it. */
 static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;

@@ -1,5 +1,6 @@
-/* Slopes of Blends at a point. The shares of both segments that meet at an item bend there, and where rounding lets one of them end late the
- * other has begun; so each segment's slope counts from its item on, below the next one's value, as the walk and the search say it.
+/* Slopes of Blends at a point. The shares of both segments that meet at an item bend there, and
+ * where rounding lets one of them end late the other has begun; so each segment's slope counts from
+ * its item on, below the next one's value, as the walk and the search say it.
  *
  *     items at 0, .3 and 1 answering a, b, c; with s = clamp(t / .3), r = clamp((t - .3) / .7)
  *     within:  da (1 - s) + db (s - r) + dc r
@@ -11,7 +12,8 @@
 
 static bool is_same(const Blended *a, const Blended *b)
 {
-    return a->t == b->t && a->count == b->count && !memcmp(a->stops, b->stops, sizeof *a->stops * (size_t)a->count);
+    return a->t == b->t && a->count == b->count &&
+           !memcmp(a->stops, b->stops, sizeof *a->stops * (size_t)a->count);
 }
 
 /* Made of the items and t, and none of them. */
@@ -23,7 +25,8 @@ static bool is_new(Ref value, const Blended *blend)
     return value > blend->t;
 }
 
-/* 1 where t is in the segment that ends at item i. The last one has its end, too (lower_blend.c, is_below). */
+/* 1 where t is in the segment that ends at item i. The last one has its end, too (lower_blend.c,
+ * is_below). */
 static Ref is_along(Lower *l, const Blended *blend, int i)
 {
     Ir *ir = l->ir;
@@ -33,19 +36,22 @@ static Ref is_along(Lower *l, const Blended *blend, int i)
                                  : build_sub(ir, begun, build_step(ir, stops[i].value, blend->t));
 }
 
-/* How the Blend rises with t. Exactly at an item its neighbour counts, which does not show there. */
+/* How the Blend rises with t. Exactly at an item its neighbour counts, which does not show
+ * there. */
 static Ref rate(Lower *l, const Blended *blend)
 {
     Ir *ir = l->ir;
     const bool has_guards = blend->within != blend->stops;
-    const Stop *stops = has_guards ? blend_guarded_items(l, blend->t, blend->stops, blend->count, true) : blend->stops;
+    const Stop *stops = has_guards
+                            ? blend_guarded_items(l, blend->t, blend->stops, blend->count, true)
+                            : blend->stops;
     Ref sum = 0;
     for (int i = 1; i < blend->count; i++) {
         const Stop *from = &stops[i - 1], *to = &stops[i];
         if (from->result == to->result)
             continue;
-        Ref rise =
-            build_mul(ir, build_sub(ir, to->result, from->result), area_known_inverse(l, from->value, to->value));
+        Ref rise = build_mul(ir, build_sub(ir, to->result, from->result),
+                             area_known_inverse(l, from->value, to->value));
         sum = build_plus(ir, sum, build_mul(ir, rise, is_along(l, blend, i)));
     }
     return sum;
@@ -59,7 +65,8 @@ static const SlopeTerm *terms(Lower *l, const void *what)
     Ref share = build_float(ir, 1);
     for (int i = 0; i < blend->count; i++) {
         Ref next = i + 1 < blend->count ? blend_share(l, blend->t, &blend->stops[i]) : 0;
-        term[i + 1] = (SlopeTerm){blend->within[i].result, next ? build_sub(ir, share, next) : share};
+        term[i + 1] =
+            (SlopeTerm){blend->within[i].result, next ? build_sub(ir, share, next) : share};
         share = next;
     }
     term[0] = (SlopeTerm){blend->t, rate(l, blend)};

@@ -1,38 +1,46 @@
-/* --aa=auto: which maps are averaged over the pixel. Those whose means are closed forms, as long as the program costs at most a tenth
- * more than without any, by the costs of grammar/. It is measured on IR that is always simplified, so that
- * all levels of -O average the same maps; what is measured and fits is the program, which is not lowered again but for -O0.
+/* --aa=auto: which maps are averaged over the pixel. Those whose means are closed forms, as long as
+ * the program costs at most a tenth more than without any, by the costs of grammar/. It is measured
+ * on IR that is always simplified, so that all levels of -O average the same maps; what is measured
+ * and fits is the program, which is not lowered again but for -O0.
  *
- *     wood with a sine: 109 operations without a mean, 174 with that of the sine. A GPU takes as long for the one as for the other, and
- *     for a constant (docs/accuracy-gpu.md), since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
- *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
+ *     wood with a sine: 109 operations without a mean, 174 with that of the sine. A GPU takes as
+ *     long for the one as for the other, and for a constant (docs/accuracy-gpu.md), since there is
+ *     other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200 a checker beside much
+ *     noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
- * Where the tables of grammar/ say that all means may fit, a program with them is made first. It is taken if they are free, or
- * cost at most a tenth more than points. What points cost is counted in a fork of its IR, in which only what a mean is part of
- * is lowered again. Any other program is made of points first. What the mean of each map costs beside its point is known
- * without a program of it (price.h), and only what should fit is tried: all means, or those that come first in the document.
- * Most programs are lowered once, also where none fits; where some fit, about twice.
+ * Where the tables of grammar/ say that all means may fit, a program with them is made first. It is
+ * taken if they are free, or cost at most a tenth more than points. What points cost is counted in
+ * a fork of its IR, in which only what a mean is part of is lowered again. Any other program is
+ * made of points first. What the mean of each map costs beside its point is known without a program
+ * of it (price.h), and only what should fit is tried: all means, or those that come first in the
+ * document. Most programs are lowered once, also where none fits; where some fit, about twice.
  *
- * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass averages none: it compares with a threshold,
- * and of a mean that loses what is finer than a texel. A leaf of holes, half of it transparent by 0.7 and half by 0.1:
- *     at points: half of the texels are held, and the light's filter over the map makes a half shadow of that
- *     of means:  0.4 everywhere, and all are held
+ * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass
+ * averages none: it compares with a threshold, and of a mean that loses what is finer than a texel.
+ * A leaf of holes, half of it transparent by 0.7 and half by 0.1:
+ *     at points: half of the texels are held, and the light's filter over the map makes a half
+ *     shadow of that of means: 0.4 everywhere, and all are held
  *
- * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as much. */
+ * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as
+ * much. */
 #include "compiler/lower/price.h"
 #include <limits.h>
 #include <math.h>
 #include <string.h>
 
 enum {
-    FREE_COST = 200, /* operations that a pixel has the time for anyway: 234 were measured to take none */
+    /* operations that a pixel has the time for anyway: 234 were measured to take none */
+    FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds: 32 for a Checker */
     LARGEST_GUESSED = 1000, /* estimated operations of a program above which no guess is made */
     MOST_SLOW = 2           /* consecutive guesses that may leave more than half of the range */
 };
-static const double SURELY = 1.1, SURELY_MINGLED = 3; /* times what is left, by a mean's price: it does not fit */
+/* times what is left, by a mean's price: it does not fit */
+static const double SURELY = 1.1, SURELY_MINGLED = 3;
 static const double most_growth = 1.1, most_growth_of_plane = 2;
 
-/* A lowering in memory of its own, with diagnostics of its own, which goes without a trace unless it is taken. It stays where it is. */
+/* A lowering in memory of its own, with diagnostics of its own, which goes without a trace unless
+ * it is taken. It stays where it is. */
 typedef struct {
     Arena arena;
     Session session;
@@ -106,12 +114,14 @@ typedef struct {
     double surely;      /* so many times what is left */
 } Bracket;
 
-/* Means cost as their prices say, in proportion to what programs at both ends of the bracket were found to cost. Where two guesses have left more
- * than half, the middle is next.
+/* Means cost as their prices say, in proportion to what programs at both ends of the bracket were
+ * found to cost. Where two guesses have left more than half, the middle is next.
  *
- *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and fits; 2 cost 240, and that is known
+ *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and
+ *     fits; 2 cost 240, and that is known
  *
- * So many as fit already: the next one alone costs surely more than what is left, and is not tried. */
+ * So many as fit already: the next one alone costs surely more than what is left, and is not
+ * tried. */
 static int guess(const Bracket *b, double most, bool halve)
 {
     const int between = b->beyond - b->fit;
@@ -128,8 +138,10 @@ static int guess(const Bracket *b, double most, bool halve)
     return b->fit + step;
 }
 
-/* The one with as many means as fit, of those between, beside one that has `fit`. The others are dropped. */
-static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, Bracket b, const int *ends)
+/* The one with as many means as fit, of those between, beside one that has `fit`. The others are
+ * dropped. */
+static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, Bracket b,
+                            const int *ends)
 {
     Trial *next = &trials[0], *best = &trials[1];
     int slow = 0; /* guesses that left more than half */
@@ -177,14 +189,16 @@ static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
         return all->ir != NULL;
-    const bool own_slopes = all->seen.mingled || lower_displaced(what->material); /* slopes exist without means, too */
+    /* slopes exist without means, too */
+    const bool own_slopes = all->seen.mingled || lower_displaced(what->material);
     if (guess != GUESS_fit || own_slopes)
         return false;
     const int plain = lower_cost_of_points(&all->lower, what->material);
     return plain >= 0 && fits(all, most_beside(what, plain));
 }
 
-/* The one to take, where points are made; of all means it is known what they cost; NAN: they were not tried. */
+/* The one to take, where points are made; of all means it is known what they cost; NAN: they were
+ * not tried. */
 static Trial *beside_points(const LowerRequest *what, Trial trials[2], double cost_of_all)
 {
     Trial *all = &trials[0], *plain = &trials[1];
@@ -206,12 +220,13 @@ static Trial *beside_points(const LowerRequest *what, Trial trials[2], double co
         drop(all);
     }
     const double about = plain->cost + prices.upto[prices.known];
-    const Bracket b = {.fit = prices.alike,
-                       .beyond = prices.known,
-                       .cost_fit = plain->cost,
-                       .cost_beyond = prices.known == prices.count && !isnan(cost_of_all) ? cost_of_all : about,
-                       .upto = prices.upto,
-                       .surely = surely};
+    const Bracket b = {
+        .fit = prices.alike,
+        .beyond = prices.known,
+        .cost_fit = plain->cost,
+        .cost_beyond = prices.known == prices.count && !isnan(cost_of_all) ? cost_of_all : about,
+        .upto = prices.upto,
+        .surely = surely};
     return most_that_fit(what, trials, most, b, prices.ends);
 }
 
@@ -246,15 +261,21 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         return all;
     }
     drop(all);
-    const bool known = plain->seen.count <= (size_t)first; /* there is none, or one, which costs too much */
+    /* there is none, or one, which costs too much */
+    const bool known = plain->seen.count <= (size_t)first;
     if (!plain->ir || known)
         return plain;
-    return first && plain->seen.count == 2 ? first_of_two(what, trials) : beside_points(what, trials, cost_of_all);
+    return first && plain->seen.count == 2 ? first_of_two(what, trials)
+                                           : beside_points(what, trials, cost_of_all);
 }
 
-static bool may_average(const Job *job) { return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow; }
+static bool may_average(const Job *job)
+{
+    return job->choice[AXIS_aa] == CHOICE_aa_auto && job->pass != PASS_shadow;
+}
 
-Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job, Simplify *simplify)
+Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job,
+          Simplify *simplify)
 {
     const LowerRequest what = {session, graph, material, job, simplify};
     if (!may_average(job))

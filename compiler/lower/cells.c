@@ -1,22 +1,30 @@
-/* Cells of a coordinate. Where cells are finer than a pixel, their mean stands for them, by the factors of grammar/cells.def:
+/* Cells of a coordinate. Where cells are finer than a pixel, their mean stands for them, by the
+ * factors of grammar/cells.def:
  *
- *     F1 of squares, a pixel .7 cells wide: F1's factor is .62, of which 1.43 * .62 - .43 = .46 is kept:  .43 + .46 (F1(q) - .43)
- *     from 1.8 cells on nothing is kept, and no point is searched for */
+ *     F1 of squares, a pixel .7 cells wide: F1's factor is .62, of which 1.43 * .62 - .43 = .46 is
+ *     kept: .43 + .46 (F1(q) - .43) from 1.8 cells on nothing is kept, and no point is searched
+ *     for */
 #include "compiler/lower/cells.h"
 #include "compiler/lower/area.h"
 
-/* What stands for F1 and its like, with jitter 0, 1/2 and 1, and how it fades: a row of cells.def. */
+/* What stands for F1 and its like, with jitter 0, 1/2 and 1, and how it fades: a row of
+ * cells.def. */
 typedef struct {
     double mean[3], variance[3], slope[3], narrow, wide;
 } Statistics;
 
 enum { DISTANCES = WORD_Distance_chebyshev - WORD_Distance_euclidean + 1 };
 
-static const Statistics statistics[CELLS_MOST_DIMENSIONS - CELLS_FEWEST_DIMENSIONS + 1][DISTANCES][CELLS_VALUE_COUNT] = {
-#define THREE(a, b, c) {a, b, c}
-#define CELLS(dimensions, distance, measure, mean, variance, slope, narrow, wide)                                      \
-    [dimensions - CELLS_FEWEST_DIMENSIONS][WORD_Distance_##distance - WORD_Distance_euclidean][CELLS_VALUE_##measure] = {        \
-        mean, variance, slope, narrow, wide},
+static const Statistics statistics[CELLS_MOST_DIMENSIONS - CELLS_FEWEST_DIMENSIONS + 1][DISTANCES]
+                                  [CELLS_VALUE_COUNT] = {
+#define THREE(a, b, c)                                                                             \
+    {                                                                                              \
+        a, b, c                                                                                    \
+    }
+#define CELLS(dimensions, distance, measure, mean, variance, slope, narrow, wide)                  \
+    [dimensions -                                                                                  \
+        CELLS_FEWEST_DIMENSIONS][WORD_Distance_##distance - WORD_Distance_euclidean]               \
+                                [CELLS_VALUE_##measure] = {mean, variance, slope, narrow, wide},
 #include "grammar/cells.def"
 };
 
@@ -35,7 +43,8 @@ static Ref call(Lower *l, const Cells *cells, Ref p, Ref rest)
     static const Function functions[][2] = {{FN_cells2, FN_cells3},
                                             {FN_cells2Random, FN_cells3Random},
                                             {FN_cells2Centre, FN_cells3Centre}};
-    const int which = cells->measure == CELLS_VALUE_centre ? 2 : cells->measure == CELLS_VALUE_random;
+    const int which =
+        cells->measure == CELLS_VALUE_centre ? 2 : cells->measure == CELLS_VALUE_random;
     const Function function = functions[which][cells->dimensions - CELLS_FEWEST_DIMENSIONS];
     Ref distance = build_int(ir, cells->distance);
     Ref args[] = {p, rest, cells->jitter, distance, which ? 0 : build_int(ir, cells->measure)};
@@ -57,11 +66,12 @@ static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
 {
     LongCoordinate parts;
     const bool apart = middle != q && affine_coordinate(l, q, 1, &parts);
-    return apart ? cells_at(l, cells, q, build_sub(l->ir, middle, q)) : cells_at(l, cells, middle, 0);
+    return apart ? cells_at(l, cells, q, build_sub(l->ir, middle, q))
+                 : cells_at(l, cells, middle, 0);
 }
 
-/* What the mean over a square of that edge keeps of a value's distance from the mean, and what it leaves out of the variance, besides what its
- * slope shows. */
+/* What the mean over a square of that edge keeps of a value's distance from the mean, and what it
+ * leaves out of the variance, besides what its slope shows. */
 typedef struct {
     Ref share, variance;
 } Fading;
@@ -70,13 +80,18 @@ static Fading fading(Lower *l, const Cells *cells, Ref edge)
 {
     Ir *ir = l->ir;
     const double widest = 64; /* cells: nothing is kept long before */
-    const Statistics *s = &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
-    Ref one = build_float(ir, 1), width = build_min(ir, edge, build_float(ir, widest)), area = build_square(ir, width);
+    const Statistics *s =
+        &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
+    Ref one = build_float(ir, 1), width = build_min(ir, edge, build_float(ir, widest)),
+        area = build_square(ir, width);
     Ref narrow = build_float(ir, s->narrow), wide = build_float(ir, s->wide);
-    Ref loss = build_call(ir, FN_cellsLoss, cells->measure >= CELLS_VALUE_random ? width : area, narrow, wide);
+    Ref loss = build_call(ir, FN_cellsLoss, cells->measure >= CELLS_VALUE_random ? width : area,
+                          narrow, wide);
     Ref share = build_sub(ir, one, loss), kept = build_square(ir, share);
-    Ref left = build_mul(ir, by_jitter(l, cells, s->variance), build_mul(ir, loss, build_add(ir, one, share)));
-    Ref shown = build_scale(ir, build_mul(ir, by_jitter(l, cells, s->slope), build_mul(ir, kept, area)), 1.0 / 12);
+    Ref left = build_mul(ir, by_jitter(l, cells, s->variance),
+                         build_mul(ir, loss, build_add(ir, one, share)));
+    Ref shown = build_scale(
+        ir, build_mul(ir, by_jitter(l, cells, s->slope), build_mul(ir, kept, area)), 1.0 / 12);
     Ref variance = build_max(ir, build_sub(ir, left, shown), build_float(ir, 0));
     return (Fading){share, variance};
 }
@@ -89,12 +104,14 @@ Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q)
     if (!count)
         return answer_of(cells_at(l, cells, q.value, 0));
     const Type type = cells->measure == CELLS_VALUE_centre ? ir_type(ir, q.value) : TYPE_float;
-    const Statistics *s = &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
+    const Statistics *s =
+        &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
     const Fading fade = fading(l, cells, footprint_greatest_lane(l, taps[0].edges));
     Ref shows = build_lt(ir, build_float(ir, 0), fade.share), sum = 0;
     for (int i = 0; i < count; i++) {
         Ref value = build_guard(ir, shows, at_tap(l, cells, q.value, taps[i].middle));
-        Ref mean = cells->measure == CELLS_VALUE_centre ? taps[i].middle : by_jitter(l, cells, s->mean);
+        Ref mean =
+            cells->measure == CELLS_VALUE_centre ? taps[i].middle : by_jitter(l, cells, s->mean);
         Ref faded = build_mix(ir, mean, value, fade.share);
         sum = sum ? build_add(ir, sum, faded) : faded;
     }
@@ -118,12 +135,14 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
     *made = (Answer){mean, build_float(ir, 1.0 / 12), NULL};
     if (far == FAR_number)
         return true;
-    if (far != FAR_point || !ir_is(ir, args[STYLE], OP_const) || !ir_is(ir, args[DIMENSIONS], OP_const))
+    if (far != FAR_point || !ir_is(ir, args[STYLE], OP_const) ||
+        !ir_is(ir, args[DIMENSIONS], OP_const))
         return false;
     if (ir_known(ir, args[STYLE])[0] != 0)
         return true; /* a number of the nearest point's cell */
     const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MOST_DIMENSIONS;
-    const Cells cells = {.jitter = build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};
+    const Cells cells = {.jitter =
+                             build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};
     const Statistics *s = &statistics[!flat][0][CELLS_VALUE_F1];
     mean = by_jitter(l, &cells, s->mean);
     *made = (Answer){mean, by_jitter(l, &cells, s->variance), NULL};

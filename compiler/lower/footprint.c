@@ -1,8 +1,8 @@
 /* Footprints by differentiation: a width goes through every transform as a derivative does.
  *
- *     u changes by .01 to the next pixel on the right, and by 0 to the one above; a Checker reads v = 8 u
- *     slopes of v:  .08 and 0         footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's coordinate
- *     had a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
+ *     u changes by .01 to the next pixel on the right, and by 0 to the one above; a Checker reads v
+ *     = 8 u slopes of v: .08 and 0 footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's
+ *     coordinate had a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
 #include "compiler/lower/footprint.h"
 
 static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
@@ -20,12 +20,14 @@ bool footprint_is_filtered(const Lower *l)
 {
     const Choice aa = l->job->choice[AXIS_aa];
     if (aa == CHOICE_aa_auto)
-        return l->map && l->map->index < l->averaged_below && footprint_may_average(l->map->kind) && !l->filters;
+        return l->map && l->map->index < l->averaged_below && footprint_may_average(l->map->kind) &&
+               !l->filters;
     return aa != CHOICE_aa_none && !l->filters;
 }
 
-/* The edge of one box that stands for two, one after the other. Of a number, whose box is all that is known: their variances add. Of
- * a coordinate by lane the greater one, which is as good for checkers and noise, and cheaper. */
+/* The edge of one box that stands for two, one after the other. Of a number, whose box is all that
+ * is known: their variances add. Of a coordinate by lane the greater one, which is as good for
+ * checkers and noise, and cheaper. */
 static Ref together(Lower *l, Ref a, Ref b)
 {
     Ir *ir = l->ir;
@@ -38,7 +40,8 @@ static Ref together(Lower *l, Ref a, Ref b)
     return build_sqrt(ir, build_add(ir, build_square(ir, a), build_square(ir, b)));
 }
 
-/* The edge of a box as far as slopes tell, and the box that varies as much as what they do not: their variances add. */
+/* The edge of a box as far as slopes tell, and the box that varies as much as what they do not:
+ * their variances add. */
 static Ref with_variance(Lower *l, Ref edges, Ref variance)
 {
     Ir *ir = l->ir;
@@ -74,7 +77,9 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
         return 1;
     }
     for (int i = 0; i < MOST_TAPS; i++)
-        taps[i] = (Tap){build_add(ir, coordinate.value, build_scale(ir, longer, (i + 0.5) / MOST_TAPS - 0.5)), edges};
+        taps[i] = (Tap){
+            build_add(ir, coordinate.value, build_scale(ir, longer, (i + 0.5) / MOST_TAPS - 0.5)),
+            edges};
     return MOST_TAPS;
 }
 
@@ -84,15 +89,17 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
     Ir *ir = l->ir;
     static const double offset[MOST_TAPS][2] = {
         {-1.0 / 8, -3.0 / 8}, {3.0 / 8, -1.0 / 8}, {-3.0 / 8, 1.0 / 8}, {1.0 / 8, 3.0 / 8}};
-    Ref right = slope_detached(l, coordinate, DIRECTION_right), up = slope_detached(l, coordinate, DIRECTION_up);
+    Ref right = slope_detached(l, coordinate, DIRECTION_right),
+        up = slope_detached(l, coordinate, DIRECTION_up);
     Type type = ir_type(ir, coordinate);
     if (!footprint_is_filtered(l) || (!right && !up))
         return 0;
     right = build_or_zero(ir, right, type);
     up = build_or_zero(ir, up, type);
     for (int i = 0; i < MOST_TAPS; i++)
-        points[i] = build_add(ir, coordinate,
-                              build_add(ir, build_scale(ir, right, offset[i][0]), build_scale(ir, up, offset[i][1])));
+        points[i] = build_add(
+            ir, coordinate,
+            build_add(ir, build_scale(ir, right, offset[i][0]), build_scale(ir, up, offset[i][1])));
     return MOST_TAPS;
 }
 
@@ -100,7 +107,8 @@ Ref footprint_edges(Lower *l, Answer a)
 {
     if (!footprint_is_filtered(l))
         return 0;
-    Ref right = slope_detached(l, a.value, DIRECTION_right), up = slope_detached(l, a.value, DIRECTION_up);
+    Ref right = slope_detached(l, a.value, DIRECTION_right),
+        up = slope_detached(l, a.value, DIRECTION_up);
     return with_variance(l, together(l, right, up), a.variance);
 }
 
@@ -127,7 +135,8 @@ Ref footprint_over_edge(Lower *l, Ref part, Ref edge)
     return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
 }
 
-/* The quotient, at most 1/2, comes before the product, which is then neither too great nor too small for a float. */
+/* The quotient, at most 1/2, comes before the product, which is then neither too great nor too
+ * small for a float. */
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;

@@ -10,7 +10,8 @@ enum {
 
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
-/* A volume map's answer is the same on every channel: its function of the position, sent through its wave. */
+/* A volume map's answer is the same on every channel: its function of the position, sent through
+ * its wave. */
 static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env);
 
 #define OWN_LOWERING(name)    lower_##name
@@ -71,7 +72,8 @@ Ref lower_as_group(Lower *l, Ref value, Group group)
     return group == GROUP_IOR ? build_swizzle(ir, value, "x") : build_convert(ir, value, TYPE_vec3);
 }
 
-/* A table of its own kind: a slot holds the whole key and the answer, so that nothing else is read. */
+/* A table of its own kind: a slot holds the whole key and the answer, so that nothing else is
+ * read. */
 static void memo_grow(Lower *l)
 {
     size_t size = l->memo ? 2 * (l->memo_mask + 1) : FIRST_MEMO;
@@ -113,7 +115,8 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
 {
     value = repeated(ir, value);
     IrNode *node = &ir->nodes[value];
-    if (node->op == OP_const || node->op == OP_input || node->op == OP_attribute || ir_is_head(ir, value))
+    if (node->op == OP_const || node->op == OP_input || node->op == OP_attribute ||
+        ir_is_head(ir, value))
         return;
     node->origin = origin;
     ir_set_head(ir, value, true);
@@ -138,7 +141,8 @@ static Ref root_of(Lower *l, Group group, const Env *env)
 static void note_averageable(Lower *l, const Node *map, Group group, const Env *env)
 {
     const MetMap met = {map, group, !env->number && !env->relief};
-    ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room, met);
+    ARENA_PUSH(l->session->arena, l->averageable.at, l->averageable.count, l->averageable.room,
+               met);
     l->averageable.mingled |= !met.outside;
 }
 
@@ -148,9 +152,12 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         return answer_of(root_of(l, group, env));
     if (env->relief && !map->steps)
         return relief_smooth(l, map, group, env);
-    uint64_t key = ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT + group + 1;
+    uint64_t key =
+        ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT +
+        group + 1;
     Memo *memo = memo_find(l, key);
-    if (memo->key && (l->averaged_below || !memo->averaged)) { /* without means: only values without a mean */
+    /* without means: only values without a mean */
+    if (memo->key && (l->averaged_below || !memo->averaged)) {
         l->averaged |= memo->averaged;
         return memo->answer;
     }
@@ -165,7 +172,8 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
     const bool beside = l->averaged; /* of maps that were lowered before */
-    if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) && !l->filters)
+    if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) &&
+        !l->filters)
         note_averageable(l, map, group, env);
     l->averaged = l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_is_filtered(l);
     Answer answer = lower_map[map->kind](l, map, group, env);
@@ -193,7 +201,8 @@ static void add_costs(const Node *map, int limit, MapCosts *costs)
         const Value *value = &map->params[i];
         if (value->kind == VALUE_node)
             add_costs(value->node, limit, costs);
-        for (int k = 0; value->kind == VALUE_items && k < value->items->count && costs->points < limit; k++)
+        for (int k = 0;
+             value->kind == VALUE_items && k < value->items->count && costs->points < limit; k++)
             if (value->items->item[k].input)
                 add_costs(value->items->item[k].input, limit, costs);
     }
@@ -207,7 +216,10 @@ MapCosts lower_map_costs(const Node *map, int limit)
     return costs;
 }
 
-bool lower_wants_branch(const Node *map) { return lower_map_costs(map, LEAST_ARM).points >= LEAST_ARM; }
+bool lower_wants_branch(const Node *map)
+{
+    return lower_map_costs(map, LEAST_ARM).points >= LEAST_ARM;
+}
 
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
 {
@@ -218,7 +230,10 @@ Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env) { return lower_answer(l, map, group, env).value; }
+Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env)
+{
+    return lower_answer(l, map, group, env).value;
+}
 
 Answer lower_waved(Lower *l, const Node *node, Answer f)
 {
@@ -253,8 +268,10 @@ static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *e
     Volume volume = {.node = node};
     Stepped steps = {.at = volume_at, .map = &volume, .q = lower_answer(l, input, GROUP_X, env)};
     for (int i = FIRST_OWN; i < row->count; i++) {
-        static const Type type_of[] = {[PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
-        volume.args[volume.count++] = lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
+        static const Type type_of[] = {
+            [PARAM_Float] = TYPE_float, [PARAM_Int] = TYPE_int, [PARAM_Vec3] = TYPE_vec3};
+        volume.args[volume.count++] =
+            lower_param(l, &node->params[i], type_of[param_table[row->first + i].type]);
     }
     Answer answer = volume_answer(l, &volume, steps.q);
     for (int i = 0; i < row->step_lanes; i++)

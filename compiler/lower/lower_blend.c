@@ -1,16 +1,20 @@
 /* Blend: a walk along items of ascending value.
  *
- *     items at 0, .3 and 1 answering a, b, c, and t = .65: the first item that t is below is the third, at (.65 - .3) / (1 - .3) = 1/2
- *     of the way from the second: (b + c) / 2. Below 0 it is a, from 1 on c.
+ *     items at 0, .3 and 1 answering a, b, c, and t = .65: the first item that t is below is the
+ *     third, at (.65 - .3) / (1 - .3) = 1/2 of the way from the second: (b + c) / 2. Below 0 it is
+ *     a, from 1 on c.
  *     walk:    t < 0 ? a : t < .3 ? mix(a, b, ..) : t < 1 ? mix(b, c, ..) : c
  *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
- *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what is made of it needs no branch
- *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards whose values may be of any size
+ *     guards: a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what
+ *     is made of it needs no branch weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t -
+ *     .3) / .7)) + ..., for guards whose values may be of any size
  * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c.
- * Ramps are Blends of two items, at 0 and at 1. A Switch over a box is one of two items at every border, alike below and above it:
+ * Ramps are Blends of two items, at 0 and at 1. A Switch over a box is one of two items at every
+ * border, alike below and above it:
  *
- *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is (b + c) / 2 */
+ *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is (b +
+ *     c) / 2 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"
@@ -18,7 +22,8 @@
 
 enum { MOST_AREA_ITEMS = 64 }; /* items up to which a blend is averaged over the pixel */
 
-/* Items first..last of so many; as segments, each is what leads to its item, and segment `count` is what holds beyond the end. */
+/* Items first..last of so many; as segments, each is what leads to its item, and segment `count` is
+ * what holds beyond the end. */
 typedef struct {
     const Stop *stops;
     int count, first, last;
@@ -37,15 +42,18 @@ static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
 static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
 {
     for (int i = 0; i < count; i++) {
-        const double *now = ir_known(ir, stops[i].value), *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
-        if (!now || (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
+        const double *now = ir_known(ir, stops[i].value),
+                     *before = i ? ir_known(ir, stops[i - 1].value) : NULL;
+        if (!now ||
+            (before && (now[0] < before[0] || (strictly && (float)now[0] <= (float)before[0]))))
             return false;
     }
     return true;
 }
 
-/* Whether t has not come to item i of so many. The last segment has its end, too, which is as the item, and has a slope: a wave that rises to 1
- * and falls again is 1 for many floats around its peak, and at all but one of them it still rises or falls. */
+/* Whether t has not come to item i of so many. The last segment has its end, too, which is as the
+ * item, and has a slope: a wave that rises to 1 and falls again is 1 for many floats around its
+ * peak, and at all but one of them it still rises or falls. */
 static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
 {
     Ir *ir = l->ir;
@@ -74,11 +82,12 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
     const int middle = s.first + (s.last - s.first) / 2;
     Ref below = is_below(l, t, s.stops, middle, s.count);
     Ref low = blend_search(l, t, (Segments){s.stops, s.count, s.first, middle});
-    return build_select(ir, below, low, blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
+    return build_select(ir, below, low,
+                        blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }
 
-/* The same without branches, for values known to ascend: each item is mixed over what the ones before it made. Where t has
- * passed a segment its weight is 1, where it has not come to it 0. */
+/* The same without branches, for values known to ascend: each item is mixed over what the ones
+ * before it made. Where t has passed a segment its weight is 1, where it has not come to it 0. */
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -119,8 +128,8 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
     return blend_walk(l, t, stops, count);
 }
 
-/* The same, each costly item behind a guard, which wants no branch around it; 0: where none is costly, and where a search follows, which
- * has branches already. */
+/* The same, each costly item behind a guard, which wants no branch around it; 0: where none is
+ * costly, and where a search follows, which has branches already. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
     if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
@@ -128,7 +137,8 @@ static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
     const Stop *own = blend_guarded_items(l, t, stops, count, false);
     if (own == stops)
         return 0;
-    Ref sum = blend_alike(l->ir, own, count) ? blend_mixes(l, t, own, count) : blend_weights(l, t, 0, own, count);
+    Ref sum = blend_alike(l->ir, own, count) ? blend_mixes(l, t, own, count)
+                                             : blend_weights(l, t, 0, own, count);
     return noted(l, sum, &(Blended){t, stops, own, count});
 }
 
@@ -137,7 +147,8 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
     if (count > MOST_AREA_ITEMS || !ascending(l->ir, stops, count, false))
         return answer_of(blend_point(l, t.value, stops, count));
     Ref edge = footprint_edges(l, t);
-    Ref sum = edge ? blend_over(l, t.value, edge, stops, count) : blend_guards(l, t.value, stops, count);
+    Ref sum =
+        edge ? blend_over(l, t.value, edge, stops, count) : blend_guards(l, t.value, stops, count);
     Answer blend = answer_of(sum ? sum : blend_point(l, t.value, stops, count));
     blend.variance = blend_variance(l, t.value, edge, stops, count);
     return blend;
@@ -156,7 +167,8 @@ static Ref common_alpha(Lower *l, const Stop *stops, int count)
     return alpha;
 }
 
-/* An alpha that all items have is the blend's, too: a picture without one and a colour are opaque together. */
+/* An alpha that all items have is the blend's, too: a picture without one and a colour are opaque
+ * together. */
 static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -176,7 +188,8 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
     return whole;
 }
 
-/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is not linear. */
+/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is
+ * not linear. */
 static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int depth)
 {
     if (!x.split || depth == 0)
@@ -225,7 +238,8 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         return answer_of(stops[0].result);
     }
     Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
-    if (l->relief) /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
+    /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
+    if (l->relief)
         answer.split = NULL;
     return answer;
 }
@@ -245,7 +259,9 @@ static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
 Answer lower_Ramp(Lower *l, const Node *node, Group group, const Env *env)
 {
     const bool along_v = node_param(node, P_Ramp_along)->number[0] == WORD_Axis_v;
-    Answer t = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Ramp_input), GROUP_U, env), along_v ? "y" : "x");
+    Answer t =
+        answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Ramp_input), GROUP_U, env),
+                       along_v ? "y" : "x");
     Answer a = lower_arm(l, lower_param_node(node, P_Ramp_a), group, env);
     return ramp(l, t, a, lower_arm(l, lower_param_node(node, P_Ramp_b), group, env));
 }
@@ -276,7 +292,8 @@ static Answer chosen_of(Lower *l, Choices c)
     const int middle = c.first + (c.last - c.first) / 2;
     Ref below = build_lt(l->ir, c.number, build_float(l->ir, middle + .5));
     const Answer low = chosen_of(l, (Choices){c.number, c.maps, c.first, middle});
-    return answer_either(l, below, low, chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
+    return answer_either(l, below, low,
+                         chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
 }
 
 /* Over a box of the number; of more maps than a Blend is averaged of, at its middle. */
@@ -288,7 +305,8 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
     if (!edge || count == 1)
         return chosen_of(l, (Choices){number.value, maps, 0, count - 1});
     for (int i = 0; i < count; i++)
-        type = i ? answer_common_type(type, ir_type(l->ir, maps[i].value)) : ir_type(l->ir, maps[i].value);
+        type = i ? answer_common_type(type, ir_type(l->ir, maps[i].value))
+                 : ir_type(l->ir, maps[i].value);
     for (int i = 0; i < 2 * (count - 1); i++) {
         const Answer wide = answer_widened(l, maps[(i + 1) / 2], type);
         stops[i] = (Stop){build_float(l->ir, i / 2 + .5), wide.value, wide.variance};
@@ -296,7 +314,8 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
     return blend_at(l, number, stops, 2 * (count - 1));
 }
 
-/* Where the number is one of two within the pixel, the mean of what both choose; in a relief it chooses at the point. */
+/* Where the number is one of two within the pixel, the mean of what both choose; in a relief it
+ * chooses at the point. */
 static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, int depth)
 {
     if (!x.split || depth == 0 || l->relief)

@@ -3,14 +3,16 @@
 #include "compiler/lower/cells.h"
 #include "compiler/lower/relief.h"
 
-/* A param may be set to anything; the search for points is complete, and its values are bounded, from 0 to 1. */
+/* A param may be set to anything; the search for points is complete, and its values are bounded,
+ * from 0 to 1. */
 static Ref find_jitter(Lower *l, const Node *node, int param)
 {
     Ref jitter = lower_param(l, node_param(node, param), TYPE_float);
     return build_clamp(l->ir, jitter, build_float(l->ir, 0), build_float(l->ir, 1));
 }
 
-/* What jumps has differences over a step of its own coordinate for its slope. The step is added to the rest, so that it is not lost far out. */
+/* What jumps has differences over a step of its own coordinate for its slope. The step is added to
+ * the rest, so that it is not lost far out. */
 static void note_steps(Lower *l, const Cells *cells, Ref value, Ref q)
 {
     Ir *ir = l->ir;
@@ -37,7 +39,8 @@ Answer lower_Cells(Lower *l, const Node *node, Group group, const Env *env)
     double number[4];
     value_number(dimensions, TYPE_float, number);
     const Node *input = lower_param_node(node, P_Cells_input);
-    const Cells cells = {.dimensions = (int)clamp(number[0], CELLS_FEWEST_DIMENSIONS, CELLS_MOST_DIMENSIONS),
+    const Cells cells = {.dimensions =
+                             (int)clamp(number[0], CELLS_FEWEST_DIMENSIONS, CELLS_MOST_DIMENSIONS),
                          .distance = word_of(node, P_Cells_distance, WORD_Distance_euclidean),
                          .measure = word_of(node, P_Cells_value, WORD_CellsValue_F1),
                          .jitter = find_jitter(l, node, P_Cells_jitter)};
@@ -62,9 +65,11 @@ Answer lower_CellCentre(Lower *l, const Node *node, Group group, const Env *env)
                          .jitter = find_jitter(l, node, P_CellCentre_jitter)};
     if (group == GROUP_X)
         return cells_over_pixel(l, &cells, q);
-    Answer uv = cells_over_pixel(l, &cells, answer_swizzle(l, q, "xy")), w = answer_swizzle(l, q, "z");
+    Answer uv = cells_over_pixel(l, &cells, answer_swizzle(l, q, "xy")),
+           w = answer_swizzle(l, q, "z");
     Answer moved = answer_of(build_vec(ir, TYPE_vec3, uv.value, w.value));
     if (uv.variance || w.variance)
-        moved.variance = build_vec(ir, TYPE_vec3, build_or_zero(ir, uv.variance, TYPE_vec2), build_or_zero(ir, w.variance, TYPE_float));
+        moved.variance = build_vec(ir, TYPE_vec3, build_or_zero(ir, uv.variance, TYPE_vec2),
+                                   build_or_zero(ir, w.variance, TYPE_float));
     return moved;
 }

@@ -1,13 +1,16 @@
-/* A clear coat over a surface, as OpenPBR 1.1 has it: the slots of the coat, and what it changes of those below: of a Principled, or of a Layer's base.
+/* A clear coat over a surface, as OpenPBR 1.1 has it: the slots of the coat, and what it changes of
+ * those below: of a Principled, or of a Layer's base.
  *
  *     w = coat in [0, 1], c = coatIor, base of index n and roughness r
- *     coatTint = mix(1, coatColor, w) mix(1, (1 - K) / (1 - diffuse K), w coatDarkening), K = 1 - (1 - F0(c)) / c^2: light that
+ *     coatTint = mix(1, coatColor, w) mix(1, (1 - K) / (1 - diffuse K), w coatDarkening), K = 1 -
+ *     (1 - F0(c)) / c^2: light that
  *         the coat's inner side sends back, again and again, is taken by the base
  *     roughness = mix(r, min(max(r, 0)^4 + 2 coatRoughness^4, 1)^(1/4), w coatRoughening)
- *     reflectance = F0(mix(n, n / c or c / n, whichever is above 1, w)), F0(x) = ((x - 1) / (x + 1))^2: of what lies against the coat, not air
+ *     reflectance = F0(mix(n, n / c or c / n, whichever is above 1, w)), F0(x) = ((x - 1) / (x +
+ *     1))^2: of what lies against the coat, not air
  *
- * Worked example, w 1, c 1.6 and n 1.5: the base reflects F0(1.067) = 0.001 where it would reflect 0.04 without, the coat 0.053; K is 0.63, so that
- * a base of 0.5 is seen through 0.54. */
+ * Worked example, w 1, c 1.6 and n 1.5: the base reflects F0(1.067) = 0.001 where it would reflect
+ * 0.04 without, the coat 0.053; K is 0.63, so that a base of 0.5 is seen through 0.54. */
 #include "compiler/lower/lower.h"
 
 static const double LEAST = 1e-6; /* what is divided by */
@@ -17,7 +20,10 @@ static Ref red(Lower *l, const Node *m, int param, const Env *env)
     return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
-static Ref unit(Ir *ir, Ref x) { return build_clamp(ir, x, build_float(ir, 0), build_float(ir, 1)); }
+static Ref unit(Ir *ir, Ref x)
+{
+    return build_clamp(ir, x, build_float(ir, 0), build_float(ir, 1));
+}
 
 Ref lower_reflectance(Ir *ir, Ref ior)
 {
@@ -41,7 +47,8 @@ static Ref coat_ior(Lower *l, const Coat *coat, const Env *env)
 static Ref colored(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref color = build_convert(ir, lower_ask(l, lower_param_node(coat->of, coat->color), GROUP_R, env), TYPE_vec3);
+    Ref color = build_convert(
+        ir, lower_ask(l, lower_param_node(coat->of, coat->color), GROUP_R, env), TYPE_vec3);
     return build_mix(ir, build_all(ir, TYPE_vec3, 1), color, weight(l, coat, env));
 }
 
@@ -51,15 +58,18 @@ static Ref sent_back(Lower *l, const Coat *coat, const Env *env)
     Ir *ir = l->ir;
     Ref ior = coat_ior(l, coat, env), one = build_float(ir, 1), least = build_float(ir, LEAST);
     Ref through = build_sub(ir, one, lower_reflectance(ir, ior));
-    return unit(ir, build_sub(ir, one, build_div(ir, through, build_max(ir, build_square(ir, ior), least))));
+    return unit(ir, build_sub(ir, one,
+                              build_div(ir, through, build_max(ir, build_square(ir, ior), least))));
 }
 
 static Ref tint(Lower *l, const Coat *coat, Ref diffuse, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref back = sent_back(l, coat, env), one = build_float(ir, 1), white = build_all(ir, TYPE_vec3, 1);
+    Ref back = sent_back(l, coat, env), one = build_float(ir, 1),
+        white = build_all(ir, TYPE_vec3, 1);
     Ref base = build_clamp(ir, diffuse, build_all(ir, TYPE_vec3, 0), white);
-    Ref rest = build_max(ir, build_sub(ir, white, build_mul(ir, base, back)), build_all(ir, TYPE_vec3, LEAST));
+    Ref rest = build_max(ir, build_sub(ir, white, build_mul(ir, base, back)),
+                         build_all(ir, TYPE_vec3, LEAST));
     Ref dark = build_div(ir, build_splat(ir, build_sub(ir, one, back), TYPE_vec3), rest);
     Ref by = build_mul(ir, weight(l, coat, env), red(l, coat->of, coat->darkening, env));
     return build_mul(ir, colored(l, coat, env), build_mix(ir, white, dark, unit(ir, by)));
@@ -73,7 +83,8 @@ Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const En
     case SLOT_coat:
         return there;
     case SLOT_coatTint:
-        return ir_is_number(ir, there, 0) ? build_all(ir, TYPE_vec3, 1) : tint(l, coat, diffuse, env);
+        return ir_is_number(ir, there, 0) ? build_all(ir, TYPE_vec3, 1)
+                                          : tint(l, coat, diffuse, env);
     case SLOT_coatRoughness:
         return lower_where_there(ir, there, slot, red(l, coat->of, coat->roughness, env));
     default:
@@ -107,7 +118,8 @@ Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env 
     if (ir_is_number(ir, own, 0)) /* what is beyond [0, 1], if anything is */
         return build_mix(ir, roughness, unit(ir, roughness), by);
     Ref rough = build_max(ir, roughness, build_float(ir, 0));
-    Ref below = build_square(ir, build_square(ir, rough)), above = build_square(ir, build_square(ir, own));
+    Ref below = build_square(ir, build_square(ir, rough)),
+        above = build_square(ir, build_square(ir, own));
     Ref sum = build_min(ir, build_add(ir, below, build_scale(ir, above, 2)), build_float(ir, 1));
     return build_mix(ir, roughness, build_sqrt(ir, build_sqrt(ir, sum)), by);
 }
@@ -118,13 +130,16 @@ Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env
     Ref there = weight(l, coat, env), own = coat_ior(l, coat, env);
     if (ir_is_number(ir, there, 0))
         return lower_reflectance(ir, ior);
-    Ref high = build_max(ir, ior, own), low = build_max(ir, build_min(ir, ior, own), build_float(ir, LEAST));
+    Ref high = build_max(ir, ior, own),
+        low = build_max(ir, build_min(ir, ior, own), build_float(ir, LEAST));
     return lower_reflectance(ir, build_mix(ir, ior, build_div(ir, high, low), there));
 }
 
 Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env)
 {
-    return ir_is_number(l->ir, weight(l, coat, env), 0) ? sent : build_mul(l->ir, sent, colored(l, coat, env));
+    return ir_is_number(l->ir, weight(l, coat, env), 0)
+               ? sent
+               : build_mul(l->ir, sent, colored(l, coat, env));
 }
 
 Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env)
@@ -147,7 +162,8 @@ Ref lower_film_ior(Ir *ir, Ref ior)
 static Ref ior_of(Ir *ir, Ref reflectance)
 {
     Ref root = build_sqrt(ir, unit(ir, reflectance)), one = build_float(ir, 1);
-    return build_div(ir, build_add(ir, one, root), build_max(ir, build_sub(ir, one, root), build_float(ir, LEAST)));
+    return build_div(ir, build_add(ir, one, root),
+                     build_max(ir, build_sub(ir, one, root), build_float(ir, LEAST)));
 }
 
 /* What a Layer changes of its base, where it has a coat. */
@@ -172,20 +188,24 @@ Ref lower_Layer(Lower *l, const Node *m, Slot slot, const Env *env)
     Ir *ir = l->ir;
     const Coat coat = COAT_OF(m, Layer);
     const Node *side = lower_param_node(m, P_Layer_base);
-    const bool own =
-        slot == SLOT_coat || slot == SLOT_coatTint || slot == SLOT_coatRoughness || slot == SLOT_coatReflectance;
-    const Ref base = build_convert(ir, lower_value_slot(l, side, true, slot, env), slot_table[slot].type);
+    const bool own = slot == SLOT_coat || slot == SLOT_coatTint || slot == SLOT_coatRoughness ||
+                     slot == SLOT_coatReflectance;
+    const Ref base =
+        build_convert(ir, lower_value_slot(l, side, true, slot, env), slot_table[slot].type);
     if (slot == SLOT_filmIor) {
         const Ref film = lower_value_slot(l, side, true, SLOT_film, env);
-        return ir_is_number(ir, film, 0) ? base
-                                         : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
+        return ir_is_number(ir, film, 0)
+                   ? base
+                   : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
     }
     if (slot == SLOT_coatNormal) /* of the base's coat, where that is seen */
         return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)),
                             lower_coat_normal(l, &coat, env), base);
     if (!own)
         return below(l, &coat, slot, base, env);
-    const Ref diffuse = build_convert(ir, lower_value_slot(l, side, true, SLOT_diffuse, env), TYPE_vec3);
-    const Ref laid = build_convert(ir, lower_coat_slot(l, &coat, slot, diffuse, env), slot_table[slot].type);
+    const Ref diffuse =
+        build_convert(ir, lower_value_slot(l, side, true, SLOT_diffuse, env), TYPE_vec3);
+    const Ref laid =
+        build_convert(ir, lower_coat_slot(l, &coat, slot, diffuse, env), slot_table[slot].type);
     return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)), laid, base);
 }

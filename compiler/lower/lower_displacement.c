@@ -1,15 +1,20 @@
-/* True displacement: the vertex stages move a point, and the normal that is shaded is that of the surface which they approach.
+/* True displacement: the vertex stages move a point, and the normal that is shaded is that of the
+ * surface which they approach.
  *
- *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of `displacement`, both times the scale
- *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do; Tu/|Tu| and Tv/|Tv| lean with it, and turn about it as the mesh's tangents do
+ *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n, (x, y, z) the displacementVector, h the red of
+ *     `displacement`, both times the scale N' = dP'/du x dP'/dv, in which n changes over the
+ *     surface as the mesh's normals do; Tu/|Tu| and Tv/|Tv| lean with it, and turn about it as the
+ *     mesh's tangents do
  *
- * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones move the surface and never the shading.
- * A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1).
- * A ball of radius r has dn/du = Tu/r, so with h = r / 4 a tangent is longer by a fourth, and leans by so much less: (1.25, 0, .1) along u, dv likewise,
- * and N' = (-.125, 0, 1.5625), parallel to (-.08, 0, 1).
+ * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones
+ * move the surface and never the shading. A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0:
+ * dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1). A ball of radius r has dn/du = Tu/r, so with h = r / 4 a
+ * tangent is longer by a fourth, and leans by so much less: (1.25, 0, .1) along u, dv likewise, and
+ * N' = (-.125, 0, 1.5625), parallel to (-.08, 0, 1).
  * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves.
  *
- * Or a volume stands in its place: along n it is solid from the red of displacementVolume to its green, and from blue to alpha; nothing of a pair whose second is no higher. Whoever makes its
+ * Or a volume stands in its place: along n it is solid from the red of displacementVolume to its
+ * green, and from blue to alpha; nothing of a pair whose second is no higher. Whoever makes its
  * triangles knows the normals of these, so that the fragment program has the mesh's. */
 #include "compiler/lower/relief.h"
 #include "compiler/lower/slope.h"
@@ -40,7 +45,8 @@ static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
     return build_add(ir, v, build_vec(ir, TYPE_vec3, zero, zero, height(l, d, env)));
 }
 
-/* At most `bound` long, whichever way its lanes lead: their sizes are added up; those of a volume lead the same way. */
+/* At most `bound` long, whichever way its lanes lead: their sizes are added up; those of a volume
+ * lead the same way. */
 static Ref within(Lower *l, Ref value, double bound)
 {
     Ir *ir = l->ir;
@@ -48,8 +54,10 @@ static Ref within(Lower *l, Ref value, double bound)
     const Type type = ir_type(ir, value);
     if (type != TYPE_vec3)
         return build_clamp(ir, value, build_all(ir, type, -bound), build_all(ir, type, bound));
-    Ref size = build_max(ir, build_dot(ir, build_abs(ir, value), build_vec3(ir, 1, 1, 1)), build_float(ir, least));
-    return build_mul(ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
+    Ref size = build_max(ir, build_dot(ir, build_abs(ir, value), build_vec3(ir, 1, 1, 1)),
+                         build_float(ir, least));
+    return build_mul(
+        ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
 }
 
 /* What of a volume begins below is empty: it ends where it begins. */
@@ -75,8 +83,10 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
     const Displacement d = graph_displacement(displaced);
     const bool solid = graph_displaces_volume(displaced);
     double bound[4], threshold[4];
-    Ref value = build_mul(l->ir, solid ? volume(l, &d, env) : moved_by(l, &d, env), lower_param(l, d.scale, TYPE_float));
-    lower_reject_uniform(l, d.bound, "displacementBound", "volumes around objects are made before it is set");
+    Ref value = build_mul(l->ir, solid ? volume(l, &d, env) : moved_by(l, &d, env),
+                          lower_param(l, d.scale, TYPE_float));
+    lower_reject_uniform(l, d.bound, "displacementBound",
+                         "volumes around objects are made before it is set");
     lower_reject_uniform(l, d.threshold, "displacementThreshold", "it says which shape there is");
     if (d.bound->kind == VALUE_number) {
         value_number(d.bound, TYPE_float, bound);
@@ -90,13 +100,15 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
 
 static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
 
-/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v, and how the unit tangents by u (0) and by v (1) turn about it; 0: they do not. */
+/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v, and
+ * how the unit tangents by u (0) and by v (1) turn about it; 0: they do not. */
 typedef struct {
     Ref by;
     Slopes slopes, turns, swings[2];
 } Carried;
 
-/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, with s and t the turns of both unit tangents: what of the tangent does not rise. */
+/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, with s and t the turns of both unit
+ * tangents: what of the tangent does not rise. */
 static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -104,7 +116,8 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
     const Ref slope = by_v ? m->slopes.v : m->slopes.u, turn = by_v ? m->turns.v : m->turns.u;
     Ref whole = tangent(env, by_v);
     if (turn)
-        whole = build_add(ir, whole, build_mul(ir, turn, along_normal ? m->by : build_swizzle(ir, m->by, "z")));
+        whole = build_add(
+            ir, whole, build_mul(ir, turn, along_normal ? m->by : build_swizzle(ir, m->by, "z")));
     if (along_normal)
         return whole;
     Ref along_u = build_mul(ir, lower_unit(l, tangent(env, false)), build_swizzle(ir, slope, "x"));
@@ -118,7 +131,8 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
     return whole;
 }
 
-/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: what moves along a tangent goes down where the surface bends down. */
+/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: what moves along a tangent goes down where the surface
+ * bends down. */
 static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -137,12 +151,17 @@ static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
 static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);
-    const Type type = d.volume->kind == VALUE_node ? TYPE_vec4 : d.vector->kind == VALUE_node ? TYPE_vec3 : TYPE_float;
-    Env unseen = *env; /* a shape is the same for all who look at it; nothing but displacement is asked in this environment */
+    const Type type = d.volume->kind == VALUE_node   ? TYPE_vec4
+                      : d.vector->kind == VALUE_node ? TYPE_vec3
+                                                     : TYPE_float;
+    /* a shape is the same for all who look at it; nothing but displacement is asked in this
+     * environment */
+    Env unseen = *env;
     unseen.seen = false;
     unseen.shape = true;
     const Risen risen = relief_of(l, lower_displacement, displaced, &unseen);
-    const Ref by_u = build_or_zero(l->ir, risen.slopes.u, type), by_v = build_or_zero(l->ir, risen.slopes.v, type);
+    const Ref by_u = build_or_zero(l->ir, risen.slopes.u, type),
+              by_v = build_or_zero(l->ir, risen.slopes.v, type);
     return (Carried){.by = risen.value, .slopes = {by_u, by_v}};
 }
 
@@ -214,13 +233,18 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
     put(l, 2, s.v);
 }
 
-/* What a vertex is, before it is displaced. Its inputs are no fragment's, nor what it is displaced by what it is shaded by: nothing that is computed for either is shared. */
+/* What a vertex is, before it is displaced. Its inputs are no fragment's, nor what it is displaced
+ * by what it is shaded by: nothing that is computed for either is shared. */
 typedef struct {
     int number; /* of its environment */
     Input p, n, du, dv, u, x;
 } VertexInputs;
-static const VertexInputs displaced_inputs = {ENV_VERTEX, INPUT_vertexP, INPUT_vertexN, INPUT_vertexDU, INPUT_vertexDV, INPUT_vertexU, INPUT_vertexX};
-static const VertexInputs corner_inputs = {ENV_CORNER, INPUT_cornerP, INPUT_cornerN, INPUT_cornerDU, INPUT_cornerDV, INPUT_cornerU, INPUT_cornerX};
+static const VertexInputs displaced_inputs = {ENV_VERTEX,     INPUT_vertexP,  INPUT_vertexN,
+                                              INPUT_vertexDU, INPUT_vertexDV, INPUT_vertexU,
+                                              INPUT_vertexX};
+static const VertexInputs corner_inputs = {ENV_CORNER,     INPUT_cornerP,  INPUT_cornerN,
+                                           INPUT_cornerDU, INPUT_cornerDV, INPUT_cornerU,
+                                           INPUT_cornerX};
 
 static Env vertex_env(Lower *l, const VertexInputs *of)
 {
@@ -244,12 +268,15 @@ static void output_normal(Lower *l, const Node *displaced)
     const uint32_t origin = ir->origin;
     const Env env = vertex_env(l, &corner_inputs);
     ir->origin = ORIGIN_SLOTS + SLOT_normal;
-    ir_output(ir, OUT_normal, 0, build_call(ir, FN_safeNormalize, lower_displaced_env(l, displaced, &env).root[GROUP_N]));
+    ir_output(
+        ir, OUT_normal, 0,
+        build_call(ir, FN_safeNormalize, lower_displaced_env(l, displaced, &env).root[GROUP_N]));
     ir->origin = origin;
 }
 
-/* Pictures are taken from their texels, at the full resolution: the height of a point depends on no triangle, so that those on either side of
- * an edge cannot differ. A compute program has the normal as well, by the same slopes as a fragment's. */
+/* Pictures are taken from their texels, at the full resolution: the height of a point depends on no
+ * triangle, so that those on either side of an edge cannot differ. A compute program has the normal
+ * as well, by the same slopes as a fragment's. */
 void lower_displace_vertices(Lower *l, const Node *displaced)
 {
     const Job *whole = l->job;

@@ -1,11 +1,12 @@
 /* What shows nothing, by the intervals of what was lowered: warnings.
  *
- *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map: Wood } }
- *     Wood is a distance, at least 0: it is blue everywhere.
+ *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map:
+ *     Wood } } Wood is a distance, at least 0: it is blue everywhere.
  *
  *     { map: BumpMap, displacement: { map: Checker, color1: 0.5, color2: 0.5 } }
- *     An edge has the slope (0.5 - 0.5) / 0.05: it is flat everywhere, as is a Blend beyond its items, or a map whose coordinate is
- *     scaled by 0. A picture may be of one colour: its texels are not read to compile it, and nothing is said. */
+ *     An edge has the slope (0.5 - 0.5) / 0.05: it is flat everywhere, as is a Blend beyond its
+ *     items, or a map whose coordinate is scaled by 0. A picture may be of one colour: its texels
+ *     are not read to compile it, and nothing is said. */
 #include "compiler/ir/range.h"
 #include "compiler/lower/lower.h"
 
@@ -40,7 +41,8 @@ void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate)
 static void doubt(Session *session, const Node *blend, Interval x)
 {
     const Items *items = items_of(blend);
-    const double first = items->item[0].value.number[0], last = items->item[items->count - 1].value.number[0];
+    const double first = items->item[0].value.number[0],
+                 last = items->item[items->count - 1].value.number[0];
     const bool below = x.high <= first, above = x.low >= last;
     Text bound = text_new(session->arena), item = text_new(session->arena);
     if (!below && !above)

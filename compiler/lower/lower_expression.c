@@ -1,11 +1,13 @@
 /* Expression: a formula's steps one after the other, each as IR.
  *
- * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, cells their points, and all else is taken at the point, but where something
- * jumps, or is steep without end, as a root at 0: there the formula is computed at four points of the pixel, its inputs going along their slopes, and the
- * four are averaged.
+ * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, cells their
+ * points, and all else is taken at the point, but where something jumps, or is steep without end,
+ * as a root at 0: there the formula is computed at four points of the pixel, its inputs going along
+ * their slopes, and the four are averaged.
  *
- *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375, -.0125, .0125, .0375: a quarter of a 1
- *     sqrt(u) at u = 0, where the root of what is negative is 0: its mean is .236 sqrt(.1), at the point it is 0, by the four .242 sqrt(.1) */
+ *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375,
+ *     -.0125, .0125, .0375: a quarter of a 1 sqrt(u) at u = 0, where the root of what is negative
+ *     is 0: its mean is .236 sqrt(.1), at the point it is 0, by the four .242 sqrt(.1) */
 #include "compiler/formula/formula.h"
 #include "compiler/lower/footprint.h"
 #include "compiler/lower/lower_term.h"
@@ -17,8 +19,9 @@ typedef struct {
     Ref attributes[LIMIT_ATTRIBUTES];
 } Leaves;
 
-/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It goes from the surface, wherever `input` moves. Both are
- * relative to the same origin (Job.origin), which cancels here and must not be added. */
+/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It
+ * goes from the surface, wherever `input` moves. Both are relative to the same origin (Job.origin),
+ * which cancels here and must not be added. */
 static Ref toward_viewer(Lower *l, const Env *env)
 {
     Ir *ir = l->ir;
@@ -34,7 +37,8 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
         return toward_viewer(l, env);
     if (quantity == QUANTITY_facing) {
         Ref n = quantity_at(l, input, QUANTITY_N, env);
-        return build_min(l->ir, build_abs(l->ir, build_dot(l->ir, n, toward_viewer(l, env))), build_float(l->ir, 1));
+        return build_min(l->ir, build_abs(l->ir, build_dot(l->ir, n, toward_viewer(l, env))),
+                         build_float(l->ir, 1));
     }
     Ref group = lower_ask(l, input, row->group, env);
     if (quantity == QUANTITY_N)
@@ -48,8 +52,9 @@ static Ref input_at(Lower *l, const Item *item, const Env *env)
     Ir *ir = l->ir;
     const int width = item->width ? item->width : item->input ? item->input->width : 3;
     Ref value = lower_ask(l, item->input, GROUP_R, env);
-    return width == 1 && ir_lanes(ir, value) > 1 ? build_swizzle(ir, value, "x")
-                                                 : build_convert(ir, value, build_lanes_type(width));
+    return width == 1 && ir_lanes(ir, value) > 1
+               ? build_swizzle(ir, value, "x")
+               : build_convert(ir, value, build_lanes_type(width));
 }
 
 static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
@@ -59,7 +64,9 @@ static Ref list_of(Lower *l, const Formula *f, const FormulaStep *step, const Re
         parts[i] = refs[formula_argument(f, step, i)];
     if (step->count == 1 && f->steps[formula_argument(f, step, 0)].width == 1)
         return build_splat(l->ir, parts[0], build_lanes_type(step->width));
-    return step->count == 1 ? parts[0] : build_vec_of(l->ir, build_lanes_type(step->width), parts, (int)step->count);
+    return step->count == 1
+               ? parts[0]
+               : build_vec_of(l->ir, build_lanes_type(step->width), parts, (int)step->count);
 }
 
 static Ref term_of(Lower *l, const Formula *f, const FormulaStep *step, const Ref *refs)
@@ -70,7 +77,8 @@ static Ref term_of(Lower *l, const Formula *f, const FormulaStep *step, const Re
     return lower_term(l, (Term)step->row, args);
 }
 
-static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Leaves *leaves, const Ref *refs)
+static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Leaves *leaves,
+                   const Ref *refs)
 {
     Ir *ir = l->ir;
     switch (step->kind) {
@@ -177,8 +185,8 @@ static void read_leaves(Lower *l, const Node *node, Reading *r, const Env *env)
     for (uint32_t i = 0; i <= f->result; i++) {
         const FormulaStep *step = &f->steps[i];
         if (r->read[i] && step->kind == FORMULA_value && !r->leaves.quantity[step->row])
-            r->leaves.quantity[step->row] =
-                quantity_at(l, lower_param_node(node, P_Expression_input), (Quantity)step->row, env);
+            r->leaves.quantity[step->row] = quantity_at(
+                l, lower_param_node(node, P_Expression_input), (Quantity)step->row, env);
         if (r->read[i] && step->kind == FORMULA_attribute && !r->leaves.attributes[step->row])
             r->leaves.attributes[step->row] = attribute_at(l, step->row, env);
         if (r->read[i] && step->kind == FORMULA_input && !r->leaves.inputs[step->row])

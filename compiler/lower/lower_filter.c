@@ -1,12 +1,15 @@
-/* Filters: the input as one function of the root position and texture coordinate, called at each point of a 3x3x3 kernel.
- * Filters within filters are functions that call functions: the program grows by one function for each. All filters of one depth
- * share their arguments, so that equal inputs are equal nodes and one function. */
+/* Filters: the input as one function of the root position and texture coordinate, called at each
+ * point of a 3x3x3 kernel. Filters within filters are functions that call functions: the program
+ * grows by one function for each. All filters of one depth share their arguments, so that equal
+ * inputs are equal nodes and one function. */
 #include "compiler/lower/lower.h"
 #include "compiler/lower/footprint.h"
 
-enum { LOOP_COST = 100 }; /* scalar operations of an input from which on its 27 evaluations are a loop */
+/* scalar operations of an input from which on its 27 evaluations are a loop */
+enum { LOOP_COST = 100 };
 
-/* What the input reads of the root, replaced by the function's arguments: position and texture coordinate. */
+/* What the input reads of the root, replaced by the function's arguments: position and texture
+ * coordinate. */
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
     Ir *ir = l->ir;
@@ -45,7 +48,8 @@ static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, const 
 {
     Ir *ir = l->ir;
     Ref offset = build_mul(ir, size, build_vec3(ir, 0.5 * at[0], 0.5 * at[1], 0.5 * at[2]));
-    Ref uv = build_add(ir, build_swizzle(ir, env->root[GROUP_U], "xy"), build_swizzle(ir, offset, "xy"));
+    Ref uv =
+        build_add(ir, build_swizzle(ir, env->root[GROUP_U], "xy"), build_swizzle(ir, offset, "xy"));
     return build_apply(ir, function, REFS(ir, build_add(ir, env->root[GROUP_X], offset), uv));
 }
 
@@ -58,7 +62,8 @@ static Ref filter_size(Lower *l, const Node *node)
     return build_vec_of(l->ir, TYPE_vec3, size, 3);
 }
 
-/* What follows takes the result as it is, instead of differentiating every one of its evaluations. */
+/* What follows takes the result as it is, instead of differentiating every one of its
+ * evaluations. */
 static Answer steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);
@@ -66,8 +71,8 @@ static Answer steady(Lower *l, Ref value)
     return answer_of(value);
 }
 
-/* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input would take them minutes to
- * compile: it is summed in a loop. */
+/* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input
+ * would take them minutes to compile: it is summed in a loop. */
 Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -75,21 +80,25 @@ Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     Ref size = filter_size(l, node), sum = 0;
     bool costly = lower_cost_below(ir, ir->functions[function].result, LOOP_COST) >= LOOP_COST;
     if (costly)
-        sum =
-            build_kernel(ir, function, REFS(ir, env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")), size);
+        sum = build_kernel(
+            ir, function, REFS(ir, env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")),
+            size);
     for (int n = 0; !costly && n < KERNEL_POINTS; n++) {
-        Ref value = at_neighbour(l, function, env, size, (int[3]){n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1});
+        Ref value =
+            at_neighbour(l, function, env, size, (int[3]){n / 9 - 1, n / 3 % 3 - 1, n % 3 - 1});
         sum = n ? build_add(ir, sum, value) : value;
     }
     return steady(l, build_scale(ir, sum, 1.0 / KERNEL_POINTS));
 }
 
-/* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input is constant. */
+/* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input
+ * is constant. */
 Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
     int function = make_function(l, lower_param_node(node, P_Laplace3D_input), group, env);
-    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, (int[3]){0}), sum = 0;
+    Ref size = filter_size(l, node), centre = at_neighbour(l, function, env, size, (int[3]){0}),
+        sum = 0;
     for (int n = 0; n < 6; n++) {
         int at[3] = {0};
         at[n / 2] = n % 2 * 2 - 1;

@@ -40,7 +40,9 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
         return stored_slot(l, material, source[0].slot, env);
     for (int i = 0; i < piece->count; i++)
         lanes[i] = one_lane(l, material, source[i], env);
-    return piece->count == 1 ? lanes[0] : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
+    return piece->count == 1
+               ? lanes[0]
+               : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
 }
 
 /* What of the field's range is at 0 and at 1. */
@@ -76,7 +78,8 @@ typedef struct {
     const Env *env;
 } Packed;
 
-/* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together there. */
+/* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together
+ * there. */
 static Ref word_value(Lower *l, const Packed *p, int target, int lane, double known)
 {
     Ir *ir = l->ir;
@@ -104,7 +107,8 @@ static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
     Ref words[FIELD_LANES];
     for (int lane = 0; lane < FIELD_LANES; lane++) {
-        words[lane] = word_value(l, p, target, lane, layout_case_code(l->job->layout, number, target, lane));
+        words[lane] =
+            word_value(l, p, target, lane, layout_case_code(l->job->layout, number, target, lane));
     }
     return build_vec_of(l->ir, TYPE_uvec4, words, FIELD_LANES);
 }
@@ -150,9 +154,11 @@ static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
 }
 
 /* Where a case is for everything, what changes nothing is stored too. */
-static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot, const Env *env)
+static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot,
+                     const Env *env)
 {
-    return !is_absent(l, material, slot, env) && (layout_is_whole(row) || is_needed(l, material, slot, env));
+    return !is_absent(l, material, slot, env) &&
+           (layout_is_whole(row) || is_needed(l, material, slot, env));
 }
 
 /* The slot is the constant that a case gives back. */
@@ -169,14 +175,19 @@ static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, cons
 static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot, const Env *env)
 {
     const FixedRow *fixed = layout_case_fixed(of, slot);
-    return fixed ? !is_given(l, material, fixed, env) : is_asked(l, l->job->layout, material, slot, env);
+    return fixed ? !is_given(l, material, fixed, env)
+                 : is_asked(l, l->job->layout, material, slot, env);
 }
 
 /* Slots that any case of the layout stores. */
-static unsigned stored_slots(const Lower *l) { return l->layout_slots & ~layout_fixed_slots(l->job->layout); }
+static unsigned stored_slots(const Lower *l)
+{
+    return l->layout_slots & ~layout_fixed_slots(l->job->layout);
+}
 
 /* Slots of `stored`, which some case stores, that this case loses. */
-static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material, const Env *env)
+static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material,
+                           const Env *env)
 {
     const CaseRow *of = &l->job->layout->cases[number];
     const unsigned elsewhere = stored & ~layout_case_slots(of);
@@ -222,7 +233,8 @@ int lower_nearest_case(Lower *l, const Node *material, const Env *env)
         least = lost;
     }
     if (nearest < row->case_count)
-        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, names_of(l, least));
+        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name,
+                 names_of(l, least));
     return nearest;
 }
 
@@ -230,8 +242,10 @@ void lower_left_out(Lower *l, const Node *material, const Env *env)
 {
     const LayoutRow *row = l->job->layout;
     const unsigned slots = l->layout_slots;
-    if (slots >> SLOT_model & 1 && !(slots >> SLOT_coatNormal & 1) && layout_is_whole(row) && !is_absent(l, material, SLOT_coatNormal, env))
-        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name, slot_table[SLOT_coatNormal].name);
+    if (slots >> SLOT_model & 1 && !(slots >> SLOT_coatNormal & 1) && layout_is_whole(row) &&
+        !is_absent(l, material, SLOT_coatNormal, env))
+        diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_loses, row->name,
+                 slot_table[SLOT_coatNormal].name);
 }
 
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env)
@@ -251,7 +265,8 @@ void lower_no_case(Lower *l, const Node *material, const Env *env)
     for (int slot = SLOT_normal + 1; slot < SLOT_COUNT; slot++)
         if (stored >> slot & 1)
             slots |= (unsigned)is_needed(l, material, (Slot)slot, env) << slot;
-    diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name, names_of(l, slots));
+    diag_add(l->session, material ? material->span : NO_SPAN, DIAG_case_none, row->name,
+             names_of(l, slots));
     l->failed = true;
 }
 
@@ -261,25 +276,29 @@ static bool allocate(Lower *l, int number, Placement *placement)
     const LayoutRow *row = l->job->layout;
     const FieldRow *fault = layout_allocate(row, number, placement);
     if (fault)
-        diag_add(l->session, NO_SPAN, DIAG_layout_full, row->name, encoding_table[fault->encoding].name,
-                 slot_table[fault->source[0].slot].name);
+        diag_add(l->session, NO_SPAN, DIAG_layout_full, row->name,
+                 encoding_table[fault->encoding].name, slot_table[fault->source[0].slot].name);
     if (!fault && !target_table[l->job->target].words && layout_has_words(row))
-        diag_add(l->session, NO_SPAN, DIAG_layout_words, row->name, target_table[l->job->target].name);
+        diag_add(l->session, NO_SPAN, DIAG_layout_words, row->name,
+                 target_table[l->job->target].name);
     return !l->session->diags.errors;
 }
 
-/* The value surely differs from what the layout gives back; where it is not simplified, that is not seen. */
+/* The value surely differs from what the layout gives back; where it is not simplified, that is not
+ * seen. */
 static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const Env *env)
 {
     const double least = 1e-6;
     Ref value = lower_slot(l, material, fixed->slot, env);
     for (int lane = 0; ir_is(l->ir, value, OP_const) && lane < ir_lanes(l->ir, value); lane++)
-        if (fabs(ir_numbers(l->ir, value)[lane] - fixed->value[lane]) > least * fmax(1, fabs(fixed->value[lane])))
+        if (fabs(ir_numbers(l->ir, value)[lane] - fixed->value[lane]) >
+            least * fmax(1, fabs(fixed->value[lane])))
             return true;
     return false;
 }
 
-/* The exponent of a material without a lobe changes nothing: of slots without any of which this one does not matter, none is ever above 0. */
+/* The exponent of a material without a lobe changes nothing: of slots without any of which this one
+ * does not matter, none is ever above 0. */
 static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
 {
     const unsigned to = slot_class_table[slot].matters;
@@ -299,8 +318,10 @@ static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
 static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
 {
     for (int i = 0; i < row->fixed_count; i++)
-        if (differs(l, &row->fixed[i], material, env) && matters(l, row->fixed[i].slot, material, env))
-            diag_add(l->session, NO_SPAN, DIAG_layout_fixed, row->name, slot_table[row->fixed[i].slot].name);
+        if (differs(l, &row->fixed[i], material, env) &&
+            matters(l, row->fixed[i].slot, material, env))
+            diag_add(l->session, NO_SPAN, DIAG_layout_fixed, row->name,
+                     slot_table[row->fixed[i].slot].name);
 }
 
 /* A Principled in a layout that cannot tell it from a Phong: which of its slots are nowhere. */
@@ -310,7 +331,8 @@ static void check_model(Lower *l, const LayoutRow *row, const Node *material, co
     if (!is_lit_as_phong(l, material, env))
         return;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (!(l->layout_slots >> slot & 1) && slot_class_table[slot].matters >> SLOT_model & 1 && !is_absent(l, material, (Slot)slot, env))
+        if (!(l->layout_slots >> slot & 1) && slot_class_table[slot].matters >> SLOT_model & 1 &&
+            !is_absent(l, material, (Slot)slot, env))
             text_format(&slots, "%s, ", slot_table[slot].name);
     text_put(&slots, slot_table[SLOT_model].name);
     diag_add(l->session, material->span, DIAG_layout_model, row->name, slots.at);

@@ -1,4 +1,5 @@
-/* Materials: each answers for the shading slots. Only the slots that a pass stores are ever asked for. */
+/* Materials: each answers for the shading slots. Only the slots that a pass stores are ever asked
+ * for. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
@@ -21,8 +22,8 @@ static Ref nothing(Lower *l, Slot slot)
 typedef Ref LowerShader(Lower *l, const Node *material, Slot slot, const Env *env);
 typedef const Node *LowerSwitch(const Node *material, bool front);
 
-#define SHADER_OF_SHADER(name) lower_##name
-#define SWITCH_OF_SHADER(name) NULL
+#define SHADER_OF_SHADER(name)  lower_##name
+#define SWITCH_OF_SHADER(name)  NULL
 #define FOREIGN_OF_SHADER(name) NULL
 static LowerShader *const shaders[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
@@ -30,8 +31,8 @@ static LowerShader *const shaders[KIND_COUNT] = {
 #include "grammar/maps.def"
 };
 
-#define SHADER_OF_SWITCH(name) NULL
-#define SWITCH_OF_SWITCH(name) lower_choose_##name
+#define SHADER_OF_SWITCH(name)  NULL
+#define SWITCH_OF_SWITCH(name)  lower_choose_##name
 #define FOREIGN_OF_SWITCH(name) NULL
 static LowerSwitch *const switches[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
@@ -160,7 +161,8 @@ static Ref missing_slot(Lower *l, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(ir, 0), slot, env);
 }
 
-/* The sky's radiance along the local position. What depends on the sun alone is computed here, in double. */
+/* The sky's radiance along the local position. What depends on the sun alone is computed here, in
+ * double. */
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -213,7 +215,8 @@ const Node *lower_displaced(const Node *m)
     return m;
 }
 
-/* The material that is seen of one side, through any number of switches: within one of them the side is known. */
+/* The material that is seen of one side, through any number of switches: within one of them the
+ * side is known. */
 static const Node *seen_from(const Node *m, bool front)
 {
     while (m && switches[m->kind])
@@ -232,7 +235,10 @@ static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
     return m ? shaders[m->kind](l, m, slot, env) : missing_slot(l, slot, env);
 }
 
-bool lower_is_principled(const Lower *l, const Node *m) { return m && l->graph->models[m->index] >> MODEL_Principled & 1; }
+bool lower_is_principled(const Lower *l, const Node *m)
+{
+    return m && l->graph->models[m->index] >> MODEL_Principled & 1;
+}
 
 /* What is no switch, as a Principled. */
 static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env)
@@ -249,7 +255,7 @@ static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env
 Ref lower_value_slot(Lower *l, const Node *m, bool principled, Slot slot, const Env *env)
 {
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
-    typedef Ref SideSlot(Lower *l, const Node *m, Slot slot, const Env *env);
+    typedef Ref SideSlot(Lower * l, const Node *m, Slot slot, const Env *env);
     SideSlot *side = principled ? side_as_principled : side_slot;
     if (front == back)
         return side(l, front, slot, env);
@@ -274,7 +280,8 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
 static Env shape_env(Lower *l, const Node *m, const Env *mesh)
 {
     const Node *displaced = lower_displaced(m);
-    return displaced && !graph_displaces_volume(displaced) ? lower_displaced_env(l, displaced, mesh) : *mesh;
+    return displaced && !graph_displaces_volume(displaced) ? lower_displaced_env(l, displaced, mesh)
+                                                           : *mesh;
 }
 
 static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
@@ -283,7 +290,8 @@ static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
     const Node *front = seen_from(m, true), *back = seen_from(m, false);
     if (front == back)
         return side_normal(l, front, env, eye);
-    return both_sides(l, env, REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
+    return both_sides(l, env,
+                      REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
 }
 
 /* Unit length, and turned to the viewer's side. */
@@ -311,12 +319,17 @@ static Ref coat_normal_of(Lower *l, const Node *material, const Env *mesh, bool 
     if (!material || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coatNormal)))
         return build_all(ir, TYPE_vec3, 0);
     const Env env = shape_env(l, material, mesh);
-    Ref value = lower_value_slot(l, material, lower_is_principled(l, material), SLOT_coatNormal, &env);
+    Ref value =
+        lower_value_slot(l, material, lower_is_principled(l, material), SLOT_coatNormal, &env);
     if (ir_is_number(ir, value, 0))
         return value;
     value = eye ? build_call(ir, FN_eyeFromWorld, value) : value;
     Ref side = build_select(ir, mesh->front, build_float(ir, 1), build_float(ir, -1));
-    return build_mul(ir, value, build_splat(ir, build_div(ir, side, build_max(ir, build_length(ir, value), build_float(ir, least))), TYPE_vec3));
+    return build_mul(
+        ir, value,
+        build_splat(
+            ir, build_div(ir, side, build_max(ir, build_length(ir, value), build_float(ir, least))),
+            TYPE_vec3));
 }
 
 Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env)
@@ -339,9 +352,10 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env)
         return asked->value;
     }
     l->averaged = false;
-    Ref value = slot == SLOT_normal       ? finished_normal(l, normal_of(l, material, env, false), env)
-                : slot == SLOT_coatNormal ? coat_normal_of(l, material, env, false)
-                                          : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
+    Ref value = slot == SLOT_normal ? finished_normal(l, normal_of(l, material, env, false), env)
+                : slot == SLOT_coatNormal
+                    ? coat_normal_of(l, material, env, false)
+                    : lower_value_slot(l, material, lower_is_principled(l, material), slot, env);
     value = build_convert(ir, value, slot_table[slot].type);
     lower_mark_head(ir, value, ir->origin);
     *asked = (SlotAnswer){material, env->number, l->averaged, value};

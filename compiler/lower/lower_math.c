@@ -1,8 +1,10 @@
-/* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, HSV, Combine, Separate. They work on colours, by lane; alpha is that of the
- * first operand, of Mix the mixed one. What a mean leaves out of an operand goes through what is linear, as a product of means through Multiply. What
- * is not linear is asked of both halves of a value that is one of two:
+/* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, HSV, Combine,
+ * Separate. They work on colours, by lane; alpha is that of the first operand, of Mix the mixed
+ * one. What a mean leaves out of an operand goes through what is linear, as a product of means
+ * through Multiply. What is not linear is asked of both halves of a value that is one of two:
  *
- *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and 0 by these is .25; the mean itself, 0, would be clamped to 0 */
+ *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and
+ *     0 by these is .25; the mean itself, 0, would be clamped to 0 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/lower_term.h"
 
@@ -12,7 +14,8 @@ enum { MOST_HALVINGS = 3 }; /* of a half's halves, and so on: each doubles what 
 static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
 {
     Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
-    return ir_type(l->ir, answer.value) == TYPE_vec2 ? answer_widened(l, answer, TYPE_vec3) : answer;
+    return ir_type(l->ir, answer.value) == TYPE_vec2 ? answer_widened(l, answer, TYPE_vec3)
+                                                     : answer;
 }
 
 static Answer colour(Lower *l, const Node *node, int param, const Env *env)
@@ -35,9 +38,11 @@ static Answer with_alpha(Lower *l, Answer answer, Ref from)
     if (ir_type(ir, answer.value) != TYPE_vec4)
         return answer;
     Ref alpha = build_convert(ir, from, TYPE_vec4);
-    answer.value = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.value, "xyz"), build_swizzle(ir, alpha, "w"));
+    answer.value = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.value, "xyz"),
+                             build_swizzle(ir, alpha, "w"));
     if (answer.variance)
-        answer.variance = build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
+        answer.variance =
+            build_vec(ir, TYPE_vec4, build_swizzle(ir, answer.variance, "xyz"), build_float(ir, 0));
     return (Answer){answer.value, answer.variance, NULL};
 }
 
@@ -56,7 +61,10 @@ static Pair pair(Lower *l, const Node *node, int param, const Env *env)
 }
 
 /* As another group's value. */
-static Answer given(Lower *l, Answer answer, Group group) { return answer_as_group(l, answer, group); }
+static Answer given(Lower *l, Answer answer, Group group)
+{
+    return answer_as_group(l, answer, group);
+}
 
 /* a + t (b - a) */
 Answer lower_Mix(Lower *l, const Node *node, Group group, const Env *env)
@@ -100,16 +108,19 @@ Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
     Ir *ir = l->ir;
     Answer x = colour(l, node, P_Remap_input, env);
     Ref low = number(l, node, P_Remap_low, env), high = number(l, node, P_Remap_high, env);
-    Ref to_low = number(l, node, P_Remap_toLow, env), to_high = number(l, node, P_Remap_toHigh, env);
+    Ref to_low = number(l, node, P_Remap_toLow, env),
+        to_high = number(l, node, P_Remap_toHigh, env);
     Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
-    Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MOST_ARGUMENTS]){rise, width}); /* 0 where there is no width */
+    /* 0 where there is no width */
+    Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MOST_ARGUMENTS]){rise, width});
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
 
 Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer x = colour(l, node, P_Contrast_input, env);
-    Ref amount = number(l, node, P_Contrast_amount, env), pivot = number(l, node, P_Contrast_pivot, env);
+    Ref amount = number(l, node, P_Contrast_amount, env),
+        pivot = number(l, node, P_Contrast_pivot, env);
     return given(l, line(l, x, pivot, (const Ref[]){amount, pivot}), group);
 }
 
@@ -125,7 +136,8 @@ static Answer curved(Lower *l, const Curve *curve, Answer x, int depth)
     if (!x.split || depth == 0 || l->relief)
         return with_alpha(l, answer_of(curve->of(l, x.value, curve->numbers)), x.value);
     const Split *split = x.split;
-    const Answer a = curved(l, curve, split->a, depth - 1), b = curved(l, curve, split->b, depth - 1);
+    const Answer a = curved(l, curve, split->a, depth - 1),
+                 b = curved(l, curve, split->b, depth - 1);
     return answer_either(l, split->by, a, b);
 }
 
@@ -133,7 +145,8 @@ static Ref clamped(Lower *l, Ref x, const Ref *low_high)
 {
     Ir *ir = l->ir;
     const Type type = ir_type(ir, x);
-    return build_min(ir, build_max(ir, x, build_splat(ir, low_high[0], type)), build_splat(ir, low_high[1], type));
+    return build_min(ir, build_max(ir, x, build_splat(ir, low_high[0], type)),
+                     build_splat(ir, low_high[1], type));
 }
 
 Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
@@ -148,13 +161,18 @@ static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
     if (!ir_is(ir, *exponent, OP_const)) { /* of a number lower_term does that */
-        Ref one = build_float(ir, 1), border = build_pow(ir, build_float(ir, 1e37), build_div(ir, one, build_max(ir, *exponent, one)));
+        Ref one = build_float(ir, 1),
+            border = build_pow(ir, build_float(ir, 1e37),
+                               build_div(ir, one, build_max(ir, *exponent, one)));
         x = build_min(ir, x, build_splat(ir, border, ir_type(ir, x)));
     }
     return lower_term(l, TERM_pow, (const Ref[TERM_MOST_ARGUMENTS]){x, *exponent});
 }
 
-static Ref term_of(Lower *l, Term term, Ref x) { return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x}); }
+static Ref term_of(Lower *l, Term term, Ref x)
+{
+    return lower_term(l, term, (const Ref[TERM_MOST_ARGUMENTS]){x});
+}
 
 Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
 {
@@ -180,7 +198,8 @@ static Ref turned(Lower *l, Ref x, const Ref *by)
 Answer lower_HSV(Lower *l, const Node *node, Group group, const Env *env)
 {
     const Answer x = whole_colour(l, node, P_HSV_input, env);
-    const Ref hue = number(l, node, P_HSV_hue, env), saturation = number(l, node, P_HSV_saturation, env),
+    const Ref hue = number(l, node, P_HSV_hue, env),
+              saturation = number(l, node, P_HSV_saturation, env),
               value = number(l, node, P_HSV_value, env);
     return given(l, curved(l, &(Curve){turned, {hue, saturation, value}}, x, MOST_HALVINGS), group);
 }

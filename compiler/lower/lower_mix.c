@@ -1,4 +1,5 @@
-/* MixMaterial: two materials by a mask, each slot in the space in which its steps look equal; a Phong beside a Principled as one. */
+/* MixMaterial: two materials by a mask, each slot in the space in which its steps look equal; a
+ * Phong beside a Principled as one. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
@@ -34,7 +35,8 @@ typedef struct {
 static Ref side_value(Lower *l, const MixedSide *of, Slot slot, const Env *env)
 {
     l->arms++;
-    Ref value = build_convert(l->ir, side_of_mix(l, of->mix, of->side, slot, env), slot_table[slot].type);
+    Ref value =
+        build_convert(l->ir, side_of_mix(l, of->mix, of->side, slot, env), slot_table[slot].type);
     l->arms--;
     return value;
 }
@@ -45,7 +47,8 @@ static Ref guarded_side(Lower *l, const MixedSide *of, Ref value)
     return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, of->shows, value) : value;
 }
 
-/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: that of the Beckmann lobe as wide, perceptually. */
+/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: that of the Beckmann
+ * lobe as wide, perceptually. */
 static Ref roughness_of(Ir *ir, Ref exponent)
 {
     Ref alpha = build_div(ir, build_float(ir, 2), build_add(ir, exponent, build_float(ir, 2)));
@@ -78,16 +81,19 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
     return build_mix(ir, a, b, by);
 }
 
-/* How much of the second side there is: the mask taken to [0, 1], each part of a pixel's by itself. Half a pixel at -1 and half at 1 show half of it. */
+/* How much of the second side there is: the mask taken to [0, 1], each part of a pixel's by itself.
+ * Half a pixel at -1 and half at 1 show half of it. */
 static Ref share_of_second(Lower *l, Answer mask, int depth)
 {
     Ir *ir = l->ir;
     const Split *split = mask.split;
     if (split && depth > 0) {
-        Ref a = share_of_second(l, split->a, depth - 1), b = share_of_second(l, split->b, depth - 1);
+        Ref a = share_of_second(l, split->a, depth - 1),
+            b = share_of_second(l, split->b, depth - 1);
         return answer_mean(l, split->by, a, b);
     }
-    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0), one = build_float(ir, 1);
+    Ref red = build_swizzle(ir, mask.value, "x"), zero = build_float(ir, 0),
+        one = build_float(ir, 1);
     return build_clamp(ir, red, zero, one);
 }
 
@@ -96,13 +102,15 @@ static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int de
 {
     const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
     if (split && depth > 0) {
-        Ref a = mixed_by(l, slot, sides, split->a, depth - 1), b = mixed_by(l, slot, sides, split->b, depth - 1);
+        Ref a = mixed_by(l, slot, sides, split->a, depth - 1),
+            b = mixed_by(l, slot, sides, split->b, depth - 1);
         return answer_mean(l, split->by, a, b);
     }
     return mixed(l, slot, sides, share_of_second(l, mask, depth));
 }
 
-/* How much the second side counts, as much as it has of the slot that weighs this one. Where both have nothing, t. */
+/* How much the second side counts, as much as it has of the slot that weighs this one. Where both
+ * have nothing, t. */
 static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env *env)
 {
     Ir *ir = l->ir;
@@ -118,8 +126,8 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
     a = build_mul(ir, build_sub(ir, one, t), a);
     b = build_mul(ir, t, b);
     Ref sum = alone ? b : build_add(ir, a, b);
-    Ref share =
-        build_select(ir, build_lt(ir, least, sum), alone ? one : build_div(ir, b, build_max(ir, sum, least)), t);
+    Ref share = build_select(ir, build_lt(ir, least, sum),
+                             alone ? one : build_div(ir, b, build_max(ir, sum, least)), t);
     lower_mark_head(ir, share, ir->origin);
     ir->origin = origin;
     return share;

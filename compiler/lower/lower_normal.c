@@ -27,17 +27,20 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
     return f;
 }
 
-/* n' = Tu' x Tv', by n's side. Multiplied out, its term du dv (n x n) is 0 and left out: of steep slopes the product would be none of floats.
- * Tangents that turn left around n, as mirrored texture coordinates and transforms make them, would have it point to the other side:
- *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the normal leans to x
- *   Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n < 0, so n' = (0.1, 0, 1) */
+/* n' = Tu' x Tv', by n's side. Multiplied out, its term du dv (n x n) is 0 and left out: of steep
+ * slopes the product would be none of floats. Tangents that turn left around n, as mirrored texture
+ * coordinates and transforms make them, would have it point to the other side:
+ *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the
+ *   normal leans to x Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n < 0,
+ *   so n' = (0.1, 0, 1) */
 Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2])
 {
     Ir *ir = l->ir;
     Ref flat = build_cross(ir, f->tu, f->tv);
     Ref across = build_sub(ir, build_mul(ir, f->tv, slope[0]), build_mul(ir, f->tu, slope[1]));
     Ref normal = build_add(ir, flat, build_cross(ir, f->unit, across));
-    Ref turns_left = build_lt(ir, build_dot(ir, f->flat ? f->flat : flat, f->unit), build_float(ir, 0));
+    Ref turns_left =
+        build_lt(ir, build_dot(ir, f->flat ? f->flat : flat, f->unit), build_float(ir, 0));
     return build_select(ir, turns_left, build_neg(ir, normal), normal);
 }
 
@@ -51,7 +54,10 @@ static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
     return build_add(ir, by_v ? f->tv : f->tu, build_mul(ir, f->unit, slope[by_v]));
 }
 
-static bool is_frame(Group group) { return group == GROUP_N || group == GROUP_DU || group == GROUP_DV; }
+static bool is_frame(Group group)
+{
+    return group == GROUP_N || group == GROUP_DU || group == GROUP_DV;
+}
 
 static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
 {
@@ -83,17 +89,20 @@ static Turn turned_at(Lower *l, const Turn *below, const Node *node)
 
 static Turn *turn_at(Lower *l, const Node *node)
 {
-    l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_room, sizeof *l->turns);
+    l->turns = arena_reach(l->session->arena, l->turns, (size_t)node->index, &l->turn_room,
+                           sizeof *l->turns);
     return &l->turns[node->index];
 }
 
-/* What the UVTransforms from a node down its inputs make of slopes, together. Every node keeps its own: a chain is walked once. */
+/* What the UVTransforms from a node down its inputs make of slopes, together. Every node keeps its
+ * own: a chain is walked once. */
 static Turn turn_of(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
     size_t count = 0, room = 0;
     Turn turn = {.known = true};
-    for (; node && !turn_at(l, node)->known; node = lower_param_node(node, kind_table[node->kind].first))
+    for (; node && !turn_at(l, node)->known;
+         node = lower_param_node(node, kind_table[node->kind].first))
         ARENA_PUSH(l->session->arena, chain, count, room, node);
     if (node)
         turn = *turn_at(l, node);
@@ -111,8 +120,10 @@ static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
     const Turn turn = turn_of(l, input);
     if (turn.count <= 1)
         return turn.count ? turned_by(l, turn.transform, slopes) : slopes;
-    Ref u = build_add(ir, build_mul(ir, slopes.u, turn.column[0].u), build_mul(ir, slopes.v, turn.column[1].u));
-    Ref v = build_add(ir, build_mul(ir, slopes.u, turn.column[0].v), build_mul(ir, slopes.v, turn.column[1].v));
+    Ref u = build_add(ir, build_mul(ir, slopes.u, turn.column[0].u),
+                      build_mul(ir, slopes.v, turn.column[1].u));
+    Ref v = build_add(ir, build_mul(ir, slopes.u, turn.column[0].v),
+                      build_mul(ir, slopes.v, turn.column[1].v));
     return (Slopes){u, v};
 }
 
@@ -130,7 +141,8 @@ Answer lower_BumpMap(Lower *l, const Node *node, Group group, const Env *env)
     Slopes slopes = relief_slopes(l, node, env);
     if (l->job->choice[AXIS_derivatives] != CHOICE_derivatives_finite)
         slopes = along_tangents(l, input, slopes);
-    return answer_of(tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
+    return answer_of(
+        tilted(l, &frame, REFS(ir, build_mul(ir, k, slopes.u), build_mul(ir, k, slopes.v)), group));
 }
 
 static bool is_true(const Node *node, int param)
@@ -144,9 +156,11 @@ static bool is_true(const Node *node, int param)
 static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref color = build_convert(ir, lower_ask(l, lower_param_node(node, P_NormalMap_normal), GROUP_R, env), TYPE_vec3);
+    Ref color = build_convert(
+        ir, lower_ask(l, lower_param_node(node, P_NormalMap_normal), GROUP_R, env), TYPE_vec3);
     Ref t = build_sub(ir, build_scale(ir, color, 2), build_vec3(ir, 1, 1, 1));
-    Ref scale = lower_param(l, node_param(node, P_NormalMap_scale), TYPE_float), xy = build_swizzle(ir, t, "xy");
+    Ref scale = lower_param(l, node_param(node, P_NormalMap_scale), TYPE_float),
+        xy = build_swizzle(ir, t, "xy");
     Ref z = build_swizzle(ir, t, "z");
     if (is_true(node, P_NormalMap_twoChannel)) {
         Ref rest = build_sub(ir, build_float(ir, 1), build_dot(ir, xy, xy));
@@ -181,7 +195,8 @@ static Ref from_tangents(Lower *l, const Frame *f, Ref t)
 Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
-    const double least = 1e-3; /* of how far the new normal may lean: tangents of ones that lie flat have no end */
+    /* of how far the new normal may lean: tangents of ones that lie flat have no end */
+    const double least = 1e-3;
     const Node *input = lower_param_node(node, P_NormalMap_input);
     if (!is_frame(group) || !lower_param_node(node, P_NormalMap_normal))
         return lower_answer(l, input, group, env);
@@ -226,7 +241,8 @@ Answer lower_WaveMap(Lower *l, const Node *node, Group group, const Env *env)
         return lower_answer(l, input, group, env);
     double box_top[4];
     value_number(node_param(node, P_WaveMap_boxTop), TYPE_float, box_top);
-    Ref uvw = lower_ask(l, input, GROUP_U, env), u = build_swizzle(ir, uvw, "x"), v = build_swizzle(ir, uvw, "y");
+    Ref uvw = lower_ask(l, input, GROUP_U, env), u = build_swizzle(ir, uvw, "x"),
+        v = build_swizzle(ir, uvw, "y");
     Ref u_count = lower_param(l, node_param(node, P_WaveMap_uCount), TYPE_float);
     Ref v_count = lower_param(l, node_param(node, P_WaveMap_vCount), TYPE_float);
     if (box_top[0] != 0) {

@@ -6,14 +6,19 @@
 #include "grammar/lobe_table.h"
 #include <string.h>
 
-/* Shadows are seen by lights, of which a pass may be for several; the sky is as it is wherever it is seen from. */
-static bool sees(Pass pass) { return pass == PASS_gbuffer || pass == PASS_plane || pass == PASS_value; }
+/* Shadows are seen by lights, of which a pass may be for several; the sky is as it is wherever it
+ * is seen from. */
+static bool sees(Pass pass)
+{
+    return pass == PASS_gbuffer || pass == PASS_plane || pass == PASS_value;
+}
 
 Env lower_surface_env(Lower *l)
 {
     Ir *ir = l->ir;
-    static const Input direct[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
-                                   [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
+    static const Input direct[] = {
+        [GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
+        [GROUP_DV] = INPUT_DV, [GROUP_X] = INPUT_X, [GROUP_IOR] = INPUT_IOR};
     Env env = {.front = build_input(ir, INPUT_front), .seen = sees(l->job->pass)};
     env.eye_n = build_input(ir, INPUT_eyeN);
     for (int group = 0; group <= GROUP_IOR; group++)
@@ -40,7 +45,8 @@ static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
     slope_set(l, value, DIRECTION_v, by_v);
 }
 
-/* Where the view ray meets the plane; the pixel is discarded where it does not, and its depth is written. */
+/* Where the view ray meets the plane; the pixel is discarded where it does not, and its depth is
+ * written. */
 static Env plane_env(Lower *l)
 {
     Ir *ir = l->ir;
@@ -49,13 +55,15 @@ static Env plane_env(Lower *l)
         ray = build_input(ir, INPUT_ray);
     Ref eye = build_input(ir, INPUT_eye), origin = build_input(ir, INPUT_planeOrigin);
     Ref normal = build_cross(ir, u_axis, v_axis), facing = build_dot(ir, ray, normal);
-    Ref along = build_div(ir, build_dot(ir, build_sub(ir, origin, eye), normal), nonzero(l, facing));
+    Ref along =
+        build_div(ir, build_dot(ir, build_sub(ir, origin, eye), normal), nonzero(l, facing));
     Ref p = build_add(ir, eye, build_mul(ir, ray, along)), from = build_sub(ir, p, origin);
     Ref u = build_div(ir, build_dot(ir, from, u_axis), nonzero(l, build_dot(ir, u_axis, u_axis)));
     Ref v = build_div(ir, build_dot(ir, from, v_axis), nonzero(l, build_dot(ir, v_axis, v_axis)));
     Ref uv = build_vec(ir, TYPE_vec3, u, v, build_float(ir, 0));
     Ref point = build_vec(ir, TYPE_vec4, p, build_float(ir, 1));
-    Ref z = build_dot(ir, build_input(ir, INPUT_depthZ), point), w = build_dot(ir, build_input(ir, INPUT_clipW), point);
+    Ref z = build_dot(ir, build_input(ir, INPUT_depthZ), point),
+        w = build_dot(ir, build_input(ir, INPUT_clipW), point);
     Ref depth = build_div(ir, z, nonzero(l, w));
     ir_output(ir, OUT_discard, 0, build_le(ir, along, build_float(ir, 0)));
     ir_output(ir, OUT_depth, 0, build_clamp(ir, depth, build_float(ir, 0), build_float(ir, 1)));
@@ -74,7 +82,8 @@ static Env plane_env(Lower *l)
     return env;
 }
 
-/* The sky seen along the ray: position and normal are directions, u and v longitude and latitude. */
+/* The sky seen along the ray: position and normal are directions, u and v longitude and
+ * latitude. */
 static Env sky_env(Lower *l)
 {
     Ir *ir = l->ir;
@@ -108,7 +117,8 @@ static void write_shadow(Lower *l, const Node *material, const Env *env)
 static void write_sky(Lower *l, const Node *material, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref light = build_add(ir, lower_slot(l, material, SLOT_diffuse, env), lower_slot(l, material, SLOT_emissive, env));
+    Ref light = build_add(ir, lower_slot(l, material, SLOT_diffuse, env),
+                          lower_slot(l, material, SLOT_emissive, env));
     const double most = slot_table[SLOT_emissive].high; /* what a half float holds */
     light = build_clamp(ir, light, build_float(ir, -most), build_float(ir, most));
     ir_output(ir, OUT_color, 0, build_convert(ir, light, TYPE_vec4));
@@ -118,12 +128,16 @@ static void write_slots(Lower *l, const Node *material, const Env *env)
 {
     l->ir->slots = lower_needed_slots(l, material, env);
     for (int slot = 0; slot < SLOT_COUNT; slot++) /* as they are stored */
-        ir_output(l->ir, OUT_color, slot, slot == SLOT_anisotropy ? lower_stored_anisotropy(l, material, env) : lower_slot(l, material, (Slot)slot, env));
+        ir_output(l->ir, OUT_color, slot,
+                  slot == SLOT_anisotropy ? lower_stored_anisotropy(l, material, env)
+                                          : lower_slot(l, material, (Slot)slot, env));
 }
 
 Env lower_pass_env(Lower *l)
 {
-    return l->job->pass == PASS_plane ? plane_env(l) : l->job->pass == PASS_sky ? sky_env(l) : lower_surface_env(l);
+    return l->job->pass == PASS_plane ? plane_env(l)
+           : l->job->pass == PASS_sky ? sky_env(l)
+                                      : lower_surface_env(l);
 }
 
 Lower lower_start(const LowerRequest *what, int optimize)
@@ -144,20 +158,24 @@ Lower lower_start(const LowerRequest *what, int optimize)
     return l;
 }
 
-/* A coat's own normal, asked of an IR of its own, so that the program's is the same in all layouts. */
+/* A coat's own normal, asked of an IR of its own, so that the program's is the same in all
+ * layouts. */
 static void warn_left_out(Lower *l, const Node *material)
 {
     const LayoutRow *row = l->job->layout;
-    if (!l->cheap || row->case_count < 2 || !material || l->layout_slots >> SLOT_coatNormal & 1 || !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coat)))
+    if (!l->cheap || row->case_count < 2 || !material || l->layout_slots >> SLOT_coatNormal & 1 ||
+        !(l->graph->models[material->index] & MODEL_LOBE(LOBE_coat)))
         return;
-    Lower probe = lower_start(&(LowerRequest){l->session, l->graph, material, l->job, l->simplify}, 1);
+    Lower probe =
+        lower_start(&(LowerRequest){l->session, l->graph, material, l->job, l->simplify}, 1);
     const Env own = lower_pass_env(&probe);
     lower_left_out(&probe, material, &own);
     l->failed |= probe.failed;
 }
 
-/* The same at every level: where nothing is simplified, it is found on an IR of its own. So it is where numbers that come from
- * a buffer hide which slots are absent, and no case has all of those that may be there. */
+/* The same at every level: where nothing is simplified, it is found on an IR of its own. So it is
+ * where numbers that come from a buffer hide which slots are absent, and no case has all of those
+ * that may be there. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
     const int none = l->job->layout->case_count;
@@ -167,7 +185,8 @@ static int find_case(Lower *l, const Node *material, const Env *env)
         return number % none;
     Job job = *l->job;
     job.from_buffer = false;
-    Lower probe = lower_start(&(LowerRequest){l->session, l->graph, material, &job, l->simplify}, 1);
+    Lower probe =
+        lower_start(&(LowerRequest){l->session, l->graph, material, &job, l->simplify}, 1);
     Env own = lower_pass_env(&probe);
     number = lower_layout_case(&probe, material, &own);
     if (number == none)
@@ -185,7 +204,8 @@ static void note_opacity(Lower *l, const Node *material, const Env *env)
     if (!ir_is(l->ir, t, OP_const))
         return;
     const double *lane = ir_numbers(l->ir, t);
-    l->ir->opacity = lane[0] <= 0 && lane[1] <= 0 && lane[2] <= 0 ? OPACITY_opaque : OPACITY_transparent;
+    l->ir->opacity =
+        lane[0] <= 0 && lane[1] <= 0 && lane[2] <= 0 ? OPACITY_opaque : OPACITY_transparent;
 }
 
 static void write_pass(Lower *l, const Node *material)
@@ -210,7 +230,8 @@ static void write_pass(Lower *l, const Node *material)
         if (job->all_slots)
             write_slots(l, material, &env);
         else
-            ir_output(ir, OUT_color, 0, build_convert(ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
+            ir_output(ir, OUT_color, 0,
+                      build_convert(ir, lower_slot(l, material, job->slot, &env), TYPE_vec4));
         break;
     case PASS_displacement:
         lower_write_displacement(l, lower_displaced(material), &env);

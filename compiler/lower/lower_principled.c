@@ -16,45 +16,64 @@ static Ref red(Lower *l, const Node *m, int param, const Env *env)
 /* Of what is divided by, which is 1 and more of what may be. */
 static const double LEAST_SUM = 1e-6;
 
-static Ref unit(Ir *ir, Ref x) { return build_clamp(ir, x, build_float(ir, 0), build_float(ir, 1)); }
+static Ref unit(Ir *ir, Ref x)
+{
+    return build_clamp(ir, x, build_float(ir, 0), build_float(ir, 1));
+}
 
-static Ref share(Lower *l, const Node *m, int param, const Env *env) { return unit(l->ir, red(l, m, param, env)); }
+static Ref share(Lower *l, const Node *m, int param, const Env *env)
+{
+    return unit(l->ir, red(l, m, param, env));
+}
 
-static bool is_thin(const Node *m) { return !value_is_zero(node_param(m, P_Principled_thinWalled)); }
+static bool is_thin(const Node *m)
+{
+    return !value_is_zero(node_param(m, P_Principled_thinWalled));
+}
 
-/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1 would divide by 0. Thin walls that
- * let light through reflect it on both sides, again and again: R + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
+/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1
+ * would divide by 0. Thin walls that let light through reflect it on both sides, again and again: R
+ * + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
 static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
     Ref ior = build_max(ir, red(l, m, P_Principled_ior, env), build_float(ir, 0));
-    Ref once = build_mul(ir, lower_coated_reflectance(l, coat, ior, env), red(l, m, P_Principled_specular, env));
+    Ref once = build_mul(ir, lower_coated_reflectance(l, coat, ior, env),
+                         red(l, m, P_Principled_specular, env));
     Ref clear = share(l, m, P_Principled_transmission, env);
     if (!is_thin(m) || ir_is_number(ir, clear, 0))
         return once;
-    Ref both = build_div(ir, build_scale(ir, once, 2), build_max(ir, build_add(ir, build_float(ir, 1), once), build_float(ir, LEAST_SUM)));
+    Ref both = build_div(
+        ir, build_scale(ir, once, 2),
+        build_max(ir, build_add(ir, build_float(ir, 1), once), build_float(ir, LEAST_SUM)));
     return build_mix(ir, once, both, clear);
 }
 
-/* Of light that is scattered within thin walls, what leaves on one side: toward 1 the other, toward -1 that where it came in. */
+/* Of light that is scattered within thin walls, what leaves on one side: toward 1 the other, toward
+ * -1 that where it came in. */
 static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
 {
     Ir *ir = l->ir;
     Ref all = color(l, m, P_Principled_subsurfaceColor, env), half = build_float(ir, .5);
     if (!is_thin(m))
         return all;
-    Ref on = build_clamp(ir, red(l, m, P_Principled_subsurfaceAnisotropy, env), build_float(ir, -1), build_float(ir, 1));
+    Ref on = build_clamp(ir, red(l, m, P_Principled_subsurfaceAnisotropy, env), build_float(ir, -1),
+                         build_float(ir, 1));
     return build_mul(ir, all, build_add(ir, half, build_scale(ir, on, toward / 2)));
 }
 
-/* The diffuse base of the dielectric: what is left of it beside light that goes through, and is scattered below. */
+/* The diffuse base of the dielectric: what is left of it beside light that goes through, and is
+ * scattered below. */
 static Ref dielectric(Lower *l, const Node *m, Ref own, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref through = share(l, m, P_Principled_transmission, env), below = share(l, m, P_Principled_subsurface, env);
+    Ref through = share(l, m, P_Principled_transmission, env),
+        below = share(l, m, P_Principled_subsurface, env);
     if (!ir_is_number(ir, below, 0))
         own = build_mix(ir, own, scattered(l, m, -1, env), below);
-    return ir_is_number(ir, through, 0) ? own : build_mul(ir, own, build_sub(ir, build_float(ir, 1), through));
+    return ir_is_number(ir, through, 0)
+               ? own
+               : build_mul(ir, own, build_sub(ir, build_float(ir, 1), through));
 }
 
 static Ref not_metal(Lower *l, const Node *m, const Env *env)
@@ -62,11 +81,13 @@ static Ref not_metal(Lower *l, const Node *m, const Env *env)
     return build_sub(l->ir, build_float(l->ir, 1), share(l, m, P_Principled_metalness, env));
 }
 
-/* What goes straight through where the surface is, by lanes: of a body each of its two surfaces takes the root of the colour. */
+/* What goes straight through where the surface is, by lanes: of a body each of its two surfaces
+ * takes the root of the colour. */
 static Ref through(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref tint = build_clamp(ir, color(l, m, P_Principled_transmissionColor, env), build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
+    Ref tint = build_clamp(ir, color(l, m, P_Principled_transmissionColor, env),
+                           build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
     Ref weight = build_mul(ir, share(l, m, P_Principled_transmission, env), not_metal(l, m, env));
     return build_mul(ir, is_thin(m) ? tint : build_sqrt(ir, tint), weight);
 }
@@ -77,11 +98,15 @@ static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
     Ref opacity = red(l, m, P_Principled_opacity, env), one = build_float(ir, 1);
     const bool holes = ir_is_number(ir, share(l, m, P_Principled_transmission, env), 0);
     if (holes)
-        return slot == SLOT_transmission ? build_float(ir, 0) : build_convert(ir, build_sub(ir, one, opacity), TYPE_vec3);
+        return slot == SLOT_transmission
+                   ? build_float(ir, 0)
+                   : build_convert(ir, build_sub(ir, one, opacity), TYPE_vec3);
     Ref lanes = through(l, m, env);
     if (slot == SLOT_transparency)
-        return build_sub(ir, build_all(ir, TYPE_vec3, 1), build_mul(ir, opacity, build_sub(ir, build_all(ir, TYPE_vec3, 1), lanes)));
-    Ref most = build_max(ir, build_max(ir, build_lane(ir, lanes, 0), build_lane(ir, lanes, 1)), build_lane(ir, lanes, 2));
+        return build_sub(ir, build_all(ir, TYPE_vec3, 1),
+                         build_mul(ir, opacity, build_sub(ir, build_all(ir, TYPE_vec3, 1), lanes)));
+    Ref most = build_max(ir, build_max(ir, build_lane(ir, lanes, 0), build_lane(ir, lanes, 1)),
+                         build_lane(ir, lanes, 2));
     return build_mul(ir, opacity, most);
 }
 
@@ -89,10 +114,12 @@ static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
 static Ref to_other_side(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref below = share(l, m, P_Principled_subsurface, env), clear = share(l, m, P_Principled_transmission, env);
+    Ref below = share(l, m, P_Principled_subsurface, env),
+        clear = share(l, m, P_Principled_transmission, env);
     if (!is_thin(m) || ir_is_number(ir, below, 0))
         return build_all(ir, TYPE_vec3, 0);
-    Ref weight = build_mul(ir, build_mul(ir, below, build_sub(ir, build_float(ir, 1), clear)), not_metal(l, m, env));
+    Ref weight = build_mul(ir, build_mul(ir, below, build_sub(ir, build_float(ir, 1), clear)),
+                           not_metal(l, m, env));
     return build_mul(ir, scattered(l, m, 1, env), weight);
 }
 
@@ -100,7 +127,8 @@ static Ref to_other_side(Lower *l, const Node *m, const Env *env)
 static Ref base(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref own = build_mul(ir, color(l, m, P_Principled_baseColor, env), red(l, m, P_Principled_baseWeight, env));
+    Ref own = build_mul(ir, color(l, m, P_Principled_baseColor, env),
+                        red(l, m, P_Principled_baseWeight, env));
     Ref matt = dielectric(l, m, own, env);
     if (matt != own) {
         Ref metal = build_mul(ir, own, red(l, m, P_Principled_specular, env));
@@ -114,7 +142,8 @@ static Ref base(Lower *l, const Node *m, const Env *env)
 static Ref emission(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref sent = build_mul(ir, color(l, m, P_Principled_emissionColor, env), red(l, m, P_Principled_emission, env));
+    Ref sent = build_mul(ir, color(l, m, P_Principled_emissionColor, env),
+                         red(l, m, P_Principled_emission, env));
     return build_mul(ir, sent, red(l, m, P_Principled_opacity, env));
 }
 
@@ -133,7 +162,8 @@ static Ref film(Lower *l, const Node *m, const Coat *coat, Slot slot, const Env 
     Ref there = share(l, m, P_Principled_film, env);
     if (slot == SLOT_film || ir_is_number(ir, there, 0))
         return slot == SLOT_film ? there : build_float(ir, slot_table[slot].absent);
-    Ref ior = lower_film_ior(ir, red(l, m, P_Principled_filmIor, env)), zero = build_float(ir, 0), most = build_float(ir, slot_table[SLOT_filmPath].high);
+    Ref ior = lower_film_ior(ir, red(l, m, P_Principled_filmIor, env)), zero = build_float(ir, 0),
+        most = build_float(ir, slot_table[SLOT_filmPath].high);
     if (slot == SLOT_filmIor)
         return lower_where_there(ir, there, slot, lower_coated_film(l, coat, ior, env));
     Ref path = build_scale(ir, build_mul(ir, red(l, m, P_Principled_filmThickness, env), ior), 2);
@@ -145,20 +175,24 @@ static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
 {
     const double least = 1e-30;
     Ref xx = build_square(ir, x), yy = build_square(ir, y), all = build_add(ir, xx, yy);
-    Ref none = build_lt(ir, all, build_float(ir, least)), size = build_max(ir, all, build_float(ir, least));
-    Ref cosine = build_div(ir, build_sub(ir, xx, yy), size), sine = build_div(ir, build_scale(ir, build_mul(ir, x, y), 2), size);
-    return build_select(ir, none, build_vec(ir, TYPE_vec2, build_float(ir, 1), build_float(ir, 0)), build_vec(ir, TYPE_vec2, cosine, sine));
+    Ref none = build_lt(ir, all, build_float(ir, least)),
+        size = build_max(ir, all, build_float(ir, least));
+    Ref cosine = build_div(ir, build_sub(ir, xx, yy), size),
+        sine = build_div(ir, build_scale(ir, build_mul(ir, x, y), 2), size);
+    return build_select(ir, none, build_vec(ir, TYPE_vec2, build_float(ir, 1), build_float(ir, 0)),
+                        build_vec(ir, TYPE_vec2, cosine, sine));
 }
 
 /* Of length 1; nothing stays nothing, and has no angle. */
 static Ref unit_or_nothing(Ir *ir, Ref vector)
 {
     Ref size = build_max(ir, build_length(ir, vector), build_float(ir, 1e-15));
-    return build_mul(ir, vector, build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
+    return build_mul(ir, vector,
+                     build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
 }
 
-/* Of a vector of the world, whose angle counts from dP/du toward dP/dv. With n = dP/du x dP/dv the vector n x dP/du stands at right angles to dP/du,
- * and is |n| times as long. */
+/* Of a vector of the world, whose angle counts from dP/du toward dP/dv. With n = dP/du x dP/dv the
+ * vector n x dP/du stands at right angles to dP/du, and is |n| times as long. */
 static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -173,7 +207,8 @@ static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 static Ref anisotropy(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
-    Ref strength = build_clamp(ir, red(l, m, P_Principled_anisotropy, env), build_float(ir, 0), build_float(ir, 1));
+    Ref strength = build_clamp(ir, red(l, m, P_Principled_anisotropy, env), build_float(ir, 0),
+                               build_float(ir, 1));
     if (ir_is_number(ir, strength, 0))
         return build_all(ir, TYPE_vec2, 0);
     Ref twice = build_scale(ir, red(l, m, P_Principled_anisotropyRotation, env), 4 * M_PI);
@@ -182,7 +217,8 @@ static Ref anisotropy(Lower *l, const Node *m, const Env *env)
     if (lower_param_node(m, P_Principled_tangent)) { /* angles add up */
         Ref own = tangent_turn(l, m, env), x = build_lane(ir, own, 0), y = build_lane(ir, own, 1);
         Ref real = build_sub(ir, build_mul(ir, x, cosine), build_mul(ir, y, sine));
-        turn = build_vec(ir, TYPE_vec2, real, build_add(ir, build_mul(ir, x, sine), build_mul(ir, y, cosine)));
+        turn = build_vec(ir, TYPE_vec2, real,
+                         build_add(ir, build_mul(ir, x, sine), build_mul(ir, y, cosine)));
     }
     return build_mul(ir, build_splat(ir, strength, TYPE_vec2), turn);
 }
@@ -263,7 +299,8 @@ static const double LEAST_TINT = 1e-6;
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
 {
     Ir *ir = l->ir;
-    Ref share = build_div(ir, build_float(ir, 2), build_add(ir, phong->exponent, build_float(ir, 2)));
+    Ref share =
+        build_div(ir, build_float(ir, 2), build_add(ir, phong->exponent, build_float(ir, 2)));
     Ref x = build_lane(ir, phong->specular, 0), y = build_lane(ir, phong->specular, 1),
         z = build_lane(ir, phong->specular, 2);
     Ref most = build_max(ir, build_max(ir, x, y), z), least = build_float(ir, LEAST_TINT);
@@ -290,8 +327,9 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
     }
 }
 
-/* The share that a metal, or a dielectric, reflects along the normal. A Phong that is mixed with a Principled may have any
- * number here; beyond [0, 1] what the lobe leaves over would be a difference of great numbers. */
+/* The share that a metal, or a dielectric, reflects along the normal. A Phong that is mixed with a
+ * Principled may have any number here; beyond [0, 1] what the lobe leaves over would be a
+ * difference of great numbers. */
 static Ref reflected(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;

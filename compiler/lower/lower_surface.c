@@ -8,7 +8,8 @@ static bool is_derivative(Group group) { return group == GROUP_DU || group == GR
 
 static Answer constant(Lower *l, Ref value, Group group)
 {
-    return answer_of(is_derivative(group) ? build_vec3(l->ir, 0, 0, 0) : lower_as_group(l, value, group));
+    return answer_of(is_derivative(group) ? build_vec3(l->ir, 0, 0, 0)
+                                          : lower_as_group(l, value, group));
 }
 
 Answer lower_Constant(Lower *l, const Node *node, Group group, const Env *env)
@@ -35,19 +36,21 @@ Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 
 static const char *const lane_name[] = {"x", "y", "z", "w"};
 
-/* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at whole numbers, and beside them
- * the fraction is small and good to its last bit. */
+/* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at
+ * whole numbers, and beside them the fraction is small and good to its last bit. */
 static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
 {
     Ir *ir = l->ir;
-    Ref whole = build_swizzle(ir, twice->whole, lane), fraction = build_swizzle(ir, twice->fraction, lane);
+    Ref whole = build_swizzle(ir, twice->whole, lane),
+        fraction = build_swizzle(ir, twice->fraction, lane);
     Ref half = build_fract(ir, build_scale(ir, whole, 0.5));
     Ref odd = build_le(ir, build_float(ir, 0.5), half);
     return build_ne(ir, odd, build_lt(ir, fraction, build_float(ir, 0)));
 }
 
-/* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below 1/2: this form is exact
- * for every float, while a sum of large whole numbers loses its last bit. */
+/* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below
+ * 1/2: this form is exact for every float, while a sum of large whole numbers loses its last
+ * bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -67,7 +70,8 @@ static Ref odd_sum(Lower *l, Ref q)
 static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
 {
     Ir *ir = l->ir;
-    Ref part = turn == 1 ? build_fract(ir, uv) : build_scale(ir, build_fract(ir, build_scale(ir, uv, 1 / turn)), turn);
+    Ref part = turn == 1 ? build_fract(ir, uv)
+                         : build_scale(ir, build_fract(ir, build_scale(ir, uv, 1 / turn)), turn);
     return build_add(ir, part, step);
 }
 
@@ -79,18 +83,22 @@ static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
     return odd_sum(l, uv);
 }
 
-/* A difference of the two colours where a step crosses an edge, else the slope of the colour itself. */
+/* A difference of the two colours where a step crosses an edge, else the slope of the colour
+ * itself. */
 static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const Env *env)
 {
     Ir *ir = l->ir;
-    const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
+    const Node *color1 = lower_param_node(node, P_Checker_color1),
+               *color2 = lower_param_node(node, P_Checker_color2);
     const double step = kind_table[KIND_Checker].step;
     Ref odd = odd_square(l, uv, 0, 0);
     Ref beyond = odd_square(l, uv, group == GROUP_DU ? step : 0, group == GROUP_DV ? step : 0);
     Ref a = build_convert(ir, lower_ask(l, color1, GROUP_R, env), TYPE_vec3);
     Ref b = build_convert(ir, lower_ask(l, color2, GROUP_R, env), TYPE_vec3);
-    Ref rise = build_scale(ir, build_select(ir, odd, build_sub(ir, b, a), build_sub(ir, a, b)), 1 / step);
-    Ref inside = build_select(ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
+    Ref rise =
+        build_scale(ir, build_select(ir, odd, build_sub(ir, b, a), build_sub(ir, a, b)), 1 / step);
+    Ref inside =
+        build_select(ir, odd, lower_ask(l, color1, group, env), lower_ask(l, color2, group, env));
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
@@ -106,13 +114,14 @@ static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
         colors->answer[i] = lower_arm(l, colors->node[i], group, env);
 }
 
-/* How much of the pixel lies where the sum of the lanes of floor(2 q) is odd; or a bool, whether the point does, without a footprint or where
- * --aa=auto leaves costly colours their branch. */
+/* How much of the pixel lies where the sum of the lanes of floor(2 q) is odd; or a bool, whether
+ * the point does, without a footprint or where --aa=auto leaves costly colours their branch. */
 static Ref odd_at(Lower *l, const void *map, Answer q)
 {
     const Colors *colors = map;
     const bool frugal = l->job->choice[AXIS_aa] == CHOICE_aa_auto;
-    const bool branches = frugal && (lower_wants_branch(colors->node[0]) || lower_wants_branch(colors->node[1]));
+    const bool branches =
+        frugal && (lower_wants_branch(colors->node[0]) || lower_wants_branch(colors->node[1]));
     Ref share = branches ? 0 : area_odd_share(l, q);
     return share ? share : odd_sum(l, q.value);
 }
@@ -130,8 +139,10 @@ static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
 
 Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 {
-    const Node *color1 = lower_param_node(node, P_Checker_color1), *color2 = lower_param_node(node, P_Checker_color2);
-    Answer uv = answer_swizzle(l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
+    const Node *color1 = lower_param_node(node, P_Checker_color1),
+               *color2 = lower_param_node(node, P_Checker_color2);
+    Answer uv = answer_swizzle(
+        l, lower_answer(l, lower_param_node(node, P_Checker_input), GROUP_U, env), "xy");
     if (is_derivative(group))
         return answer_of(checker_slope(l, node, uv.value, group, env));
     Colors colors = {.node = {color1, color2}};
@@ -142,8 +153,8 @@ Answer lower_Checker(Lower *l, const Node *node, Group group, const Env *env)
 Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_VolumeChecker_input), GROUP_X, env);
-    Colors colors = {
-        .node = {lower_param_node(node, P_VolumeChecker_color1), lower_param_node(node, P_VolumeChecker_color2)}};
+    Colors colors = {.node = {lower_param_node(node, P_VolumeChecker_color1),
+                              lower_param_node(node, P_VolumeChecker_color2)}};
     ask_colors(l, &colors, group, env);
     p = answer_scaled(l, p, build_float(l->ir, 0.5));
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
@@ -153,8 +164,8 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
-        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb && a->sampled == b->sampled &&
-               a->wrap == b->wrap;
+        return a->kind == b->kind && a->image == b->image && a->srgb == b->srgb &&
+               a->sampled == b->sampled && a->wrap == b->wrap;
     for (int i = 1; i < kind_table[KIND_Carpenter].count; i++) {
         double x[4], y[4];
         value_number(&a->node->params[i], TYPE_float, x);
@@ -204,10 +215,12 @@ typedef struct {
 /* Of what a picture's function gave, its lanes. */
 static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
 {
-    return sampled->lane == ALL_LANES ? value : build_swizzle(l->ir, value, lane_name[sampled->lane]);
+    return sampled->lane == ALL_LANES ? value
+                                      : build_swizzle(l->ir, value, lane_name[sampled->lane]);
 }
 
-/* Its width and height: asked of the sampler where that can tell, so that pictures of all sizes share a program. */
+/* Its width and height: asked of the sampler where that can tell, so that pictures of all sizes
+ * share a program. */
 static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
 {
     if (texture->sampled && target_table[l->job->target].words)
@@ -215,8 +228,10 @@ static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
     return ir_const(l->ir, TYPE_vec2, (double[]){texture->width, texture->height});
 }
 
-/* A relief is the same after whole turns, but its sides of 0 differ: to -2 ... 2, on the side where uv is.
- *   5.3 - (5 - 1) = 1.3;  -3.002 - (-4 + 2) = -1.002, and a step of .005 from there stays on that side */
+/* A relief is the same after whole turns, but its sides of 0 differ: to -2 ... 2, on the side where
+ * uv is.
+ *   5.3 - (5 - 1) = 1.3; -3.002 - (-4 + 2) = -1.002, and a step of .005 from there stays on that
+ *   side */
 static Ref near_zero(Ir *ir, Ref uv)
 {
     Ref turns = build_floor(ir, uv);
@@ -224,13 +239,15 @@ static Ref near_zero(Ir *ir, Ref uv)
     return build_sub(ir, uv, build_sub(ir, turns, kept));
 }
 
-/* After how much of u and v all of a picture is the same again, exactly; 0: never, and the sampler would take a dropped turn for a wide
- * footprint. */
+/* After how much of u and v all of a picture is the same again, exactly; 0: never, and the sampler
+ * would take a dropped turn for a wide footprint. */
 static double turn_of(const Sampled *sampled)
 {
     if (sampled->texture.sampled)
         return 0;
-    return sampled->address == WORD_Address_repeat ? 1 : sampled->address == WORD_Address_mirror ? 2 : 0;
+    return sampled->address == WORD_Address_repeat   ? 1
+           : sampled->address == WORD_Address_mirror ? 2
+                                                     : 0;
 }
 
 /* uv + step, or where the same stands: far from the origin the step would be lost. */
@@ -247,7 +264,8 @@ static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, 
 {
     Ir *ir = l->ir;
     Ref zero = build_float(ir, 0), lane = build_swizzle(ir, picture->size, by_v ? "y" : "x");
-    Ref h = sampled->step > 0 ? build_float(ir, sampled->step) : build_div(ir, build_float(ir, 1), lane);
+    Ref h = sampled->step > 0 ? build_float(ir, sampled->step)
+                              : build_div(ir, build_float(ir, 1), lane);
     Ref step = by_v ? build_vec(ir, TYPE_vec2, zero, h) : build_vec(ir, TYPE_vec2, h, zero);
     Ref beyond = beyond_of(l, sampled, uv, step);
     Ref here = lanes_of(l, sampled, area_picture_near(l, picture, uv, uv));
@@ -257,7 +275,8 @@ static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, 
 }
 
 /* The same of a step of a texel, by eight texels instead of three places, where they tell. */
-static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
+static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv,
+                         bool by_v)
 {
     Ir *ir = l->ir;
     const bool all = sampled->lane == ALL_LANES;
@@ -265,9 +284,11 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
     for (int i = 0; i < 2; i++)
         by[i] = difference(l, sampled, picture, uv, i);
     for (int i = 0; i < (all ? 4 : 1); i++) {
-        Ref shown =
-            build_vec(ir, TYPE_vec2, build_swizzle(ir, by[0], lane_name[i]), build_swizzle(ir, by[1], lane_name[i]));
-        Ref rise = sampled->step > 0 ? 0 : area_picture_rise(l, picture, uv, all ? i : sampled->lane, shown);
+        Ref shown = build_vec(ir, TYPE_vec2, build_swizzle(ir, by[0], lane_name[i]),
+                              build_swizzle(ir, by[1], lane_name[i]));
+        Ref rise = sampled->step > 0
+                       ? 0
+                       : area_picture_rise(l, picture, uv, all ? i : sampled->lane, shown);
         if (!rise)
             return by[by_v];
         slope[i] = build_swizzle(ir, rise, by_v ? "y" : "x");
@@ -277,15 +298,18 @@ static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *pictur
 
 static Ref sample_group(Lower *l, const Sampled *sampled, Ref uv, Group group)
 {
-    Ref sampler = build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
-    const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler), sampled->address};
+    Ref sampler =
+        build_leaf(l->ir, OP_texture, TYPE_sampler, (int)texture_number(l->ir, &sampled->texture));
+    const Picture picture = {sampled->function, sampler, size_of(l, &sampled->texture, sampler),
+                             sampled->address};
     if (sampled->centred)
         uv = build_sub(l->ir, uv, build_div(l->ir, build_all(l->ir, TYPE_vec2, 0.5), picture.size));
     if (is_derivative(group))
         return lower_as_group(l, sampled_slope(l, sampled, &picture, uv, group == GROUP_DV), group);
     Ref value = lanes_of(l, sampled, area_picture(l, &picture, uv));
     if (l->relief) {
-        Ref by_u = sampled_slope(l, sampled, &picture, uv, false), by_v = sampled_slope(l, sampled, &picture, uv, true);
+        Ref by_u = sampled_slope(l, sampled, &picture, uv, false),
+            by_v = sampled_slope(l, sampled, &picture, uv, true);
         relief_rise(l, value, uv, REFS(l->ir, by_u, by_v, 0));
     }
     return lower_as_group(l, value, group);
@@ -304,8 +328,8 @@ static int channel_lane(const Node *node)
     return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r : ALL_LANES;
 }
 
-/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are halves where it has none of them, and
- * so are floats where its samplers do not filter these. */
+/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are
+ * halves where it has none of them, and so are floats where its samplers do not filter these. */
 static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
     const TargetRow *target = &target_table[l->job->target];
@@ -318,9 +342,13 @@ static Texels texels_of(const Lower *l, const Image *image, bool srgb)
     return target->word_textures ? TEXELS_RGBA16 : TEXELS_RGBA16F;
 }
 
-static bool is_sampled(Function function) { return function == FN_imageSampled || function == FN_imageSampledOver; }
+static bool is_sampled(Function function)
+{
+    return function == FN_imageSampled || function == FN_imageSampledOver;
+}
 
-/* What the sampler does beyond the edges, as far as it can and the program lets it. Texels are fetched inside; one sampler will do. */
+/* What the sampler does beyond the edges, as far as it can and the program lets it. Texels are
+ * fetched inside; one sampler will do. */
 static Word wrap_of(const Lower *l, Word address, bool sampled)
 {
     const bool borders = sampled && target_table[l->job->target].borders;
@@ -363,8 +391,10 @@ Answer lower_ImageMap(Lower *l, const Node *node, Group group, const Env *env)
     const Value *image = node_param(node, P_ImageMap_image);
     if (image->kind != VALUE_image)
         return constant(l, build_float(ir, 0.5), group);
-    Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env), "xy");
-    const bool opaque = image->image->opaque && !is_word(node, P_ImageMap_address, WORD_Address_border);
+    Ref uv = build_swizzle(ir, lower_ask(l, lower_param_node(node, P_ImageMap_input), GROUP_U, env),
+                           "xy");
+    const bool opaque =
+        image->image->opaque && !is_word(node, P_ImageMap_address, WORD_Address_border);
     if (opaque && is_word(node, P_ImageMap_channel, WORD_Channel_a))
         return constant(l, build_float(ir, 1), group);
     const Sampled sampled = sampled_image(l, node, image->image, uv);
@@ -383,7 +413,8 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
     double width[4], height[4];
     value_number(node_param(node, P_Carpenter_width), TYPE_float, width);
     value_number(node_param(node, P_Carpenter_height), TYPE_float, height);
-    Ref uv = build_swizzle(l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
+    Ref uv = build_swizzle(
+        l->ir, lower_ask(l, lower_param_node(node, P_Carpenter_input), GROUP_U, env), "xy");
     const IrTexture texture = {.kind = TEXTURE_carpenter,
                                .texels = TEXELS_R32F,
                                .wrap = WORD_Address_repeat,
@@ -391,5 +422,7 @@ Answer lower_Carpenter(Lower *l, const Node *node, Group group, const Env *env)
                                .width = (int)width[0],
                                .height = (int)height[0]};
     return answer_of(sample_group(
-        l, &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat, false}, uv, group));
+        l,
+        &(Sampled){texture, FN_carpenterRelief, row->step, ALL_LANES, WORD_Address_repeat, false},
+        uv, group));
 }

@@ -1,7 +1,8 @@
-/* Terms -> IR. What GLSL leaves open is guarded here, so that every term is a number for all numbers; a guard that intervals prove needless goes
- * in opt_range.
+/* Terms -> IR. What GLSL leaves open is guarded here, so that every term is a number for all
+ * numbers; a guard that intervals prove needless goes in opt_range.
  *
- *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v is at least 1, so it is u / (1 + v v) */
+ *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v is
+ *                       at least 1, so it is u / (1 + v v) */
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include "compiler/lower/answer.h"
@@ -54,8 +55,9 @@ static Ref is_no_divisor(Lower *l, Ref a)
     return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, LEAST_DIVISOR));
 }
 
-/* Both operands where the divisor is far from 0, else 0 and 1: what is divided is guarded and not the result, since drivers may make a product of
- * a choice, and 0 times an infinity is no number. */
+/* Both operands where the divisor is far from 0, else 0 and 1: what is divided is guarded and not
+ * the result, since drivers may make a product of a choice, and 0 times an infinity is no
+ * number. */
 static void guard_division(Lower *l, const Ref *x, Ref guarded[2])
 {
     Ir *ir = l->ir;
@@ -97,12 +99,15 @@ static Ref remainder_of(Lower *l, const Ref *x)
     return by_lanes(l, remainder_by_number, x, 2);
 }
 
-/* A base whose power by a number is within GREATEST_POWER, so that no infinity comes about on the way there: the border is that of the base. */
+/* A base whose power by a number is within GREATEST_POWER, so that no infinity comes about on the
+ * way there: the border is that of the base. */
 static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
 {
     Ir *ir = l->ir;
-    const double border = pow(GREATEST_POWER, 1 / by), least_by = log(GREATEST_POWER) / log(FLT_MAX);
-    Ref within = build_max(ir, base, build_float(ir, by < 0 ? fmax(border, LEAST_BASE) : LEAST_BASE));
+    const double border = pow(GREATEST_POWER, 1 / by),
+                 least_by = log(GREATEST_POWER) / log(FLT_MAX);
+    Ref within =
+        build_max(ir, base, build_float(ir, by < 0 ? fmax(border, LEAST_BASE) : LEAST_BASE));
     if (by > least_by) /* by less no float comes there */
         within = build_min(ir, within, build_float(ir, border));
     return build_pow(ir, within, exponent);
@@ -114,7 +119,8 @@ static Ref power(Lower *l, const Ref *x)
     Ir *ir = l->ir;
     const bool minus = ir_is(ir, x[1], OP_neg);
     const Ref number = minus ? ir_arg(ir, x[1], 0) : x[1];
-    const double by = ir_is(ir, number, OP_const) && ir_lanes(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
+    const double by =
+        ir_is(ir, number, OP_const) && ir_lanes(ir, number) == 1 ? *ir_numbers(ir, number) : 0;
     if (by != 0)
         return power_by_number(l, x[0], x[1], minus ? -by : by);
     Ref raised = build_pow(ir, build_max(ir, x[0], build_float(ir, LEAST_BASE)), x[1]);
@@ -174,7 +180,9 @@ static Ref dot(Lower *l, const Ref *x)
 static Ref average(Lower *l, Ref a)
 {
     Ir *ir = l->ir;
-    return ir_lanes(ir, a) == 1 ? a : build_dot(ir, a, build_all(ir, ir_type(ir, a), 1.0 / ir_lanes(ir, a)));
+    return ir_lanes(ir, a) == 1
+               ? a
+               : build_dot(ir, a, build_all(ir, ir_type(ir, a), 1.0 / ir_lanes(ir, a)));
 }
 
 static Ref turned(Lower *l, const Ref *x)
@@ -189,7 +197,8 @@ static Ref turned(Lower *l, const Ref *x)
 static Ref rgb(Lower *l, Ref hsv)
 {
     Ir *ir = l->ir;
-    Ref h = build_swizzle(ir, hsv, "x"), s = build_swizzle(ir, hsv, "y"), v = build_swizzle(ir, hsv, "z");
+    Ref h = build_swizzle(ir, hsv, "x"), s = build_swizzle(ir, hsv, "y"),
+        v = build_swizzle(ir, hsv, "z");
     Ref turn = build_fract(ir, build_add(ir, h, build_vec3(ir, 0, 2.0 / 3, 1.0 / 3)));
     Ref away = build_abs(ir, SUB(SCALED(turn, 6), K(3)));
     Ref full = within(l, SUB(away, K(1)), 0, 1);
@@ -200,7 +209,8 @@ static Ref rgb(Lower *l, Ref hsv)
 static Ref hsv(Lower *l, Ref rgb)
 {
     Ir *ir = l->ir;
-    Ref r = build_swizzle(ir, rgb, "x"), g = build_swizzle(ir, rgb, "y"), b = build_swizzle(ir, rgb, "z");
+    Ref r = build_swizzle(ir, rgb, "x"), g = build_swizzle(ir, rgb, "y"),
+        b = build_swizzle(ir, rgb, "z");
     Ref most = over_lanes(l, OP_max, rgb), spread = SUB(most, over_lanes(l, OP_min, rgb));
     Ref by_r = SUB(g, b), by_g = SUB(b, r), by_b = SUB(r, g);
     Ref is_r = build_eq(ir, most, r), is_g = build_eq(ir, most, g);
@@ -219,11 +229,13 @@ static Ref octaves(Lower *l, bool vector, Ref p, const Ref *args)
     return (vector ? area_vector_turbulence(l, at, args) : area_turbulence(l, at, args)).value;
 }
 
-/* |noise| of one octave; of what the pixel leaves out of it the mean, as if it were normal: 2.3 % off where all is. */
+/* |noise| of one octave; of what the pixel leaves out of it the mean, as if it were normal: 2.3 %
+ * off where all is. */
 static Ref folded_octave(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
-    const double share = .65; /* of the mean's square in the variance: 2 / pi, of noise 0.68 and 0.63 */
+    /* of the mean's square in the variance: 2 / pi, of noise 0.68 and 0.63 */
+    const double share = .65;
     const Ref single = build_int(ir, 1), two = build_float(ir, 2), half = build_float(ir, .5);
     const Ref one_octave[] = {single, two, half};
     const Answer noise = area_turbulence(l, answer_of(p), one_octave);
@@ -310,7 +322,8 @@ static Ref worley(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
     Ref jitter = build_float(ir, 1), style = build_int(ir, 0), dimensions = build_int(ir, 3);
-    return area_volume(l, KIND_Worley, answer_of(p), (const Ref[]){jitter, style, dimensions}, 3).value;
+    return area_volume(l, KIND_Worley, answer_of(p), (const Ref[]){jitter, style, dimensions}, 3)
+        .value;
 }
 
 #define CELL_NOISE(a)              cell_noise(l, three(l, a))
@@ -348,8 +361,8 @@ Ref lower_term(Lower *l, Term term, const Ref *args)
     Ir *ir = l->ir;
     Ref a = args[0], b = args[1], c = args[2], d = args[3], e = args[4];
     switch (term) {
-#define BUILD(name, built)                                                                                             \
-    case TERM_##name:                                                                                                  \
+#define BUILD(name, built)                                                                         \
+    case TERM_##name:                                                                              \
         return built;
 #include "grammar/expression.def"
     default:

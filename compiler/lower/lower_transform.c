@@ -14,14 +14,18 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
         for (int k = 0; k < size; k++)
             diagonal &= i == k || is_zero(ir, m[i][k]);
     if (diagonal)
-        return build_mul(ir, q, build_vec_of(ir, type, REFS(ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
+        return build_mul(
+            ir, q,
+            build_vec_of(ir, type, REFS(ir, m[0][0], m[1][1], size == 3 ? m[2][2] : 0), size));
     Ref args[4] = {q};
     for (int k = 0; k < size; k++)
-        args[k + 1] = build_vec_of(ir, type, REFS(ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
+        args[k + 1] =
+            build_vec_of(ir, type, REFS(ir, m[0][k], m[1][k], size == 3 ? m[2][k] : 0), size);
     return build_linear(ir, args, size + 1);
 }
 
-/* The same of a mean: lanes that vary independently are added up by the squares of their factors. */
+/* The same of a mean: lanes that vary independently are added up by the squares of their
+ * factors. */
 static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
 {
     Ref squares[3][3] = {{0}};
@@ -43,7 +47,8 @@ static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
     Ref c = build_cos(ir, angle), s = build_sin(ir, angle);
     Ref scale_u = lower_param(l, node_param(node, P_UVTransform_scaleU), TYPE_float);
     Ref scale_v = lower_param(l, node_param(node, P_UVTransform_scaleV), TYPE_float);
-    Ref sheared = build_mul(ir, lower_param(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
+    Ref sheared =
+        build_mul(ir, lower_param(l, node_param(node, P_UVTransform_shear), TYPE_float), scale_v);
     m[0][0] = build_add(ir, build_mul(ir, scale_u, c), build_mul(ir, sheared, s));
     m[0][1] = build_sub(ir, build_mul(ir, scale_u, s), build_mul(ir, sheared, c));
     m[1][0] = build_neg(ir, build_mul(ir, scale_v, s));
@@ -64,7 +69,8 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
     Ir *ir = l->ir;
     Ref m[3][3];
     uv_matrix(l, node, m);
-    Ref determinant = build_sub(ir, build_mul(ir, m[0][0], m[1][1]), build_mul(ir, m[0][1], m[1][0]));
+    Ref determinant =
+        build_sub(ir, build_mul(ir, m[0][0], m[1][1]), build_mul(ir, m[0][1], m[1][0]));
     Ref inverse = guarded_inverse(l, determinant);
     Ref by_u = group == GROUP_DU ? m[1][1] : build_neg(ir, m[0][1]);
     Ref by_v = group == GROUP_DU ? build_neg(ir, m[1][0]) : m[0][0];
@@ -84,9 +90,11 @@ static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
     Answer uv = answer_swizzle(l, uvw, "xy");
     uv.value = build_sub(ir, uv.value, offset);
     uv = turned(l, m, 2, uv);
-    Answer answer = answer_of(build_vec(ir, TYPE_vec3, uv.value, build_swizzle(ir, uvw.value, "z")));
+    Answer answer =
+        answer_of(build_vec(ir, TYPE_vec3, uv.value, build_swizzle(ir, uvw.value, "z")));
     if (uv.variance)
-        answer.variance = build_vec(ir, TYPE_vec3, uv.variance, build_swizzle(ir, uvw.variance, "z"));
+        answer.variance =
+            build_vec(ir, TYPE_vec3, uv.variance, build_swizzle(ir, uvw.variance, "z"));
     return answer;
 }
 
@@ -138,7 +146,8 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
     Ir *ir = l->ir;
     static const char *const lane[] = {"x", "y", "z"};
     Ref angles = lower_param(l, &transform->rotation, TYPE_vec3), turn[3][3], before[3][3];
-    Ref scale = lower_param(l, &transform->scale, TYPE_vec3), shear = lower_param(l, &transform->shear, TYPE_vec3);
+    Ref scale = lower_param(l, &transform->scale, TYPE_vec3),
+        shear = lower_param(l, &transform->shear, TYPE_vec3);
     identity(l, m);
     m[0][1] = build_swizzle(ir, shear, "x");
     m[0][2] = build_swizzle(ir, shear, "y");
@@ -204,6 +213,7 @@ Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
     Ref frequency = lower_param(l, node_param(node, P_Turbulence_frequencyRatio), TYPE_float);
     Ref noise_ratio = lower_param(l, node_param(node, P_Turbulence_noiseRatio), TYPE_float);
     Answer offset = area_vector_turbulence(l, q, (Ref[]){n, frequency, noise_ratio});
-    offset = answer_scaled(l, offset, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3));
+    offset =
+        answer_scaled(l, offset, lower_param(l, node_param(node, P_Turbulence_amount), TYPE_vec3));
     return answer_sum(l, q, offset);
 }

@@ -1,7 +1,8 @@
 /* Triplanar: its maps see the surface three times, with two of the position's lanes for u and v.
  *
- *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than 1/64, and counts nothing; y is asked at
- *     u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64) = .36, z at (.2, .3), .64 */
+ *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than
+ *     1/64, and counts nothing; y is asked at u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64)
+ *     = .36, z at (.2, .3), .64 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/slope.h"
@@ -33,19 +34,22 @@ static int place_number(Lower *l, Place place)
     return (int)l->place_count - 1;
 }
 
-/* The environment of an axis. The same texture coordinate in the same environment is the same place, so that Triplanars within each other, which read
- * one position, have three of them together. */
+/* The environment of an axis. The same texture coordinate in the same environment is the same
+ * place, so that Triplanars within each other, which read one position, have three of them
+ * together. */
 static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
 {
     static const char *const lanes[AXES] = {"yz", "xz", "xy"};
     Env made = *env;
-    made.root[GROUP_U] =
-        build_vec(l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, lanes[axis]), build_float(l->ir, 0));
-    made.number = (place_number(l, (Place){made.root[GROUP_U], env->number}) + 1) * PLACE_STRIDE + env->number % PLACE_STRIDE;
+    made.root[GROUP_U] = build_vec(l->ir, TYPE_vec3, build_swizzle(l->ir, p.value, lanes[axis]),
+                                   build_float(l->ir, 0));
+    made.number = (place_number(l, (Place){made.root[GROUP_U], env->number}) + 1) * PLACE_STRIDE +
+                  env->number % PLACE_STRIDE;
     return made;
 }
 
-/* |n|^k of the unit normal, by axis, as a share of all three; what of it is above TRIPLANAR_LEAST_SHARE counts. It is taken as constant where the map is differentiated. */
+/* |n|^k of the unit normal, by axis, as a share of all three; what of it is above
+ * TRIPLANAR_LEAST_SHARE counts. It is taken as constant where the map is differentiated. */
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
     Ir *ir = l->ir;
@@ -56,7 +60,8 @@ static Ref weights_of(Lower *l, Ref p, Ref sharpness)
     Ref base = build_max(ir, build_abs(ir, normal), build_all(ir, TYPE_vec3, least));
     Ref weight = build_pow(ir, base, build_splat(ir, sharpness, TYPE_vec3));
     const Ref ones = build_all(ir, TYPE_vec3, 1), sum = build_dot(ir, weight, ones);
-    Ref share = build_sub(ir, build_div(ir, weight, sum), build_all(ir, TYPE_vec3, TRIPLANAR_LEAST_SHARE));
+    Ref share =
+        build_sub(ir, build_div(ir, weight, sum), build_all(ir, TYPE_vec3, TRIPLANAR_LEAST_SHARE));
     share = build_max(ir, share, build_all(ir, TYPE_vec3, 0));
     return build_div(ir, share, build_dot(ir, share, ones));
 }
@@ -68,18 +73,21 @@ Answer lower_Triplanar(Lower *l, const Node *node, Group group, const Env *env)
     if (!projected_map(node, 0))
         return answer_as_group(l, answer_of(build_float(ir, 0)), group);
     const Answer p = lower_answer(l, lower_param_node(node, P_Triplanar_input), GROUP_X, env);
-    const Ref weight = weights_of(l, p.value, lower_param(l, node_param(node, P_Triplanar_sharpness), TYPE_float));
+    const Ref weight =
+        weights_of(l, p.value, lower_param(l, node_param(node, P_Triplanar_sharpness), TYPE_float));
     Answer side[AXES], sum = {0};
     Type type = TYPE_float;
     for (int i = 0; i < AXES; i++) {
         const Env there = projected_env(l, env, p, i);
         side[i] = lower_arm(l, projected_map(node, i), GROUP_R, &there);
-        type = i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
+        type =
+            i ? answer_common_type(type, ir_type(ir, side[i].value)) : ir_type(ir, side[i].value);
     }
     for (int i = 0; i < AXES; i++) {
         const Ref share = build_swizzle(ir, weight, lane[i]);
         Answer own = answer_widened(l, side[i], type);
-        const bool shared = side[i].value == side[(i + 1) % AXES].value || side[i].value == side[(i + 2) % AXES].value;
+        const bool shared = side[i].value == side[(i + 1) % AXES].value ||
+                            side[i].value == side[(i + 2) % AXES].value;
         if (l->cheap && !shared && blend_is_costly(ir, own.value) && !ir_is(ir, share, OP_const))
             own.value = blend_guarded(l, build_lt(ir, build_float(ir, 0), share), own.value);
         const Answer part = answer_scaled(l, own, share);

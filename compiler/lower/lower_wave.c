@@ -25,8 +25,8 @@ static Ref point_value(Lower *l, WaveKind kind, Ref v)
 {
     Ir *ir = l->ir;
     switch (kind) {
-#define WAVE(name, reference, build, doc)                                                                              \
-    case WAVE_##name:                                                                                                  \
+#define WAVE(name, reference, build, doc)                                                          \
+    case WAVE_##name:                                                                              \
         return build;
 #include "grammar/waves.def"
     default:
@@ -44,8 +44,8 @@ static BoxMean box_mean(Lower *l, WaveKind kind, Ref v, Ref w)
 {
     Ir *ir = l->ir;
     switch (kind) {
-#define MEAN(name, mean, left, length)                                                                                 \
-    case WAVE_##name:                                                                                                  \
+#define MEAN(name, mean, left, length)                                                             \
+    case WAVE_##name:                                                                              \
         return (BoxMean){mean, left, length};
 #include "grammar/waves.def"
     default:
@@ -58,8 +58,8 @@ static Ref rate(Lower *l, WaveKind kind, Ref v)
 {
     Ir *ir = l->ir;
     switch (kind) {
-#define RATE(name, rate)                                                                                               \
-    case WAVE_##name:                                                                                                  \
+#define RATE(name, rate)                                                                           \
+    case WAVE_##name:                                                                              \
         return rate;
 #include "grammar/waves.def"
     default:
@@ -67,7 +67,8 @@ static Ref rate(Lower *l, WaveKind kind, Ref v)
     }
 }
 
-/* All of the variance once the box holds a period; below, about the cube of its share is not seen in the mean's slope. */
+/* All of the variance once the box holds a period; below, about the cube of its share is not seen
+ * in the mean's slope. */
 static Ref period_variance(Lower *l, Ref w, double variance, double period)
 {
     Ir *ir = l->ir;
@@ -88,7 +89,8 @@ static Answer one_wave(Lower *l, WaveKind kind, Answer v)
     Ref w = footprint_edges(l, v);
     const BoxMean box = w ? box_mean(l, kind, v.value, w) : (BoxMean){0, 0, 1};
     Answer answer = answer_of(box.mean ? box.mean : point_value(l, kind, v.value));
-    answer.variance = box.variance > 0 ? period_variance(l, w, box.variance, box.period) : passed_variance(l, kind, v);
+    answer.variance = box.variance > 0 ? period_variance(l, w, box.variance, box.period)
+                                       : passed_variance(l, kind, v);
     return answer;
 }
 

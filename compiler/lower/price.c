@@ -1,8 +1,10 @@
-/* Each map that may be averaged is lowered by itself, in the order of the document, in two IRs: with the means of all maps up to it, and with none.
- * What the one has more than the other, it costs.
+/* Each map that may be averaged is lowered by itself, in the order of the document, in two IRs:
+ * with the means of all maps up to it, and with none. What the one has more than the other, it
+ * costs.
  *
- *     625 checkers of one turbulence, in a program of 13,774 operations. The mean of the first needs the turbulence's slopes: it costs 1,832
- *     more than its point, and a tenth of the program is 1,377. So none is averaged, which two times 40 nodes told of 9,000 */
+ *     625 checkers of one turbulence, in a program of 13,774 operations. The mean of the first
+ *     needs the turbulence's slopes: it costs 1,832 more than its point, and a tenth of the program
+ *     is 1,377. So none is averaged, which two times 40 nodes told of 9,000 */
 #include "compiler/lower/price.h"
 #include "compiler/base/stack.h"
 #include <math.h>
@@ -42,7 +44,8 @@ static void close_side(Side *side)
 
 static void want_counted(Side *side, Ref ref)
 {
-    side->counted = arena_reach(&side->arena, side->counted, ref, &side->room, sizeof *side->counted);
+    side->counted =
+        arena_reach(&side->arena, side->counted, ref, &side->room, sizeof *side->counted);
     if (!side->counted[ref])
         ARENA_PUSH(&side->arena, side->to_count, side->to_count_count, side->to_count_room, ref);
     side->counted[ref] = 1;
@@ -71,7 +74,10 @@ static void add_map(Side *side, const MetMap *met)
 }
 
 /* A mean has nodes of its own. */
-static bool are_alike(const Side *a, const Side *b) { return a->nodes == b->nodes && a->cost == b->cost; }
+static bool are_alike(const Side *a, const Side *b)
+{
+    return a->nodes == b->nodes && a->cost == b->cost;
+}
 
 typedef struct {
     const LowerRequest *what;
@@ -89,12 +95,14 @@ static void price(void *user)
     open_side(&points, p->what, 0);
     open_side(&means, p->what, p->prices.count ? prices->ends[prices->count - 1] : 0);
     for (size_t at = 0; prices->known < prices->count && prices->upto[prices->known] <= p->most;) {
-        for (; at < p->maps->count && p->maps->at[at].map->index < prices->ends[prices->known]; at++) {
+        for (; at < p->maps->count && p->maps->at[at].map->index < prices->ends[prices->known];
+             at++) {
             alike &= p->maps->at[at].outside;
             add_map(&points, &p->maps->at[at]);
             add_map(&means, &p->maps->at[at]);
         }
-        prices->upto[prices->known + 1] = fmax(prices->upto[prices->known], means.cost - points.cost);
+        prices->upto[prices->known + 1] =
+            fmax(prices->upto[prices->known], means.cost - points.cost);
         prices->known++;
         alike &= are_alike(&points, &means);
         prices->alike += alike;

@@ -1,16 +1,20 @@
-/* The slopes of a displacement: finite, GroIMP's channels; analytic, of all that is computed; auto, both by one law:
+/* The slopes of a displacement: finite, GroIMP's channels; analytic, of all that is computed; auto,
+ * both by one law:
  *
- *     the derivative of what the displacement computes, by the chain rule, in which a map with a STEP row (maps.def: it jumps, or is a
- *     picture) has GroIMP's finite difference for its derivative by its own coordinate.
+ *     the derivative of what the displacement computes, by the chain rule, in which a map with a
+ *     STEP row (maps.def: it jumps, or is a picture) has GroIMP's finite difference for its
+ *     derivative by its own coordinate.
  *
- * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at item 1. At a point of a black
- * square, .02 of u' before the edge to a white one:
- *     the Checker is one of two, so the Blend is asked for both: H = c ? w : 0, and dH = c ? dw : 0, + (w - 0) dc
- *     dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8 times that: the edge has the slope 160 w
+ * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at
+ * item 1. At a point of a black square, .02 of u' before the edge to a white one:
+ *     the Checker is one of two, so the Blend is asked for both: H = c ? w : 0, and dH = c ? dw :
+ *     0, + (w - 0) dc dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8
+ *     times that: the edge has the slope 160 w
  * Within the squares it is 0 or dw, exactly; the edges are bevels of a tenth of a square.
  *
- * What has such a map below it is lowered for itself and without the local rules: each counts by itself, whatever the optimiser joins
- * later, and the plain forms have one slope where two pieces meet. So all levels of -O have one relief. */
+ * What has such a map below it is lowered for itself and without the local rules: each counts by
+ * itself, whatever the optimiser joins later, and the plain forms have one slope where two pieces
+ * meet. So all levels of -O have one relief. */
 #include "compiler/lower/relief.h"
 #include "compiler/lower/slope.h"
 
@@ -23,7 +27,8 @@ static Ref number(Lower *l, Ref value)
     return build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
 }
 
-/* (f(q + h e) - f(q)) / h, e along a lane. f repeats, so whole numbers are dropped first: far out the step would be lost beside them. */
+/* (f(q + h e) - f(q)) / h, e along a lane. f repeats, so whole numbers are dropped first: far out
+ * the step would be lost beside them. */
 static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
 {
     Ir *ir = l->ir;
@@ -45,7 +50,8 @@ void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3])
         Ref change = slope_of(l, q, directions[d]), slope = 0;
         for (int i = 0; change && i < ir_lanes(ir, q); i++)
             if (rate[i])
-                slope = build_plus(ir, slope, build_mul(ir, rate[i], build_swizzle(ir, change, lane_name[i])));
+                slope = build_plus(ir, slope,
+                                   build_mul(ir, rate[i], build_swizzle(ir, change, lane_name[i])));
         slope_set(l, value, directions[d], slope);
     }
 }
@@ -113,14 +119,16 @@ static Ref channel(Lower *l, const Node *displacement, Group group, const Env *e
 
 static Slopes channels(Lower *l, const Node *displacement, const Env *env)
 {
-    Ref by_u = channel(l, displacement, GROUP_DU, env), by_v = channel(l, displacement, GROUP_DV, env);
+    Ref by_u = channel(l, displacement, GROUP_DU, env),
+        by_v = channel(l, displacement, GROUP_DV, env);
     return (Slopes){by_u, by_v};
 }
 
 Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env)
 {
-    return l->job->choice[AXIS_derivatives] == CHOICE_derivatives_analytic ? computed(l, make, what, env)
-                                                                           : stepped(l, make, what, env);
+    return l->job->choice[AXIS_derivatives] == CHOICE_derivatives_analytic
+               ? computed(l, make, what, env)
+               : stepped(l, make, what, env);
 }
 
 Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
@@ -128,9 +136,10 @@ Slopes relief_slopes(Lower *l, const Node *bump, const Env *env)
     Ir *ir = l->ir;
     const Node *displacement = lower_param_node(bump, P_BumpMap_displacement);
     const Choice how = (Choice)l->job->choice[AXIS_derivatives];
-    Slopes slopes = how == CHOICE_derivatives_finite     ? channels(l, displacement, env)
-                    : how == CHOICE_derivatives_analytic ? computed(l, red, displacement, env).slopes
-                                                         : stepped(l, red, displacement, env).slopes;
+    Slopes slopes = how == CHOICE_derivatives_finite ? channels(l, displacement, env)
+                    : how == CHOICE_derivatives_analytic
+                        ? computed(l, red, displacement, env).slopes
+                        : stepped(l, red, displacement, env).slopes;
     lower_note_relief(l, displacement, slopes.u, slopes.v);
     slopes.u = build_or_zero(ir, slopes.u, TYPE_float);
     slopes.v = build_or_zero(ir, slopes.v, TYPE_float);

@@ -1,9 +1,9 @@
-/* Derivatives by the chain rule, from the SLOPE lines of ops.def and the rows of slopes.def. Every (value, direction) is
- * differentiated once.
+/* Derivatives by the chain rule, from the SLOPE lines of ops.def and the rows of slopes.def. Every
+ * (value, direction) is differentiated once.
  *
  *     r = mul(a, b), a = sin(u), b = 3, along u: da = cos(u), db = 0
- *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES of no change is no node, and PLUS of one is the other, so
- *     what is made is 3 cos(u), and nothing is left to be folded away */
+ *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES of no change is no node, and PLUS of
+ *     one is the other, so what is made is 3 cos(u), and nothing is left to be folded away */
 #include "compiler/lower/slope.h"
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
@@ -35,7 +35,8 @@ static Ref pick(Ir *ir, const Ref x[3])
     Ref mask = x[0], a = x[1], b = x[2];
     if (!a && !b)
         return 0;
-    return build_plus(ir, build_times(ir, mask, a), build_times(ir, build_sub(ir, build_float(ir, 1), mask), b));
+    return build_plus(ir, build_times(ir, mask, a),
+                      build_times(ir, build_sub(ir, build_float(ir, 1), mask), b));
 }
 
 /* sqrt(1 - a^2), not 0: at the ends of an arc the derivative is cut rather than infinite. */
@@ -53,7 +54,10 @@ static Ref arc(Ir *ir, Ref a)
 #define PICK(m, a, b) pick(ir, REFS(ir, m, a, b))
 #define ARC(a)        arc(ir, a)
 
-static Ref operand(const Ir *ir, Ref ref, int i) { return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0; }
+static Ref operand(const Ir *ir, Ref ref, int i)
+{
+    return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0;
+}
 
 /* Of an operation that works by lane: the SLOPE lines of ops.def. */
 static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
@@ -61,8 +65,8 @@ static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
     Ref a = operand(ir, r, 0), b = operand(ir, r, 1), c = operand(ir, r, 2);
     Ref da = slopes[0], db = slopes[1], dc = slopes[2];
     switch (ir_at(ir, r)->op) {
-#define SLOPE(name, slope)                                                                                             \
-    case OP_##name:                                                                                                    \
+#define SLOPE(name, slope)                                                                         \
+    case OP_##name:                                                                                \
         return slope;
 #include "grammar/ops.def"
     default:
@@ -86,7 +90,8 @@ static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_lanes(ir, slopes[0], ir_at(ir, ref)->payload, ir_lanes(ir, ref));
 }
 
-/* A condition whose finite step is known (relief.c) counts as a number from 0 to 1; others do not change. */
+/* A condition whose finite step is known (relief.c) counts as a number from 0 to 1; others do not
+ * change. */
 static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     const Type type = ir_type(ir, ref);
@@ -94,7 +99,8 @@ static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
     if (slopes[1] && build_is_guard(ir, ref))
         within = build_guard(ir, condition, slopes[1]);
     else if (slopes[1] || slopes[2])
-        within = build_select(ir, condition, build_or_zero(ir, slopes[1], type), build_or_zero(ir, slopes[2], type));
+        within = build_select(ir, condition, build_or_zero(ir, slopes[1], type),
+                              build_or_zero(ir, slopes[2], type));
     return build_plus(ir, within, slopes[0] ? build_mul(ir, build_sub(ir, a, b), slopes[0]) : 0);
 }
 
@@ -115,7 +121,8 @@ static Ref length_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_over(ir, toward, build_max(ir, ref, build_float(ir, least)));
 }
 
-/* A matrix times a vector: the matrix times the vector's change, and the columns' changes times the vector. */
+/* A matrix times a vector: the matrix times the vector's change, and the columns' changes times the
+ * vector. */
 static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     Ref moved[5], turned[5];
@@ -128,18 +135,21 @@ static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
     }
     moved[0] = slopes[0];
     turned[0] = ir_arg(ir, ref, 0);
-    return build_plus(ir, moved[0] ? build_linear(ir, moved, count) : 0, turns ? build_linear(ir, turned, count) : 0);
+    return build_plus(ir, moved[0] ? build_linear(ir, moved, count) : 0,
+                      turns ? build_linear(ir, turned, count) : 0);
 }
 
-/* f(a + h d) and f(a - h d), for a library function whose derivative nobody wrote down: error h^2 / 6 of the third one. */
+/* f(a + h d) and f(a - h d), for a library function whose derivative nobody wrote down: error h^2 /
+ * 6 of the third one. */
 static Ref difference_slope(Ir *ir, Ref ref, const Ref *args, const Ref *slopes, int count)
 {
     const double step = 1.0 / 256;
     Ref ends[2], moved[16];
     for (int side = 0; side < 2; side++) {
         for (int i = 0; i < count; i++)
-            moved[i] = build_plus(ir, args[i],
-                                  slopes[i] ? build_times(ir, build_float(ir, side ? -step : step), slopes[i]) : 0);
+            moved[i] = build_plus(
+                ir, args[i],
+                slopes[i] ? build_times(ir, build_float(ir, side ? -step : step), slopes[i]) : 0);
         ends[side] = build_call_of(ir, (int)ir_at(ir, ref)->payload, moved, count);
     }
     return build_scale(ir, build_sub(ir, ends[0], ends[1]), 0.5 / step);
@@ -169,7 +179,8 @@ static Ref power_slope(Ir *ir, const Ref *args, Ref d)
     double n = ir_numbers(ir, args[1])[0];
     if (!d)
         return 0;
-    Ref lower = n > 1 ? build_call(ir, FN_powerCompensated, args[0], build_int(ir, n - 1)) : build_float(ir, 1);
+    Ref lower = n > 1 ? build_call(ir, FN_powerCompensated, args[0], build_int(ir, n - 1))
+                      : build_float(ir, 1);
     return build_times(ir, build_scale(ir, lower, n), d);
 }
 
@@ -193,8 +204,10 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
     case SLOPE_gradient:
         if (!d)
             return 0;
-        return build_dot(
-            ir, build_swizzle(ir, call_sibling(ir, row, args, node.count, 0), ir_lanes(ir, d) == 2 ? "xy" : "xyz"), d);
+        return build_dot(ir,
+                         build_swizzle(ir, call_sibling(ir, row, args, node.count, 0),
+                                       ir_lanes(ir, d) == 2 ? "xy" : "xyz"),
+                         d);
     case SLOPE_along:
         return d ? call_sibling(ir, row, args, node.count, d) : 0;
     case SLOPE_limited:
@@ -209,7 +222,8 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
     return difference_slope(ir, ref, args, slopes, node.count);
 }
 
-/* A function of the program gets a function of its derivative. What its arguments change by was set when it was made. */
+/* A function of the program gets a function of its derivative. What its arguments change by was set
+ * when it was made. */
 static Ref apply_slope(Lower *l, Ref ref, Direction direction)
 {
     IrNode node = *ir_at(l->ir, ref);
@@ -222,7 +236,8 @@ static Ref apply_slope(Lower *l, Ref ref, Direction direction)
         args[i] = ir_arg(l->ir, ref, i);
     uint32_t origin = l->ir->origin;
     l->ir->origin = l->ir->functions[function].origin;
-    int derived = ir_function(l->ir, l->ir->functions[function].arguments, l->ir->functions[function].count, slope);
+    int derived = ir_function(l->ir, l->ir->functions[function].arguments,
+                              l->ir->functions[function].count, slope);
     l->ir->origin = origin;
     node.type = ir_at(l->ir, slope)->type;
     node.payload = (uint32_t)derived;
@@ -235,7 +250,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     const Input input = (Input)ir_at(ir, ref)->payload;
     static const struct {
         Input of, by[2];
-    } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}}, {INPUT_P, {INPUT_DU, INPUT_DV}},
+    } tangents[] = {{INPUT_X, {INPUT_XU, INPUT_XV}},
+                    {INPUT_P, {INPUT_DU, INPUT_DV}},
                     {INPUT_vertexX, {INPUT_vertexXU, INPUT_vertexXV}},
                     {INPUT_vertexP, {INPUT_vertexDU, INPUT_vertexDV}},
                     {INPUT_cornerX, {INPUT_cornerXU, INPUT_cornerXV}},
@@ -244,7 +260,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
         if (input == INPUT_DU || input == INPUT_DV)
             return 0; /* no footprint asks how tangents turn: slope_mesh_tangent alone */
         for (int i = 0; i < change_count; i++)
-            if (change_table[i].of == input && (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))
+            if (change_table[i].of == input &&
+                (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))
                 return build_input(ir, change_table[i].input);
         return 0;
     }
@@ -257,7 +274,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
-/* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any changes. */
+/* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any
+ * changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
     bool any = false;
@@ -274,8 +292,9 @@ static Ref sum_slope(Lower *l, const SlopeSum *sum, Direction direction)
 {
     Ref slope = 0;
     for (int i = 0; i < sum->count; i++)
-        slope = build_plus(l->ir, slope,
-                           build_times(l->ir, sum->terms[i].factor, slope_of(l, sum->terms[i].of, direction)));
+        slope = build_plus(
+            l->ir, slope,
+            build_times(l->ir, sum->terms[i].factor, slope_of(l, sum->terms[i].of, direction)));
     return slope;
 }
 
@@ -288,14 +307,14 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     if (texels)
         return slope_of(l, texels, direction);
     switch (ir_at(l->ir, ref)->op) {
-#define SLOPE_ALONG(name, function)                                                                                    \
-    case OP_##name:                                                                                                    \
+#define SLOPE_ALONG(name, function)                                                                \
+    case OP_##name:                                                                                \
         return function(l, ref, direction);
-#define SLOPE_NODE(name, function)                                                                                     \
-    case OP_##name:                                                                                                    \
+#define SLOPE_NODE(name, function)                                                                 \
+    case OP_##name:                                                                                \
         return operand_slopes(l, ref, direction, slopes) ? function(l->ir, ref, slopes) : 0;
-#define SLOPE(name, slope)                                                                                             \
-    case OP_##name:                                                                                                    \
+#define SLOPE(name, slope)                                                                         \
+    case OP_##name:                                                                                \
         return operand_slopes(l, ref, direction, slopes) ? lanes_slope(l->ir, ref, slopes) : 0;
 #include "grammar/ops.def"
     default:
@@ -303,7 +322,8 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* What a value's derivative is made of: the operands', where it runs a function the result's, of a sampler the texels', or what was said of it. */
+/* What a value's derivative is made of: the operands', where it runs a function the result's, of a
+ * sampler the texels', or what was said of it. */
 static int parts_of(Lower *l, Ref ref)
 {
     const SlopeSum *sum = slope_sum_of(l, ref);
@@ -342,7 +362,8 @@ static void find_slope(Lower *l, Ref value, Direction direction)
     slope_set(l, value, direction, slope);
 }
 
-/* Operands first, the left one before the right, on a stack of its own: a tree of maps may be deeper than the caller's stack. */
+/* Operands first, the left one before the right, on a stack of its own: a tree of maps may be
+ * deeper than the caller's stack. */
 Ref slope_of(Lower *l, Ref value, Direction direction)
 {
     size_t before = l->to_differ_count;
@@ -365,7 +386,8 @@ Ref slope_of(Lower *l, Ref value, Direction direction)
 Ref slope_detached(Lower *l, Ref value, Direction direction)
 {
     Ref slope = slope_of(l, value, direction);
-    if (!slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) || ir_is(l->ir, slope, OP_attribute))
+    if (!slope || ir_is(l->ir, slope, OP_const) || ir_is(l->ir, slope, OP_input) ||
+        ir_is(l->ir, slope, OP_attribute))
         return slope;
     l->detached = true;
     return build_detach(l->ir, slope);

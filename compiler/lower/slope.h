@@ -1,20 +1,25 @@
-/* Forward differentiation of the IR: how a value changes along a direction, from how the surface point does. */
+/* Forward differentiation of the IR: how a value changes along a direction, from how the surface
+ * point does. */
 #ifndef MATC_SLOPE_H
 #define MATC_SLOPE_H
 #include "compiler/lower/lower.h"
 
-/* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has derivative 0. */
+/* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has
+ * derivative 0. */
 Ref slope_of(Lower *l, Ref value, Direction direction);
-/* The same, as a value that itself does not change along any direction: a footprint. No rule sees through that. */
+/* The same, as a value that itself does not change along any direction: a footprint. No rule sees
+ * through that. */
 Ref slope_detached(Lower *l, Ref value, Direction direction);
 /* Takes the marks of footprints out of the IR, when nothing is differentiated any more. */
 void slope_done(Lower *l);
-/* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of a function's argument. */
+/* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of
+ * a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
 /* Of an attribute of the mesh. slope_attribute.c */
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
-/* Of the normal as the mesh has it, by u or by v; 0: it is the same all over, as a plane's. What maps make of a normal has no such slope. */
+/* Of the normal as the mesh has it, by u or by v; 0: it is the same all over, as a plane's. What
+ * maps make of a normal has no such slope. */
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
 /* The same of a tangent as the mesh has it. */
 Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction);
@@ -28,7 +33,8 @@ typedef struct SlopeSum {
     int count;
 } SlopeSum;
 typedef const SlopeTerm *SlopeTerms(Lower *l, const void *what);
-/* Says that of a value. Its terms, so many, are asked for once, if at all. Returns what was said of it before, which holds; NULL: nothing. */
+/* Says that of a value. Its terms, so many, are asked for once, if at all. Returns what was said of
+ * it before, which holds; NULL: nothing. */
 const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count);
 const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: it is none */
 #endif

@@ -1,17 +1,22 @@
-/* Attributes of the mesh, its normal and its tangents, by the surface's u and v. Over a triangle an attribute a is linear, and so are u and v: with its changes to the next pixels and theirs,
- * a_x = a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0
- * where that is.
+/* Attributes of the mesh, its normal and its tangents, by the surface's u and v. Over a triangle an
+ * attribute a is linear, and so are u and v: with its changes to the next pixels and theirs, a_x =
+ * a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and
+ * a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0 where that is.
  *
- *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 * .1 / .01 = 3 */
+ *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 *
+ *     .1 / .01 = 3 */
 #include "compiler/lower/slope.h"
 #include "compiler/ir/build.h"
 
 static Ref by_surface(Ir *ir, Ref ax, Ref ay, bool by_v)
 {
     const double least = 1e-30;
-    Ref x = build_input(ir, INPUT_UX), ux = build_swizzle(ir, x, "x"), vx = build_swizzle(ir, x, "y");
-    Ref y = build_input(ir, INPUT_UY), uy = build_swizzle(ir, y, "x"), vy = build_swizzle(ir, y, "y");
-    Ref p = build_mul(ir, ux, vy), q = build_mul(ir, uy, vx), d = build_sub(ir, p, q), size = build_abs(ir, d);
+    Ref x = build_input(ir, INPUT_UX), ux = build_swizzle(ir, x, "x"),
+        vx = build_swizzle(ir, x, "y");
+    Ref y = build_input(ir, INPUT_UY), uy = build_swizzle(ir, y, "x"),
+        vy = build_swizzle(ir, y, "y");
+    Ref p = build_mul(ir, ux, vy), q = build_mul(ir, uy, vx), d = build_sub(ir, p, q),
+        size = build_abs(ir, d);
     Ref none = build_lt(ir, size, build_float(ir, least)), one = build_float(ir, 1);
     Ref over = build_div(ir, one, build_select(ir, none, one, d));
     over = build_select(ir, none, build_float(ir, 0), over);
@@ -26,14 +31,18 @@ Ref slope_attribute(Lower *l, Ref ref, Direction direction)
     const int attribute = (int)attribute_of(payload);
     if (attribute_part(payload) != ATTRIBUTE_value)
         return 0;
-    Ref ax = build_attribute(l->ir, attribute, ATTRIBUTE_by_x), ay = build_attribute(l->ir, attribute, ATTRIBUTE_by_y);
+    Ref ax = build_attribute(l->ir, attribute, ATTRIBUTE_by_x),
+        ay = build_attribute(l->ir, attribute, ATTRIBUTE_by_y);
     if (direction == DIRECTION_right || direction == DIRECTION_up)
         return direction == DIRECTION_right ? ax : ay;
     return by_surface(l->ir, ax, ay, direction == DIRECTION_v);
 }
 
 /* The input that a value is; INPUT_COUNT: it is none. */
-static Input input_of(const Ir *ir, Ref value) { return ir_is(ir, value, OP_input) ? (Input)ir_at(ir, value)->payload : INPUT_COUNT; }
+static Input input_of(const Ir *ir, Ref value)
+{
+    return ir_is(ir, value, OP_input) ? (Input)ir_at(ir, value)->payload : INPUT_COUNT;
+}
 
 static Ref slope_varying(Ir *ir, const Input changes[2], Direction direction)
 {

@@ -1,4 +1,5 @@
-/* Derivatives that are said as sums, before anything asks: of what has another form than the one to differentiate. */
+/* Derivatives that are said as sums, before anything asks: of what has another form than the one to
+ * differentiate. */
 #include "compiler/lower/slope.h"
 
 struct LateSum {

@@ -23,7 +23,8 @@ static bool run(Session *session, Ir *ir, const OptPass *pass, bool *progress)
     return !fault;
 }
 
-/* Until nothing changes: where all passes of a round left everything as it is, another round would, too. */
+/* Until nothing changes: where all passes of a round left everything as it is, another round would,
+ * too. */
 static bool run_rounds(Session *session, Ir *ir)
 {
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
@@ -44,15 +45,18 @@ static bool run_rounds(Session *session, Ir *ir)
     return true;
 }
 
-/* The builder has applied the local rules to every node as it was made; what they gain from knowing uses and ranges is left,
- * and each gain may make room for another. What is needed once more than a guard's branch is known when all else is done, and so are
- * values beside gradients whose arguments came to be the same only then. */
+/* The builder has applied the local rules to every node as it was made; what they gain from knowing
+ * uses and ranges is left, and each gain may make room for another. What is needed once more than a
+ * guard's branch is known when all else is done, and so are values beside gradients whose arguments
+ * came to be the same only then. */
 bool opt_run(Session *session, Ir *ir)
 {
-    static const OptPass merge = {"merge", opt_merge}, centre = {"centre", opt_centre}, guard = {"guard", opt_guard};
+    static const OptPass merge = {"merge", opt_merge}, centre = {"centre", opt_centre},
+                         guard = {"guard", opt_guard};
     bool merged = false, settled = false;
-    if (!run(session, ir, &merge, &merged) || (ir->texture_count && !run(session, ir, &centre, &merged)) ||
-        !run_rounds(session, ir) || !run(session, ir, &merge, &settled) || !run(session, ir, &guard, &settled))
+    if (!run(session, ir, &merge, &merged) ||
+        (ir->texture_count && !run(session, ir, &centre, &merged)) || !run_rounds(session, ir) ||
+        !run(session, ir, &merge, &settled) || !run(session, ir, &guard, &settled))
         return false;
     return !settled || run_rounds(session, ir);
 }

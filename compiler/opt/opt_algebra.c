@@ -3,7 +3,8 @@
 #include "compiler/ir/build_words.h"
 #include <math.h>
 
-/* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as one writes it. */
+/* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as
+ * one writes it. */
 static bool ordered_wrongly(const Ir *ir, Ref a, Ref b)
 {
     bool a_number = ir_is(ir, a, OP_const), b_number = ir_is(ir, b, OP_const);
@@ -97,8 +98,8 @@ Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user)
     Ref c = node->count > 2 ? ir_arg(ir, ref, 2) : 0;
     switch (node->op) {
 #define ON(op) case OP_##op:
-#define RULE(condition, result, why)                                                                                   \
-    if (condition)                                                                                                     \
+#define RULE(condition, result, why)                                                               \
+    if (condition)                                                                                 \
         return result;
 #define END break;
 #include "grammar/rules.def"

@@ -1,12 +1,13 @@
-/* Drops the nodes that the outputs do not reach, the functions that nothing calls and the textures that nothing samples, and
- * numbers the rest anew. */
+/* Drops the nodes that the outputs do not reach, the functions that nothing calls and the textures
+ * that nothing samples, and numbers the rest anew. */
 #include "compiler/opt/opt.h"
 #include <string.h>
 
 static void keep_function(Ir *ir, size_t from, size_t to, const Ref *moved)
 {
     IrFunction function = ir->functions[from];
-    Ref *arguments = ARENA_ARRAY(ir->arena, Ref, function.count); /* another function may share the old list */
+    /* another function may share the old list */
+    Ref *arguments = ARENA_ARRAY(ir->arena, Ref, function.count);
     function.result = moved[function.result];
     for (int i = 0; i < function.count; i++)
         arguments[i] = moved[function.arguments[i]];

@@ -1,13 +1,17 @@
-/* Functions that do not depend on their arguments become their bodies; arguments and lanes that are not read are dropped.
+/* Functions that do not depend on their arguments become their bodies; arguments and lanes that are
+ * not read are dropped.
  *
  *     f(p, st) = noise(p)    the calls f(a, b) become g(a), g(p) = noise(p)
- *     f(p).x, f(q).x         of a vec3 f, which no other lanes are read of, become h(p), h(q), h(p) = f(p).x
+ *     f(p).x, f(q).x         of a vec3 f, which no other lanes are read of, become h(p), h(q), h(p)
+ *                            = f(p).x
  *     f(p, st) = 0.5         the calls become 0.5, and a kernel's sum of it 27 times that */
 #include "compiler/opt/opt.h"
 
-enum { MOST_TOLD_APART = 64 }; /* arguments of a program; of any further one every function is taken to read it */
+/* arguments of a program; of any further one every function is taken to read it */
+enum { MOST_TOLD_APART = 64 };
 
-/* Which arguments of the program every value reads: a bit each, by their order. One sweep finds them for all functions. */
+/* Which arguments of the program every value reads: a bit each, by their order. One sweep finds
+ * them for all functions. */
 static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
 {
     uint64_t *read = ARENA_ARRAY(scratch, uint64_t, ir->count);
@@ -181,8 +185,8 @@ bool opt_function(Ir *ir)
         return false;
     Arena *scratch = &ir->scratch;
     Plan plan = {arguments_read(ir, scratch), lanes_read(ir, scratch),
-                 ARENA_ARRAY(scratch, int, ir->function_count + 1), ARENA_ARRAY(scratch, int, ir->function_count + 1),
-                 ir->function_count};
+                 ARENA_ARRAY(scratch, int, ir->function_count + 1),
+                 ARENA_ARRAY(scratch, int, ir->function_count + 1), ir->function_count};
     bool changed = ir_sweep(ir, simplify, &plan);
     return changed;
 }

@@ -5,18 +5,21 @@
  *     x * 20 * 4 * 0.04        x * 3.2
  *     (x * 6) / 0.1            x * 60
  *
- * Not where something else uses the inner value: it is computed then as before, and what was equal to it would be so no longer. */
+ * Not where something else uses the inner value: it is computed then as before, and what was equal
+ * to it would be so no longer. */
 #include "compiler/opt/opt.h"
 #include <float.h>
 #include <math.h>
 
-/* Numbers up to there are grouped: neither their sums nor their products with a few others leave a float's range. */
+/* Numbers up to there are grouped: neither their sums nor their products with a few others leave a
+ * float's range. */
 #define LARGEST_GROUPED  1e15
 #define SMALLEST_GROUPED 1e-15
 
 typedef struct {
     Ref x, constant;
-    bool inverted; /* a sum: constant - x, else x + constant; a product: constant / x, else x * constant */
+    /* a sum: constant - x, else x + constant; a product: constant / x, else x * constant */
+    bool inverted;
     bool opposite; /* a sum: x - constant; a product: x / constant */
 } Term;
 
@@ -30,12 +33,14 @@ static bool is_moderate(const Ir *ir, Ref ref, double least)
     if (!ir_is(ir, ref, OP_const))
         return false;
     for (int i = 0; i < ir_lanes(ir, ref); i++)
-        if (!(fabs(ir_numbers(ir, ref)[i]) >= least && fabs(ir_numbers(ir, ref)[i]) <= LARGEST_GROUPED))
+        if (!(fabs(ir_numbers(ir, ref)[i]) >= least &&
+              fabs(ir_numbers(ir, ref)[i]) <= LARGEST_GROUPED))
             return false;
     return true;
 }
 
-/* A node of `straight` or `opposite` with one constant: add and sub of a sum, mul and div of a product. */
+/* A node of `straight` or `opposite` with one constant: add and sub of a sum, mul and div of a
+ * product. */
 static bool find_term(const Ir *ir, Ref ref, Op straight, Op opposite, Term *term)
 {
     if (!ir_is(ir, ref, straight) && !ir_is(ir, ref, opposite))
@@ -61,7 +66,8 @@ static Ref without_rounding(Ir *ir, Ref sum, Ref a, Ref b)
     for (int i = 0; i < ir_lanes(ir, sum); i++) {
         const double of_a = ir_numbers(ir, a)[ir_lanes(ir, a) > 1 ? i : 0],
                      of_b = ir_numbers(ir, b)[ir_lanes(ir, b) > 1 ? i : 0];
-        const bool nothing = fabs(ir_numbers(ir, sum)[i]) <= 2 * DBL_EPSILON * (fabs(of_a) + fabs(of_b));
+        const bool nothing =
+            fabs(ir_numbers(ir, sum)[i]) <= 2 * DBL_EPSILON * (fabs(of_a) + fabs(of_b));
         lanes[i] = nothing ? 0 : ir_numbers(ir, sum)[i];
         cancels |= lanes[i] != ir_numbers(ir, sum)[i];
     }
@@ -71,7 +77,8 @@ static Ref without_rounding(Ir *ir, Ref sum, Ref a, Ref b)
 /* outer(inner(x)) as one sum: signs of x and of the constants multiply. */
 static Ref sum_of(Ir *ir, const Term *outer, const Term *inner)
 {
-    const bool minus_x = outer->inverted != inner->inverted, minus_inner = inner->opposite != outer->inverted;
+    const bool minus_x = outer->inverted != inner->inverted,
+               minus_inner = inner->opposite != outer->inverted;
     const Ref a = outer->constant, b = inner->constant;
     Ref sum; /* the constants' */
     if (outer->opposite)

@@ -1,25 +1,28 @@
-/* Guards of what is computed anyhow go. Those by one condition are one branch (emit/schedule.c), which pays where nothing but they need what
- * is costly below them:
+/* Guards of what is computed anyhow go. Those by one condition are one branch (emit/schedule.c),
+ * which pays where nothing but they need what is costly below them:
  *
- *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two conditions, so each branch would hold nothing: g and h become a
- *     a = granite(p); s = sqrt(a); g = guard(c, s)        s and a are g's alone: g stays, and is written as a branch
- *     a = granite(p); g = guard(c, a); h = guard(c, 2 a)  a is theirs alone: both stay, as one branch
+ *     a = granite(p); g = guard(c, a); h = guard(d, a) a is needed by two conditions, so each
+ *     branch would hold nothing: g and h become a a = granite(p); s = sqrt(a); g = guard(c, s) s
+ *     and a are g's alone: g stays, and is written as a branch a = granite(p); g = guard(c, a); h =
+ *     guard(c, 2 a) a is theirs alone: both stay, as one branch
  *
- * All that is theirs alone is found from their values downward: an operand is, once as many of its users are as it has. What takes differences
- * between pixels is nobody's: no branch may hold it. */
+ * All that is theirs alone is found from their values downward: an operand is, once as many of its
+ * users are as it has. What takes differences between pixels is nobody's: no branch may hold it. */
 #include "compiler/opt/opt.h"
 
 enum {
     WORTH_A_BRANCH = 40, /* scalar operations */
-    MOOT = 2,            /* payload of a dead guard; its hash is not updated: no more guards are created */
+    /* payload of a dead guard; its hash is not updated: no more guards are created */
+    MOOT = 2,
 };
 
 typedef struct {
     const uint32_t *uses; /* by Ref */
     Ref *first;           /* by condition: its guards, linked by `next` */
     Ref *next;            /* by guard */
-    uint32_t *own;        /* by Ref: of the uses, those by what is the guards' alone; 0 again in between */
-    Ref *met;             /* nodes whose `own` is set */
+    /* by Ref: of the uses, those by what is the guards' alone; 0 again in between */
+    uint32_t *own;
+    Ref *met; /* nodes whose `own` is set */
     size_t met_count, met_room;
     Ref *alone; /* what is the guards' alone */
     size_t alone_count, alone_room;
@@ -35,10 +38,12 @@ static void note_use(Ir *ir, Guards *g, Ref value)
         ARENA_PUSH(&ir->scratch, g->alone, g->alone_count, g->alone_room, value);
 }
 
-enum { ROOM = 256 }; /* nodes that are looked at for one condition, beside the values of its guards */
+/* nodes that are looked at for one condition, beside the values of its guards */
+enum { ROOM = 256 };
 
-/* What is the guards' alone, as far as needed: until it is worth a branch and has all their values, or there is no more. False: it is not
- * worth one. Lanes and vectors of what is looked at cost nothing. */
+/* What is the guards' alone, as far as needed: until it is worth a branch and has all their values,
+ * or there is no more. False: it is not worth one. Lanes and vectors of what is looked at cost
+ * nothing. */
 static bool pays(Ir *ir, Guards *g, Ref first)
 {
     size_t i = 0, values = 0;
@@ -56,7 +61,8 @@ static bool pays(Ir *ir, Guards *g, Ref first)
     return cost >= WORTH_A_BRANCH;
 }
 
-/* Of the guards of a condition those go that spare nothing: all, or those whose value others need, too. */
+/* Of the guards of a condition those go that spare nothing: all, or those whose value others need,
+ * too. */
 static void judge(Ir *ir, Guards *g, Ref first)
 {
     const bool paid = pays(ir, g, first);

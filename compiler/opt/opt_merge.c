@@ -1,7 +1,8 @@
-/* A value whose gradient is computed too comes out of that: the gradient's function has it in its fourth lane.
+/* A value whose gradient is computed too comes out of that: the gradient's function has it in its
+ * fourth lane.
  *
- *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says by "0r123w"
- *     becomes .w of the latter: one loop over the octaves where there were two */
+ *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says
+ *     by "0r123w" becomes .w of the latter: one loop over the octaves where there were two */
 #include "compiler/base/hash_index.h"
 #include "compiler/opt/opt.h"
 
@@ -14,15 +15,17 @@ static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
         return false;
     for (const char *from = row->arguments; *from; from++, i++) {
         Ref arg = ir_arg(ir, gradient, i);
-        bool same = *from >= '0' && *from <= '9' ? arg == ir_arg(ir, value, *from - '0') : ir_is_number(ir, arg, 0);
+        bool same = *from >= '0' && *from <= '9' ? arg == ir_arg(ir, value, *from - '0')
+                                                 : ir_is_number(ir, arg, 0);
         if (!same)
             return false;
     }
     return true;
 }
 
-/* Of what both have: the row, and the arguments that it names by digits. They stand in that order in a call of the gradient,
- * `shared` being the call's, and at the digits' places in one of the value. */
+/* Of what both have: the row, and the arguments that it names by digits. They stand in that order
+ * in a call of the gradient, `shared` being the call's, and at the digits' places in one of the
+ * value. */
 static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_value)
 {
     uint32_t hash = (uint32_t)row->by;
@@ -35,7 +38,8 @@ static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_val
     return hash;
 }
 
-/* `user` has the gradients that the outputs reach, by the arguments that they share with their value. */
+/* `user` has the gradients that the outputs reach, by the arguments that they share with their
+ * value. */
 static Ref merge(Ir *ir, Ref ref, const void *user)
 {
     const SlopeRow *row = ir_is(ir, ref, OP_call) ? slope_row((int)ir_at(ir, ref)->payload) : NULL;

@@ -1,21 +1,25 @@
-/* All local rules at once: what one of them makes, another may simplify further. The builder applies them to every node that
- * it makes, so that lowering leaves little behind; the sweep applies them again when more is known. */
+/* All local rules at once: what one of them makes, another may simplify further. The builder
+ * applies them to every node that it makes, so that lowering leaves little behind; the sweep
+ * applies them again when more is known. */
 #include "compiler/opt/opt.h"
 
 enum { MOST_REWRITES = 16 };
 
 enum { FOLD, ALGEBRA, SWIZZLE, SELECT, POWER, RULE_COUNT };
-static IrRewrite *const rules[RULE_COUNT] = {opt_rewrite_fold, opt_rewrite_algebra, opt_rewrite_swizzle,
-                                             opt_rewrite_select, opt_rewrite_power};
+static IrRewrite *const rules[RULE_COUNT] = {opt_rewrite_fold, opt_rewrite_algebra,
+                                             opt_rewrite_swizzle, opt_rewrite_select,
+                                             opt_rewrite_power};
 
 /* A bit for each rule that may change the node. */
 static unsigned rules_for(const Ir *ir, Ref ref)
 {
-    return (unsigned)opt_may_fold(ir, ref) << FOLD | 1u << ALGEBRA | (unsigned)opt_may_swizzle(ir, ref) << SWIZZLE |
+    return (unsigned)opt_may_fold(ir, ref) << FOLD | 1u << ALGEBRA |
+           (unsigned)opt_may_swizzle(ir, ref) << SWIZZLE |
            (unsigned)opt_may_select(ir, ref) << SELECT | (unsigned)opt_may_power(ir, ref) << POWER;
 }
 
-/* No rule was found to change it. Rules of swizzles and groups alone are told of uses: any other node stays as simple as it was when it was made. */
+/* No rule was found to change it. Rules of swizzles and groups alone are told of uses: any other
+ * node stays as simple as it was when it was made. */
 static void settle(Ir *ir, Ref ref)
 {
     const bool by_uses = ir_is(ir, ref, OP_swizzle) || opt_may_group(ir, ref);
@@ -27,7 +31,8 @@ static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
     unsigned left = rules_for(ir, ref); /* to be asked of the node */
     int rule = 0;
-    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT; run++, rule = rule + 1 < RULE_COUNT ? rule + 1 : 0) {
+    for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT;
+         run++, rule = rule + 1 < RULE_COUNT ? rule + 1 : 0) {
         if (!(left >> rule & 1))
             continue;
         const Ref better = rules[rule](ir, ref, user);

@@ -1,5 +1,5 @@
-/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper (numerics.md 6.2). x^5 = x^4 x:
- * two squares and a product. */
+/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper
+ * (numerics.md 6.2). x^5 = x^4 x: two squares and a product. */
 #include "compiler/opt/opt.h"
 #include <math.h>
 
@@ -22,7 +22,8 @@ static Ref composed(Ir *ir, Ref ref)
     if (ir_is(ir, inner, OP_abs))
         inner = ir_arg(ir, inner, 0); /* a power of an absolute value */
     const IrNode outer = *ir_at(ir, ref), node = *ir_at(ir, inner);
-    if (node.op != outer.op || (node.op == OP_call && node.payload != outer.payload) || !ir_is(ir, b, OP_const))
+    if (node.op != outer.op || (node.op == OP_call && node.payload != outer.payload) ||
+        !ir_is(ir, b, OP_const))
         return ref;
     Ref a = ir_arg(ir, inner, 1);
     if (!ir_is(ir, a, OP_const) || ir_lanes(ir, a) > 1 || ir_lanes(ir, b) > 1)
@@ -41,7 +42,8 @@ Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user)
         return composed(ir, ref);
     if (ir->keep_pow && ir_is(ir, ref, OP_pow))
         return composed(ir, ref);
-    if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) || ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
+    if (!ir_is(ir, ref, OP_pow) || !ir_is(ir, ir_arg(ir, ref, 1), OP_const) ||
+        ir_lanes(ir, ir_arg(ir, ref, 1)) > 1)
         return ref;
     Ref x = ir_arg(ir, ref, 0), one = build_float(ir, 1);
     double n = ir_numbers(ir, ir_arg(ir, ref, 1))[0];

@@ -1,6 +1,7 @@
-/* The BOUND rows of rules.def: a clamp that cannot bite is dropped, a comparison that is always the same is decided. And a value that can be
- * one number alone is that number. The intervals hold in floats: where an operation rounds, a bound is only believed with a little
- * to spare. They are those of the lanes, one by one:
+/* The BOUND rows of rules.def: a clamp that cannot bite is dropped, a comparison that is always the
+ * same is decided. And a value that can be one number alone is that number. The intervals hold in
+ * floats: where an operation rounds, a bound is only believed with a little to spare. They are
+ * those of the lanes, one by one:
  *     mix(vec4(a, 1), vec4(b, 1), t)    the last lane is 1 whatever t is
  *     max(vec2(fract(x), 7), 0.5)       stays, since its first lane may be below 0.5 */
 #include "compiler/opt/opt.h"
@@ -13,7 +14,9 @@ enum { MOST_LANES = 4 };
 typedef struct {
     const Ranges *ranges;
     const bool **
-        steps; /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole step further; NULL: nobody asked */
+        /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole
+         * step further; NULL: nobody asked */
+        steps;
 } Known;
 
 typedef struct {
@@ -22,9 +25,13 @@ typedef struct {
     int lane;
 } Site;
 
-static Interval range_at(const Site *s, Ref ref) { return range_of(s->ranges, s->ir, ref, s->lane); }
+static Interval range_at(const Site *s, Ref ref)
+{
+    return range_of(s->ranges, s->ir, ref, s->lane);
+}
 
-/* Whether a value surely lies in [low, high]; where it came by arithmetic, a rounding's worth inside. */
+/* Whether a value surely lies in [low, high]; where it came by arithmetic, a rounding's worth
+ * inside. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
 {
     const double slack = 1e-5;
@@ -76,7 +83,8 @@ static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
     double lanes[MOST_LANES] = {0};
-    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) || ref >= known->ranges->count)
+    if (type < TYPE_float || type > TYPE_vec4 || ir_is(ir, ref, OP_const) ||
+        ref >= known->ranges->count)
         return ref;
     for (int i = 0; i < ir_lanes(ir, ref); i++) {
         const Interval range = range_of(known->ranges, ir, ref, i);
@@ -101,10 +109,11 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
     Ref c = node.count > 2 ? ir_arg(ir, ref, 2) : 0, found;
     switch (node.op) {
 #define ON(op) case OP_##op:
-#define BOUND(condition, result, why)                                                                                  \
-    for (holds = true, lanes = lanes_at(ir, ref), site.lane = 0; holds && site.lane < lanes; site.lane++)              \
-        holds = (condition);                                                                                           \
-    if (holds && ir_type(ir, found = (result)) == (Type)node.type)                                                     \
+#define BOUND(condition, result, why)                                                              \
+    for (holds = true, lanes = lanes_at(ir, ref), site.lane = 0; holds && site.lane < lanes;       \
+         site.lane++)                                                                              \
+        holds = (condition);                                                                       \
+    if (holds && ir_type(ir, found = (result)) == (Type)node.type)                                 \
         return found;
 #define END break;
 #include "grammar/rules.def"

@@ -1,4 +1,5 @@
-/* Lanes of lanes, lanes of vectors, vectors of lanes; and an operation of which few lanes are used is made on those alone. */
+/* Lanes of lanes, lanes of vectors, vectors of lanes; and an operation of which few lanes are used
+ * is made on those alone. */
 #include "compiler/opt/opt.h"
 #include <string.h>
 
@@ -55,16 +56,16 @@ static Ref lanes_below(Ir *ir, Ref operand, Ref swizzle, const Uses *uses, int d
     return ir_is(ir, lanes, OP_swizzle) ? push_down(ir, lanes, uses, depth - 1) : lanes;
 }
 
-/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody, and on from there:
- * (a + (b + c)).x is a.x + (b.x + c.x). */
+/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody,
+ * and on from there: (a + (b + c)).x is a.x + (b.x + c.x). */
 static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth)
 {
     const Ref operation = ir_arg(ir, swizzle, 0);
     const int count = ir_lanes(ir, swizzle);
     IrNode node = *ir_at(ir, operation);
     Ref args[3];
-    if (!depth || operation >= uses->count || uses->uses[operation] != 1 || count >= ir_lanes(ir, operation) ||
-        !by_lane((Op)node.op))
+    if (!depth || operation >= uses->count || uses->uses[operation] != 1 ||
+        count >= ir_lanes(ir, operation) || !by_lane((Op)node.op))
         return swizzle;
     for (int i = 0; i < node.count; i++)
         args[i] = lanes_below(ir, ir_arg(ir, operation, i), swizzle, uses, depth);
@@ -82,11 +83,13 @@ static bool known_alike(const Ir *ir, Ref ref, uint32_t lane, int depth, double 
     const Op op = (Op)ir_at(ir, ref)->op;
     const int first = op == OP_select;
     double other;
-    return (op == OP_select || op == OP_mix) && known_lane(ir, ir_arg(ir, ref, first), lane, depth, value) &&
+    return (op == OP_select || op == OP_mix) &&
+           known_lane(ir, ir_arg(ir, ref, first), lane, depth, value) &&
            known_lane(ir, ir_arg(ir, ref, first + 1), lane, depth, &other) && *value == other;
 }
 
-/* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that lane, say. */
+/* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that
+ * lane, say. */
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
 {
     const IrNode *node = ir_at(ir, ref);

@@ -1,11 +1,12 @@
-/* Trigonometric functions -> library functions with a bounded error, for --trigonometry=bounded. GLSL promises none of its own. */
+/* Trigonometric functions -> library functions with a bounded error, for --trigonometry=bounded.
+ * GLSL promises none of its own. */
 #include "compiler/opt/opt.h"
 
 static int bounded_function(Op op)
 {
     switch (op) {
-#define BOUNDED(name, function)                                                                                        \
-    case OP_##name:                                                                                                    \
+#define BOUNDED(name, function)                                                                    \
+    case OP_##name:                                                                                \
         return FN_##function;
 #include "grammar/ops.def"
     default:
@@ -13,7 +14,8 @@ static int bounded_function(Op op)
     }
 }
 
-/* The functions take numbers: of a vector each lane by itself, beside which a number goes with every lane. */
+/* The functions take numbers: of a vector each lane by itself, beside which a number goes with
+ * every lane. */
 static Ref bound(Ir *ir, Ref ref, const void *user)
 {
     (void)user;
@@ -26,8 +28,8 @@ static Ref bound(Ir *ir, Ref ref, const void *user)
     for (int k = 0; k < lanes; k++) {
         Ref args[2];
         for (int i = 0; i < node.count; i++)
-            args[i] =
-                ir_lanes(ir, ir_arg(ir, ref, i)) == 1 ? ir_arg(ir, ref, i) : build_lane(ir, ir_arg(ir, ref, i), k);
+            args[i] = ir_lanes(ir, ir_arg(ir, ref, i)) == 1 ? ir_arg(ir, ref, i)
+                                                            : build_lane(ir, ir_arg(ir, ref, i), k);
         lane[k] = build_call_of(ir, function, args, node.count);
     }
     return lanes == 1 ? lane[0] : build_vec_of(ir, (Type)node.type, lane, lanes);

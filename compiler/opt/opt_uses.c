@@ -1,12 +1,14 @@
-/* How often nodes are used: what a rule may cost more than it gains. Users come after operands, and a function's result before its calls: one
- * sweep down finds who is live, since some live one uses it, and counts. */
+/* How often nodes are used: what a rule may cost more than it gains. Users come after operands, and
+ * a function's result before its calls: one sweep down finds who is live, since some live one uses
+ * it, and counts. */
 #include "compiler/opt/opt.h"
 
 Uses opt_uses(Ir *ir, Arena *arena)
 {
     uint8_t *live = ARENA_ARRAY(&ir->kept, uint8_t, ir->count);
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
-    bool *applied = ARENA_ARRAY(arena, bool, ir->function_count + 1); /* those that others have replaced use nothing */
+    /* those that others have replaced use nothing */
+    bool *applied = ARENA_ARRAY(arena, bool, ir->function_count + 1);
     for (int i = 0; i < ir->output_count; i++)
         uses[ir->outputs[i].value]++;
     for (Ref ref = (Ref)ir->count - 1; ref > 0; ref--) {

@@ -1,4 +1,5 @@
-/* The oracle's core: surface points, environments with their memo, and delegation (semantics.md, section 1). */
+/* The oracle's core: surface points, environments with their memo, and delegation (semantics.md,
+ * section 1). */
 #include "compiler/oracle/oracle.h"
 #include "compiler/base/memory.h"
 #include "compiler/oracle/oracle_maps.h"
@@ -49,7 +50,8 @@ bool oracle_surface_attribute(const Graph *graph, Surface *surface, const char *
         if (strlen(attribute->name) != size || memcmp(attribute->name, name, size) != 0)
             continue;
         for (int lane = 0; lane < lanes; lane++) {
-            const bool meant = point && point[1] && !point[2] && (point[1] == letters[0][lane] || point[1] == letters[1][lane]);
+            const bool meant = point && point[1] && !point[2] &&
+                               (point[1] == letters[0][lane] || point[1] == letters[1][lane]);
             if (point && !meant)
                 continue;
             surface->attributes[i][lane] = value;
@@ -98,13 +100,15 @@ void oracle_close(Oracle *oracle)
     free(oracle);
 }
 
-/* A new stamp makes every row stale, so that the memo of a depth need not be cleared between points. */
+/* A new stamp makes every row stale, so that the memo of a depth need not be cleared between
+ * points. */
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
 {
     const Memo none = {0};
     while (oracle->memo_count <= (size_t)depth)
         ARENA_PUSH(&oracle->arena, oracle->memos, oracle->memo_count, oracle->memo_room, none);
-    return (Environment){.oracle = oracle, .surface = surface, .stamp = ++oracle->stamp, .depth = depth};
+    return (Environment){
+        .oracle = oracle, .surface = surface, .stamp = ++oracle->stamp, .depth = depth};
 }
 
 double oracle_ask(Environment *environment, const Node *map, int channel)
@@ -164,7 +168,10 @@ void oracle_vec3(const Value *value, double result[3])
 
 double oracle_number(const Node *node, int param) { return oracle_float(node_param(node, param)); }
 
-void oracle_number3(const Node *node, int param, double result[3]) { oracle_vec3(node_param(node, param), result); }
+void oracle_number3(const Node *node, int param, double result[3])
+{
+    oracle_vec3(node_param(node, param), result);
+}
 
 double oracle_channel(Oracle *oracle, const Node *map, int channel, const Surface *surface)
 {

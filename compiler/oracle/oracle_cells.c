@@ -12,8 +12,8 @@ typedef struct {
     double jitter, distance, value;
 } Question;
 
-static void ask(const Environment *environment, const int functions[2], const Question *about, const double q[3],
-                double result[4])
+static void ask(const Environment *environment, const int functions[2], const Question *about,
+                const double q[3], double result[4])
 {
     double args[9] = {0};
     const int own = 2 * about->dimensions;
@@ -59,7 +59,8 @@ double oracle_Cells(Environment *environment, const Node *node, int channel)
     if (!environment->centre || !cells.random)
         return oracle_same_of_all(environment, node, channel, cells_at(&cells, q));
     oracle_ask_input3(environment->centre, node, group, q0);
-    const Stepped map = {cells_at, &cells, {CELLS_STEP, CELLS_STEP, cells.dimensions == 3 ? CELLS_STEP : 0}};
+    const Stepped map = {
+        cells_at, &cells, {CELLS_STEP, CELLS_STEP, cells.dimensions == 3 ? CELLS_STEP : 0}};
     return oracle_same_of_all(environment, node, channel, oracle_along_steps(&map, q0, q));
 }
 

@@ -1,16 +1,20 @@
-/* True displacement (semantics.md 4.8): how far a point moves, the slopes of that, and the frame of the surface there. */
+/* True displacement (semantics.md 4.8): how far a point moves, the slopes of that, and the frame of
+ * the surface there. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <math.h>
 
 enum { ALONG_N = 2 };
 
-/* From where to where a volume is solid, which ends where it begins where that is below the threshold. */
-static void solid_heights(Environment *environment, const Displacement *d, double bound, double heights[ORACLE_HEIGHTS])
+/* From where to where a volume is solid, which ends where it begins where that is below the
+ * threshold. */
+static void solid_heights(Environment *environment, const Displacement *d, double bound,
+                          double heights[ORACLE_HEIGHTS])
 {
     const double scale = oracle_float(d->scale);
     for (int lane = 0; lane < ORACLE_HEIGHTS; lane++)
-        heights[lane] = fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node, channel_id(GROUP_R, lane))));
+        heights[lane] = fmax(-bound, fmin(bound, scale * oracle_ask(environment, d->volume->node,
+                                                                    channel_id(GROUP_R, lane))));
     for (int lane = 0; d->threshold->kind != VALUE_none && lane < ORACLE_HEIGHTS; lane += 2)
         if (heights[lane] < oracle_float(d->threshold))
             heights[lane + 1] = heights[lane];
@@ -28,9 +32,9 @@ void oracle_move_by(Environment *environment, const Node *displaced, double move
     }
     move[ORACLE_HEIGHTS - 1] = 0;
     for (int lane = 0; lane < 3; lane++)
-        move[lane] = d.vector->kind == VALUE_node
-                         ? scale * oracle_ask(environment, d.vector->node, channel_id(GROUP_R, lane))
-                         : 0;
+        move[lane] = d.vector->kind == VALUE_node ? scale * oracle_ask(environment, d.vector->node,
+                                                                       channel_id(GROUP_R, lane))
+                                                  : 0;
     if (d.height->kind == VALUE_node)
         move[ALONG_N] += scale * oracle_ask(environment, d.height->node, channel_id(GROUP_R, 0));
     for (int lane = 0; lane < 3; lane++)
@@ -49,7 +53,8 @@ static double lane_of_move(Environment *environment, const Node *displaced, int 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
     const bool volume = graph_displaces_volume(displaced),
-               along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node; /* the other lanes are 0 */
+               /* the other lanes are 0 */
+        along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node;
     *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);
     for (int lane = along_normal ? ALONG_N : 0; lane < (volume ? ORACLE_HEIGHTS : 3); lane++) {
@@ -70,14 +75,17 @@ static void turn_of(const double n[3], const double change[3], double turn[3])
         turn[i] = (change[i] - along * n[i]) / size;
 }
 
-/* A tangent that moves along itself by x and along its other by y goes down where the normal turns toward them. */
-static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3], const double tv[3])
+/* A tangent that moves along itself by x and along its other by y goes down where the normal turns
+ * toward them. */
+static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3],
+                    const double tv[3])
 {
     return d->by[0] * vec3_dot(turn, tu) / length(tu) + d->by[1] * vec3_dot(turn, tv) / length(tv);
 }
 
 /* How the unit vector of a tangent turns about the normal. */
-static void swing_of(const double n[3], const double tangent[3], const double change[3], double swing[3])
+static void swing_of(const double n[3], const double tangent[3], const double change[3],
+                     double swing[3])
 {
     double turn[3];
     turn_of(tangent, change, turn);
@@ -87,12 +95,14 @@ static void swing_of(const double n[3], const double tangent[3], const double ch
 }
 
 /* What x and y along the tangents add by u (0) or by v (1) since these turn. */
-static void add_swings(const OracleDisplacement *d, const Surface *surface, bool by_v, double slid[3])
+static void add_swings(const OracleDisplacement *d, const Surface *surface, bool by_v,
+                       double slid[3])
 {
     static const Group tangents[] = {GROUP_DU, GROUP_DV};
     for (int k = 0; k < 2; k++) {
         double swing[3];
-        swing_of(&surface->root[channel_id(GROUP_N, 0)], &surface->root[channel_id(tangents[k], 0)], surface->tangent_slopes[k][by_v], swing);
+        swing_of(&surface->root[channel_id(GROUP_N, 0)], &surface->root[channel_id(tangents[k], 0)],
+                 surface->tangent_slopes[k][by_v], swing);
         for (int i = 0; i < 3; i++)
             slid[i] += d->by[k] * swing[i];
     }
@@ -102,7 +112,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
 {
     OracleDisplacement d;
     oracle_move(environment, displaced, &d);
-    double *n = &surface->root[channel_id(GROUP_N, 0)], *tu = &surface->root[channel_id(GROUP_DU, 0)],
+    double *n = &surface->root[channel_id(GROUP_N, 0)],
+           *tu = &surface->root[channel_id(GROUP_DU, 0)],
            *tv = &surface->root[channel_id(GROUP_DV, 0)];
     double slid_u[3], slid_v[3], flat[3], across[3], lifted[3], mesh[3], turn_u[3], turn_v[3];
     const double size_n = length(n), size_u = length(tu), size_v = length(tv);
@@ -110,10 +121,13 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
     const double side = vec3_dot(mesh, n) < 0 ? -1 : 1;
     turn_of(n, surface->normal_u, turn_u);
     turn_of(n, surface->normal_v, turn_v);
-    const double up_u = d.by_u[ALONG_N] - falls(&d, turn_u, tu, tv), up_v = d.by_v[ALONG_N] - falls(&d, turn_v, tu, tv);
+    const double up_u = d.by_u[ALONG_N] - falls(&d, turn_u, tu, tv),
+                 up_v = d.by_v[ALONG_N] - falls(&d, turn_v, tu, tv);
     for (int i = 0; i < 3; i++) {
-        slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v + d.by[ALONG_N] * turn_u[i];
-        slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v + d.by[ALONG_N] * turn_v[i];
+        slid_u[i] = tu[i] + d.by_u[0] * tu[i] / size_u + d.by_u[1] * tv[i] / size_v +
+                    d.by[ALONG_N] * turn_u[i];
+        slid_v[i] = tv[i] + d.by_v[0] * tu[i] / size_u + d.by_v[1] * tv[i] / size_v +
+                    d.by[ALONG_N] * turn_v[i];
     }
     add_swings(&d, surface, false, slid_u);
     add_swings(&d, surface, true, slid_v);

@@ -20,7 +20,8 @@ static void toward_viewer(const Environment *environment, double v[3])
     reference_of(FN_safeNormalize)(NULL, way, v);
 }
 
-static void quantity_at(Environment *environment, const Node *node, Quantity quantity, double result[4])
+static void quantity_at(Environment *environment, const Node *node, Quantity quantity,
+                        double result[4])
 {
     const QuantityRow *row = &quantity_table[quantity];
     if (quantity == QUANTITY_V) {
@@ -64,16 +65,19 @@ static void attributes_at(const Environment *environment, double result[LIMIT_AT
         for (int lane = 0; lane < 4; lane++) {
             const int from = graph->attributes[i]->type == TYPE_float ? 0 : lane;
             const bool has = surface->has >> (4 * i + from) & 1;
-            result[i][lane] = has ? surface->attributes[i][from] : graph->attributes[i]->initial[from];
+            result[i][lane] =
+                has ? surface->attributes[i][from] : graph->attributes[i]->initial[from];
         }
 }
 
 static double noise_work(const Formula *f, const FormulaStep *step)
 {
-    const bool octaves = step->row == TERM_fbm || step->row == TERM_fbm3 || step->row == TERM_turbulence;
+    const bool octaves =
+        step->row == TERM_fbm || step->row == TERM_fbm3 || step->row == TERM_turbulence;
     if (step->kind == FORMULA_term && (step->row == TERM_cells || step->row == TERM_celledge))
         return CALL_WORK * function_row(FN_cells3)->cost;
-    if (step->kind != FORMULA_term || (!octaves && step->row != TERM_noise && step->row != TERM_noise3))
+    if (step->kind != FORMULA_term ||
+        (!octaves && step->row != TERM_noise && step->row != TERM_noise3))
         return 0;
     const double count = octaves ? f->steps[formula_argument(f, step, 1)].number : 1;
     return CALL_WORK * function_row(FN_noise)->cost * count *

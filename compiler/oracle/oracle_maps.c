@@ -1,4 +1,5 @@
-/* The answers of constants, of volume functions with their waves, and of Blend (semantics.md 2.1, 2.3, 2.4, 2.5). */
+/* The answers of constants, of volume functions with their waves, and of Blend (semantics.md 2.1,
+ * 2.3, 2.4, 2.5). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <assert.h>
@@ -48,8 +49,8 @@ double oracle_Graytone(Environment *environment, const Node *node, int channel)
 static double named_wave(WaveKind kind, double v)
 {
     switch (kind) {
-#define WAVE(name, reference, build, doc)                                                                              \
-    case WAVE_##name:                                                                                                  \
+#define WAVE(name, reference, build, doc)                                                          \
+    case WAVE_##name:                                                                              \
         return reference;
 #include "grammar/waves.def"
     case WAVE_Chain:
@@ -68,10 +69,12 @@ static double wave(const Environment *environment, const Wave *of, double v)
     if (of->kind != WAVE_Chain)
         return named_wave(of->kind, v);
     double first = wave(environment, of->first, v);
-    return wave(environment, of->second, oracle_float(&of->factor) * first + oracle_float(&of->shift));
+    return wave(environment, of->second,
+                oracle_float(&of->factor) * first + oracle_float(&of->shift));
 }
 
-/* Where VOLUME_PARAMS stand in the run of a volume map's parameters, and where those of its own begin. */
+/* Where VOLUME_PARAMS stand in the run of a volume map's parameters, and where those of its own
+ * begin. */
 enum {
     VOLUME_WAVE = P_Gradient_waveForm - P_Gradient_input,
     VOLUME_FREQUENCY = P_Gradient_frequency - P_Gradient_input,
@@ -83,11 +86,13 @@ double oracle_waved(const Environment *environment, const Node *node, double val
 {
     int first = kind_table[node->kind].first;
     const Value *form = node_param(node, first + VOLUME_WAVE);
-    double argument = oracle_number(node, first + VOLUME_FREQUENCY) * value + oracle_number(node, first + VOLUME_PHASE);
+    double argument = oracle_number(node, first + VOLUME_FREQUENCY) * value +
+                      oracle_number(node, first + VOLUME_PHASE);
     return wave(environment, form->kind == VALUE_wave ? form->wave : NULL, argument);
 }
 
-double oracle_same_of_all(const Environment *environment, const Node *node, int channel, double value)
+double oracle_same_of_all(const Environment *environment, const Node *node, int channel,
+                          double value)
 {
     for (int lane = 0; lane < 3; lane++)
         memo_set(environment, node, channel_id(group_of(channel), lane), value);
@@ -105,7 +110,8 @@ static int append(const Node *node, int param, double *args, int count)
         return count + 3;
     }
     double value = oracle_number(node, param);
-    args[count] = param_table[param].type == PARAM_Int ? trunc(value) : value; /* a uniform may have any default */
+    /* a uniform may have any default */
+    args[count] = param_table[param].type == PARAM_Int ? trunc(value) : value;
     return count + 1;
 }
 
@@ -128,7 +134,10 @@ static double volume_at(const void *map, const double p[3])
 }
 
 /* Whether a volume map jumps, and over which step its difference is taken. */
-static double volume_step(Kind kind) { return kind == KIND_Mandel || kind == KIND_Julia ? 0.005 : 0; }
+static double volume_step(Kind kind)
+{
+    return kind == KIND_Mandel || kind == KIND_Julia ? 0.005 : 0;
+}
 
 double oracle_volume(Environment *environment, const Node *node, int channel)
 {
@@ -184,7 +193,8 @@ static int item_above(const Items *items, double t)
     return i;
 }
 
-/* All items before the one above t have values of at most t, so the two to be mixed never have equal values. */
+/* All items before the one above t have values of at most t, so the two to be mixed never have
+ * equal values. */
 static double blend_at(Environment *environment, const Items *items, double t, int channel)
 {
     int above = item_above(items, t);
@@ -196,7 +206,8 @@ static double blend_at(Environment *environment, const Items *items, double t, i
     if (above == items->count)
         return value;
     double low = item_value(a), high = item_value(b);
-    return (value * (high - t) + oracle_ask(environment, b->input, channel) * (t - low)) / (high - low);
+    return (value * (high - t) + oracle_ask(environment, b->input, channel) * (t - low)) /
+           (high - low);
 }
 
 /* What a Blend goes along: a position of a map, of its own or of the world. */
@@ -205,7 +216,10 @@ typedef struct {
     Group group;
 } Along;
 
-static const Node *node_of(const Value *value) { return value->kind == VALUE_node ? value->node : NULL; }
+static const Node *node_of(const Value *value)
+{
+    return value->kind == VALUE_node ? value->node : NULL;
+}
 
 static bool is_checker(const Node *map)
 {
@@ -225,21 +239,24 @@ static Along answering(Along a)
         }
         bool empty = kind == KIND_Blend && (node_param(a.map, P_Blend_blend)->kind != VALUE_items ||
                                             !node_param(a.map, P_Blend_blend)->items->count);
-        bool passes = kind == KIND_XYZTransform || kind == KIND_UVTransform || kind == KIND_BumpMap ||
-                      kind == KIND_WaveMap || kind == KIND_NormalMap || (kind == KIND_Turbulence && a.group == GROUP_P) || empty;
+        bool passes = kind == KIND_XYZTransform || kind == KIND_UVTransform ||
+                      kind == KIND_BumpMap || kind == KIND_WaveMap || kind == KIND_NormalMap ||
+                      (kind == KIND_Turbulence && a.group == GROUP_P) || empty;
         if (!passes)
             return a;
     }
     return a;
 }
 
-/* Beside a point a Checker that is gone along is one of two, so many within each other: the Blend has a share of what it is along
- * either. */
-static double blend_along(Environment *environment, const Items *items, Along along, int channel, int within)
+/* Beside a point a Checker that is gone along is one of two, so many within each other: the Blend
+ * has a share of what it is along either. */
+static double blend_along(Environment *environment, const Items *items, Along along, int channel,
+                          int within)
 {
     const Along a = answering(along);
     if (!environment->centre || !within || !is_checker(a.map))
-        return blend_at(environment, items, oracle_ask(environment, along.map, channel_id(along.group, 0)), channel);
+        return blend_at(environment, items,
+                        oracle_ask(environment, along.map, channel_id(along.group, 0)), channel);
     const int color1 = a.map->kind == KIND_Checker ? P_Checker_color1 : P_VolumeChecker_color1;
     const double share = oracle_odd_share(environment, a.map);
     double mean = 0;

@@ -1,4 +1,5 @@
-/* What the files of the oracle share: an environment to ask maps in, and the answer of every kind of map. */
+/* What the files of the oracle share: an environment to ask maps in, and the answer of every kind
+ * of map. */
 #ifndef MATC_ORACLE_MAPS_H
 #define MATC_ORACLE_MAPS_H
 #include "compiler/base/session.h"
@@ -31,7 +32,8 @@ typedef struct {
     double m[2][2];
 } SlopeTurn;
 
-/* Of a SunSkyLight's numbers, sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. An integral is in them. */
+/* Of a SunSkyLight's numbers, sky_coefficients: the scaled zenith, A to E, the unit vector to the
+ * sun. An integral is in them. */
 enum { SKY_ROW_ZENITH, SKY_ROW_A, SKY_ROW_SUN = SKY_ROW_A + 5, SKY_ROW_COUNT };
 typedef struct {
     bool known;
@@ -54,23 +56,27 @@ struct Oracle {
     OracleSky sky;        /* the last one */
     Choice derivatives;   /* how BumpMap finds slopes */
     double behind, ahead; /* the steps that those of what is computed are taken over */
-    bool judges, rough;   /* whether it is asked if heights are smooth there; whether some were not */
-    uint64_t stamp;       /* that of the environment opened last; 0 is in no environment */
-    double work;          /* steps for this point; beyond LIMIT_WORK all answers are 0 */
+    /* whether it is asked if heights are smooth there; whether some were not */
+    bool judges, rough;
+    uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
+    double work;    /* steps for this point; beyond LIMIT_WORK all answers are 0 */
 };
 
-/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own, and a BumpMap beside the point. */
+/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own,
+ * and a BumpMap beside the point. */
 typedef struct Environment {
     Oracle *oracle;
     const Surface *surface;
     uint64_t stamp;
     int depth;
     struct Environment
-        *centre; /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
+        /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
+        *centre;
     const Surface *mesh; /* the surface before it was displaced; NULL: it was not */
-    struct Environment *origin; /* the point that this one is beside, whatever --derivatives; NULL: it is beside none */
-    struct Environment *outer;  /* where a Triplanar is that asks its maps here; NULL: none does */
-    const Node *triplanar;      /* that one, and the axis along which it looks */
+    /* the point that this one is beside, whatever --derivatives; NULL: it is beside none */
+    struct Environment *origin;
+    struct Environment *outer; /* where a Triplanar is that asks its maps here; NULL: none does */
+    const Node *triplanar;     /* that one, and the axis along which it looks */
     int axis;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
@@ -101,15 +107,18 @@ typedef struct {
 } Height;
 /* Its derivatives by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
-/* The same, of what is smooth, to a few ulp and not to a difference's 1e-8; several times as dear. */
+/* The same, of what is smooth, to a few ulp and not to a difference's 1e-8; several times as
+ * dear. */
 void oracle_slopes_exact(Environment *environment, const Height *height, double slope[2]);
-/* What a Triplanar's map of an axis sees of an environment, which has to stay as long. oracle_triplanar.c */
+/* What a Triplanar's map of an axis sees of an environment, which has to stay as long.
+ * oracle_triplanar.c */
 typedef struct {
     Surface surface;
     Environment environment;
 } Projection;
 void oracle_project(Environment *outer, const Node *triplanar, int axis, Projection *made);
-/* How such a material moves the point; the surface's frame after it was displaced, as its normal and tangents. oracle_displacement.c */
+/* How such a material moves the point; the surface's frame after it was displaced, as its normal
+ * and tangents. oracle_displacement.c */
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
 void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS]);
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
@@ -131,9 +140,10 @@ void oracle_call(const Environment *environment, int function, const double *arg
 
 /* w(frequency value + phase) of a map with VOLUME_PARAMS. */
 double oracle_waved(const Environment *environment, const Node *node, double value);
-/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane is 1. It is remembered for
- * the lanes beside the one that was asked for. */
-double oracle_same_of_all(const Environment *environment, const Node *node, int channel, double value);
+/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane
+ * is 1. It is remembered for the lanes beside the one that was asked for. */
+double oracle_same_of_all(const Environment *environment, const Node *node, int channel,
+                          double value);
 
 /* A map as a function of its coordinate, and GroIMP's steps for its differences. */
 typedef struct {
@@ -141,9 +151,11 @@ typedef struct {
     const void *map;
     double step[3]; /* 0: it does not go by that lane */
 } Stepped;
-/* f at q0, and from there on to q along the differences (f(q0 + h e) - f(q0)) / h: what jumps becomes linear beside the point. */
+/* f at q0, and from there on to q along the differences (f(q0 + h e) - f(q0)) / h: what jumps
+ * becomes linear beside the point. */
 double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3]);
-/* How much a Checker or VolumeChecker has of its color1: 1 or 0 at the point that is shaded, and beside it along its steps. */
+/* How much a Checker or VolumeChecker has of its color1: 1 or 0 at the point that is shaded, and
+ * beside it along its steps. */
 double oracle_odd_share(Environment *environment, const Node *checker);
 
 /* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
@@ -154,14 +166,18 @@ void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
 static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
 /* One of the lanes x, y, z of a group: what a map that answers the group as a triple defines. */
-static inline bool in_triple(int channel, Group group) { return group_of(channel) == group && lane_of(channel) < 3; }
+static inline bool in_triple(int channel, Group group)
+{
+    return group_of(channel) == group && lane_of(channel) < 3;
+}
 /* Ids 8..14 of semantics.md, which leave out the fourth lane of DV. */
 static inline bool is_derivative(int channel)
 {
     return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
 }
 
-/* What a map answers to a channel: oracle_<kind> for each map that is not a plain function of its position. */
+/* What a map answers to a channel: oracle_<kind> for each map that is not a plain function of its
+ * position. */
 typedef double Answer(Environment *environment, const Node *node, int channel);
 Answer oracle_answer; /* any map: chooses by its kind */
 Answer oracle_volume; /* LOWERING_VOLUME */
@@ -172,18 +188,22 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
 /* What materials share. oracle_material.c */
-void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]); /* of a parameter's map */
-void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result); /* unit length, on the side that is seen */
+/* of a parameter's map */
+void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
+/* unit length, on the side that is seen */
+void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
 const Node *oracle_material_of(const Node *material, int param); /* NULL: there is none */
 /* Of a side of a whole, which may have another model. */
-void oracle_answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result);
+void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
+                      SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);
 void oracle_as_principled(SlotValues *side); /* of a Phong's slots. oracle_principled.c */
 /* What a material answers, over the values of a neutral one. oracle_material.c */
-#define DECLARE_SHADER(name) void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
+#define DECLARE_SHADER(name)                                                                       \
+    void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */
 #define DECLARE_SWITCH(name)      const Node *oracle_choose_##name(const Node *material, bool front);
-#define DECLARE_FOREIGN(name) /* none is left: compiler/front/resolve_translation.c */
+#define DECLARE_FOREIGN(name)     /* none is left: compiler/front/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"

@@ -11,8 +11,8 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
 typedef void OracleShader(Environment *environment, const Node *material, SlotValues *result);
 typedef const Node *OracleSwitch(const Node *material, bool front);
 
-#define SHADER_OF_SHADER(name) oracle_##name
-#define SWITCH_OF_SHADER(name) NULL
+#define SHADER_OF_SHADER(name)  oracle_##name
+#define SWITCH_OF_SHADER(name)  NULL
 #define FOREIGN_OF_SHADER(name) NULL
 static OracleShader *const shaders[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SHADER(name),
@@ -20,8 +20,8 @@ static OracleShader *const shaders[KIND_COUNT] = {
 #include "grammar/maps.def"
 };
 
-#define SHADER_OF_SWITCH(name) NULL
-#define SWITCH_OF_SWITCH(name) oracle_choose_##name
+#define SHADER_OF_SWITCH(name)  NULL
+#define SWITCH_OF_SWITCH(name)  oracle_choose_##name
 #define FOREIGN_OF_SWITCH(name) NULL
 static OracleSwitch *const switches[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = sort##_OF_SWITCH(name),
@@ -44,7 +44,8 @@ void oracle_ask_colour(Environment *environment, const Node *node, int param, do
         rgb[lane] = oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
 }
 
-static void slot_colour(Environment *environment, const Node *node, int param, Slot slot, SlotValues *result)
+static void slot_colour(Environment *environment, const Node *node, int param, Slot slot,
+                        SlotValues *result)
 {
     oracle_ask_colour(environment, node, param, result->lane[slot]);
 }
@@ -88,10 +89,14 @@ void oracle_RGBA(Environment *environment, const Node *material, SlotValues *res
     set_rgba(rgb, oracle_number(material, P_RGBA_a), result);
 }
 
-static void missing(SlotValues *result) { set_rgba((double[3]){MISSING_GRAY, MISSING_GRAY, MISSING_GRAY}, 1, result); }
+static void missing(SlotValues *result)
+{
+    set_rgba((double[3]){MISSING_GRAY, MISSING_GRAY, MISSING_GRAY}, 1, result);
+}
 
 /* The exponent that a shininess map means; a parameter without map leaves the neutral one. */
-static void exponent(Environment *environment, const Node *material, int param, Slot slot, SlotValues *result)
+static void exponent(Environment *environment, const Node *material, int param, Slot slot,
+                     SlotValues *result)
 {
     if (node_param(material, param)->kind == VALUE_none)
         return;
@@ -99,7 +104,8 @@ static void exponent(Environment *environment, const Node *material, int param, 
     oracle_call(environment, FN_phongExponent, &red, result->lane[slot]);
 }
 
-/* Alpha of the diffuse map makes the surface transparent: at 0 it is wholly so, at 1 the transparency map decides. */
+/* Alpha of the diffuse map makes the surface transparent: at 0 it is wholly so, at 1 the
+ * transparency map decides. */
 static void transparency(Environment *environment, const Node *material, SlotValues *result)
 {
     double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
@@ -110,26 +116,32 @@ static void transparency(Environment *environment, const Node *material, SlotVal
         result->lane[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
 }
 
-/* Only the normal and the index of refraction come from `input`; the other maps read the surface. */
+/* Only the normal and the index of refraction come from `input`; the other maps read the
+ * surface. */
 void oracle_Phong(Environment *environment, const Node *material, SlotValues *result)
 {
     double normal[3];
     for (int i = 0; i < 3; i++)
         normal[i] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_N, i));
     oracle_set_normal(environment, normal, result);
-    result->lane[SLOT_ior][0] = oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
+    result->lane[SLOT_ior][0] =
+        oracle_ask_param(environment, material, P_Phong_input, channel_id(GROUP_IOR, 0));
     slot_colour(environment, material, P_Phong_diffuse, SLOT_diffuse, result);
     slot_colour(environment, material, P_Phong_specular, SLOT_specular, result);
-    slot_colour(environment, material, P_Phong_diffuseTransparency, SLOT_diffuseTransparency, result);
+    slot_colour(environment, material, P_Phong_diffuseTransparency, SLOT_diffuseTransparency,
+                result);
     slot_colour(environment, material, P_Phong_ambient, SLOT_ambient, result);
     slot_colour(environment, material, P_Phong_emissive, SLOT_emissive, result);
     transparency(environment, material, result);
     exponent(environment, material, P_Phong_shininess, SLOT_shininess, result);
-    exponent(environment, material, P_Phong_transparencyShininess, SLOT_transparencyShininess, result);
-    result->lane[SLOT_interpolatedTransparency][0] = oracle_number(material, P_Phong_interpolatedTransparency) != 0;
+    exponent(environment, material, P_Phong_transparencyShininess, SLOT_transparencyShininess,
+             result);
+    result->lane[SLOT_interpolatedTransparency][0] =
+        oracle_number(material, P_Phong_interpolatedTransparency) != 0;
 }
 
-/* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta of the sun), and A to E. */
+/* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta
+ * of the sun), and A to E. */
 enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
 
 /* The rows of the sky with these numbers, which are mostly those of the point before. */
@@ -151,7 +163,8 @@ void oracle_SunSkyLight(Environment *environment, const Node *material, SlotValu
     numbers[3] = oracle_number(material, P_SunSkyLight_turbidity);
     numbers[4] = oracle_number(material, P_SunSkyLight_radianceFactor);
     const OracleSky *sky = sky_of(environment->oracle, numbers);
-    memcpy(args[SKY_VIEW], &environment->surface->root[channel_id(GROUP_X, 0)], sizeof args[SKY_VIEW]);
+    memcpy(args[SKY_VIEW], &environment->surface->root[channel_id(GROUP_X, 0)],
+           sizeof args[SKY_VIEW]);
     memcpy(args[SKY_SUN], sky->rows[SKY_ROW_SUN], sizeof sky->rows[SKY_ROW_SUN]);
     memcpy(args[SKY_ZENITH], sky->rows[SKY_ROW_ZENITH], sizeof sky->rows[SKY_ROW_ZENITH]);
     memcpy(args[SKY_A], sky->rows[SKY_ROW_A], 5 * sizeof sky->rows[SKY_ROW_A]);
@@ -184,7 +197,8 @@ const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
     return NULL;
 }
 
-/* The material that a switch stands for, through any number of switches; NULL when it is missing. */
+/* The material that a switch stands for, through any number of switches; NULL when it is
+ * missing. */
 static const Node *chosen(const Node *material, bool front)
 {
     while (material && switches[material->kind])
@@ -207,31 +221,36 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         shaders[shader->kind](environment, shader, result);
     else
         missing(result);
-    if (oracle_is_principled(environment, material) && result->lane[SLOT_model][0] != MODEL_Principled)
+    if (oracle_is_principled(environment, material) &&
+        result->lane[SLOT_model][0] != MODEL_Principled)
         oracle_as_principled(result);
 }
 
 /* A side by the model that the whole has. */
-void oracle_answer_as(Environment *environment, const Node *whole, const Node *side, SlotValues *result)
+void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
+                      SlotValues *result)
 {
     answer(environment, side, result);
     if (oracle_is_principled(environment, whole) && result->lane[SLOT_model][0] != MODEL_Principled)
         oracle_as_principled(result);
 }
 
-/* A shape is the same for all who look at it, and goes by places: where it is asked for, the direction to the viewer is the normal, attributes of the
- * mesh have their defaults, and the object's random number is 0. */
+/* A shape is the same for all who look at it, and goes by places: where it is asked for, the
+ * direction to the viewer is the normal, attributes of the mesh have their defaults, and the
+ * object's random number is 0. */
 static Surface unseen(const Surface *surface)
 {
     Surface made = *surface;
-    memcpy(&made.root[channel_id(GROUP_E, 0)], &surface->root[channel_id(GROUP_N, 0)], 3 * sizeof *made.root);
+    memcpy(&made.root[channel_id(GROUP_E, 0)], &surface->root[channel_id(GROUP_N, 0)],
+           3 * sizeof *made.root);
     made.root[channel_id(GROUP_E, 3)] = 0;
     made.root[channel_id(GROUP_O, 0)] = 0;
     made.has = 0;
     return made;
 }
 
-/* Maps read the mesh; the normal alone, and what `input` makes of it, is that of the surface after it was displaced. */
+/* Maps read the mesh; the normal alone, and what `input` makes of it, is that of the surface after
+ * it was displaced. */
 static void answer_displaced(Environment *environment, const Node *material, SlotValues *result)
 {
     const Node *displaced = oracle_displaced(material);
@@ -247,7 +266,8 @@ static void answer_displaced(Environment *environment, const Node *material, Slo
     there.mesh = environment->surface;
     answer(&there, material, &moved);
     memcpy(result->lane[SLOT_normal], moved.lane[SLOT_normal], sizeof result->lane[SLOT_normal]);
-    memcpy(result->lane[SLOT_coatNormal], moved.lane[SLOT_coatNormal], sizeof result->lane[SLOT_coatNormal]);
+    memcpy(result->lane[SLOT_coatNormal], moved.lane[SLOT_coatNormal],
+           sizeof result->lane[SLOT_coatNormal]);
 }
 
 typedef struct {
@@ -262,7 +282,8 @@ static void answer_on_stack(void *user)
     answer_displaced(&question->environment, question->material, question->result);
 }
 
-bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface, SlotValues *result)
+bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface,
+                     SlotValues *result)
 {
     Question question = {environment_open(oracle, surface, 0), material, result};
     oracle->work = 0;
@@ -286,7 +307,8 @@ static void move_on_stack(void *user)
         oracle_move_by(&question->environment, question->displaced, question->result->by);
 }
 
-static bool move(Oracle *oracle, const Node *material, const Surface *surface, bool slopes, OracleDisplacement *result)
+static bool move(Oracle *oracle, const Node *material, const Surface *surface, bool slopes,
+                 OracleDisplacement *result)
 {
     const Node *displaced = oracle_displaced(material);
     *result = (OracleDisplacement){.by = {0}};
@@ -298,12 +320,14 @@ static bool move(Oracle *oracle, const Node *material, const Surface *surface, b
     return !oracle_spent(oracle);
 }
 
-bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface, OracleDisplacement *result)
+bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface,
+                         OracleDisplacement *result)
 {
     return move(oracle, material, surface, true, result);
 }
 
-bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface, double by[ORACLE_HEIGHTS])
+bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface,
+                            double by[ORACLE_HEIGHTS])
 {
     OracleDisplacement found;
     const bool fine = move(oracle, material, surface, false, &found);

@@ -1,4 +1,5 @@
-/* The answers of maps that are arithmetic between others. All work on colours; another group's lanes are the result's first. */
+/* The answers of maps that are arithmetic between others. All work on colours; another group's
+ * lanes are the result's first. */
 #include "compiler/oracle/oracle_maps.h"
 
 static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
@@ -13,7 +14,8 @@ double oracle_Mix(Environment *environment, const Node *node, int channel)
 {
     const int lane = lane_of(channel);
     const double t = lane_at(environment, node, P_Mix_amount, 0);
-    return lane_at(environment, node, P_Mix_a, lane) * (1 - t) + lane_at(environment, node, P_Mix_b, lane) * t;
+    return lane_at(environment, node, P_Mix_a, lane) * (1 - t) +
+           lane_at(environment, node, P_Mix_b, lane) * t;
 }
 
 double oracle_Add(Environment *environment, const Node *node, int channel)
@@ -33,37 +35,48 @@ double oracle_Multiply(Environment *environment, const Node *node, int channel)
 double oracle_Remap(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Remap_input, lane_of(channel));
-    const double low = lane_at(environment, node, P_Remap_low, 0), high = lane_at(environment, node, P_Remap_high, 0);
-    const double to_low = lane_at(environment, node, P_Remap_toLow, 0), to_high = lane_at(environment, node, P_Remap_toHigh, 0);
+    const double low = lane_at(environment, node, P_Remap_low, 0),
+                 high = lane_at(environment, node, P_Remap_high, 0);
+    const double to_low = lane_at(environment, node, P_Remap_toLow, 0),
+                 to_high = lane_at(environment, node, P_Remap_toHigh, 0);
     if (lane_of(channel) == 3)
         return x;
-    return fabs(high - low) < LEAST_WIDTH ? to_low : to_low + (to_high - to_low) * ((x - low) / (high - low));
+    return fabs(high - low) < LEAST_WIDTH
+               ? to_low
+               : to_low + (to_high - to_low) * ((x - low) / (high - low));
 }
 
 double oracle_Contrast(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Contrast_input, lane_of(channel));
     const double pivot = lane_at(environment, node, P_Contrast_pivot, 0);
-    return lane_of(channel) == 3 ? x : pivot + lane_at(environment, node, P_Contrast_amount, 0) * (x - pivot);
+    return lane_of(channel) == 3
+               ? x
+               : pivot + lane_at(environment, node, P_Contrast_amount, 0) * (x - pivot);
 }
 
 double oracle_Clamp(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Clamp_input, lane_of(channel));
-    return lane_of(channel) == 3 ? x : fmin(fmax(x, lane_at(environment, node, P_Clamp_low, 0)), lane_at(environment, node, P_Clamp_high, 0));
+    return lane_of(channel) == 3 ? x
+                                 : fmin(fmax(x, lane_at(environment, node, P_Clamp_low, 0)),
+                                        lane_at(environment, node, P_Clamp_high, 0));
 }
 
 double oracle_Power(Environment *environment, const Node *node, int channel)
 {
     const double x = lane_at(environment, node, P_Power_input, lane_of(channel));
-    const double exponent = fmin(fmax(lane_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
+    const double exponent =
+        fmin(fmax(lane_at(environment, node, P_Power_exponent, 0), 0), MOST_EXPONENT);
     return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
-/* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows when it is looked at along its diagonal. */
+/* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows
+ * when it is looked at along its diagonal. */
 static void hsv_of(const double rgb[3], double hsv[3])
 {
-    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])), spread = most - fmin(rgb[0], fmin(rgb[1], rgb[2]));
+    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])),
+                 spread = most - fmin(rgb[0], fmin(rgb[1], rgb[2]));
     const double red = rgb[0], green = rgb[1], blue = rgb[2];
     double sixth = most == red ? green - blue : most == green ? blue - red : red - green;
     sixth = spread < 1e-30 ? 0 : sixth / spread + (most == red ? 0 : most == green ? 2 : 4);
@@ -72,7 +85,8 @@ static void hsv_of(const double rgb[3], double hsv[3])
     hsv[2] = most;
 }
 
-/* A lane of such a colour: it is full within a sixth of a turn around its own hue, and less by the saturation beyond a third. */
+/* A lane of such a colour: it is full within a sixth of a turn around its own hue, and less by the
+ * saturation beyond a third. */
 static double lane_of_hsv(const double hsv[3], int lane)
 {
     const double turn = hsv[0] - lane / 3., from = fabs(turn - floor(turn + .5));
@@ -100,12 +114,15 @@ double oracle_Switch(Environment *environment, const Node *node, int channel)
     if (maps->kind != VALUE_items || !maps->items->count)
         return lane_of(channel) == 3;
     const double i = floor(lane_at(environment, node, P_Switch_which, 0) + .5);
-    return oracle_ask(environment, maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input, channel);
+    return oracle_ask(environment,
+                      maps->items->item[(int)fmin(fmax(i, 0), maps->items->count - 1)].input,
+                      channel);
 }
 
 double oracle_Combine(Environment *environment, const Node *node, int channel)
 {
-    return lane_of(channel) == 3 ? 1 : lane_at(environment, node, P_Combine_r + lane_of(channel), 0);
+    return lane_of(channel) == 3 ? 1
+                                 : lane_at(environment, node, P_Combine_r + lane_of(channel), 0);
 }
 
 double oracle_Separate(Environment *environment, const Node *node, int channel)

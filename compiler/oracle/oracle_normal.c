@@ -32,8 +32,9 @@ static double turning(const Frame *frame)
     return volume < 0 ? -1 : 1;
 }
 
-/* One lane of the frame after the tangents were raised along the normal by the given slopes. The new normal is their cross product, not
- * normalised, to the old one's side; without n x n, which is 0 but as the difference of steep slopes' products would be noise. */
+/* One lane of the frame after the tangents were raised along the normal by the given slopes. The
+ * new normal is their cross product, not normalised, to the old one's side; without n x n, which is
+ * 0 but as the difference of steep slopes' products would be noise. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
     int lane = lane_of(channel);
@@ -41,38 +42,45 @@ static double raised(const Frame *frame, double slope_u, double slope_v, int cha
         return frame->du[lane] + slope_u * frame->n[lane];
     if (group_of(channel) == GROUP_DV)
         return frame->dv[lane] + slope_v * frame->n[lane];
-    const double normal = cross(frame->du, frame->dv, lane) + slope_u * cross(frame->n, frame->dv, lane) +
+    const double normal = cross(frame->du, frame->dv, lane) +
+                          slope_u * cross(frame->n, frame->dv, lane) +
                           slope_v * cross(frame->du, frame->n, lane);
     return turning(frame) * normal;
 }
 
 static bool in_frame(int channel)
 {
-    return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
+    return in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) ||
+           in_triple(channel, GROUP_DV);
 }
 
-/* The point beside an environment's: (u, v) moved by `du` and `dv`, and with them the positions on the surface. What a Triplanar's map sees there is
- * what that projects beside its own point; `room` has one for each Triplanar around. */
+/* The point beside an environment's: (u, v) moved by `du` and `dv`, and with them the positions on
+ * the surface. What a Triplanar's map sees there is what that projects beside its own point; `room`
+ * has one for each Triplanar around. */
 static Environment *open_beside(Environment *environment, double du, double dv, Projection *room)
 {
     if (environment->outer) {
-        oracle_project(open_beside(environment->outer, du, dv, room + 1), environment->triplanar, environment->axis,
-                       room);
+        oracle_project(open_beside(environment->outer, du, dv, room + 1), environment->triplanar,
+                       environment->axis, room);
     } else {
         room->surface = *environment->surface;
         double *root = room->surface.root;
-        const double *tangents = environment->mesh ? environment->mesh->root : environment->surface->root;
+        const double *tangents =
+            environment->mesh ? environment->mesh->root : environment->surface->root;
         root[channel_id(GROUP_U, 0)] += du;
         root[channel_id(GROUP_U, 1)] += dv;
         for (int i = 0; i < 3; i++) {
             root[channel_id(GROUP_P, i)] +=
                 du * tangents[channel_id(GROUP_DU, i)] + dv * tangents[channel_id(GROUP_DV, i)];
-            root[channel_id(GROUP_X, i)] += du * room->surface.local_u[i] + dv * room->surface.local_v[i];
+            root[channel_id(GROUP_X, i)] +=
+                du * room->surface.local_u[i] + dv * room->surface.local_v[i];
         }
-        room->environment = environment_open(environment->oracle, &room->surface, environment->depth + 1);
+        room->environment =
+            environment_open(environment->oracle, &room->surface, environment->depth + 1);
     }
     room->environment.origin = environment;
-    room->environment.centre = environment->oracle->derivatives != CHOICE_derivatives_analytic ? environment : NULL;
+    room->environment.centre =
+        environment->oracle->derivatives != CHOICE_derivatives_analytic ? environment : NULL;
     return &room->environment;
 }
 
@@ -82,7 +90,8 @@ static double height_at(Environment *environment, const Height *height, double d
     return height->at(open_beside(environment, du, dv, room), height->node, height->lane);
 }
 
-/* A step that is small beside a float's rounding, so that either side of a crease can be told, and not beside a double's. */
+/* A step that is small beside a float's rounding, so that either side of a crease can be told, and
+ * not beside a double's. */
 static double slope_step(const Surface *surface)
 {
     double size = 1;
@@ -94,30 +103,35 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
-/* How far the height to one side is from the line through those at the point and to the other side, and what rounding makes of that. */
+/* How far the height to one side is from the line through those at the point and to the other side,
+ * and what rounding makes of that. */
 typedef struct {
     double bend, rounding;
 } Bend;
 
-/* `here` is the height at the point. The sides are not equally far: from the middle of a stair's step as many steps go up as down.
- * Rounding is that of the height, and that of the point, whose coordinates are up to 2^26 / part of what it moves by. */
-static Bend bend_at(Environment *environment, const Height *height, const double move[2], double part, double here)
+/* `here` is the height at the point. The sides are not equally far: from the middle of a stair's
+ * step as many steps go up as down. Rounding is that of the height, and that of the point, whose
+ * coordinates are up to 2^26 / part of what it moves by. */
+static Bend bend_at(Environment *environment, const Height *height, const double move[2],
+                    double part, double here)
 {
     const double ulp = ldexp(1, -52), back = 0.618, du = part * move[0], dv = part * move[1];
     double ahead = height_at(environment, height, du, dv);
     double behind = height_at(environment, height, -back * du, -back * dv);
-    double of_height = 12 * ulp * fabs(here), of_point = 4 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
+    double of_height = 12 * ulp * fabs(here),
+           of_point = 4 * ulp * fabs(ahead - behind) * ldexp(1 / part, 26);
     return (Bend){fabs(ahead - here - (here - behind) / back), of_height + of_point};
 }
 
-/* A smooth curve bends by the square of the step, and over a small part of it by no more than rounding; a stair bends by a whole
- * step or by none, over whatever part.
+/* A smooth curve bends by the square of the step, and over a small part of it by no more than
+ * rounding; a stair bends by a whole step or by none, over whatever part.
  *   sin(x) at 1, 2^-26 to either side: bends by 2e-16; over a tenth of that by 2e-18
  *   ceil(1e9 x) there: by -1, 0 or 1 of 30 steps; over a tenth of that by -1, 0 or 1 of 3 */
 static bool is_smooth(Environment *environment, const Height *height, const double move[2])
 {
     enum { PARTS = 8 };
-    const double shrink = 0.41, widest = ldexp(1, -10); /* of maps whose periods are 1 and less, more tells nothing */
+    /* of maps whose periods are 1 and less, more tells nothing */
+    const double shrink = 0.41, widest = ldexp(1, -10);
     if (fmax(move[0], move[1]) > widest)
         return false;
     const double here = height_at(environment, height, 0, 0);
@@ -132,15 +146,18 @@ static bool is_smooth(Environment *environment, const Height *height, const doub
     return true;
 }
 
-/* The derivative along a direction (1 or 0 of u and of v) from a difference; from one side by the parabola through three points, since a
- * straight line would be off by a part of how the slope itself changes there: noise has other curvatures to either side of a lattice point. */
-static double slope_along(Environment *environment, const Height *height, const double along[2], double h)
+/* The derivative along a direction (1 or 0 of u and of v) from a difference; from one side by the
+ * parabola through three points, since a straight line would be off by a part of how the slope
+ * itself changes there: noise has other curvatures to either side of a lattice point. */
+static double slope_along(Environment *environment, const Height *height, const double along[2],
+                          double h)
 {
     double ahead = environment->oracle->ahead * h, behind = environment->oracle->behind * h;
     double far = ahead != 0 ? ahead : behind, half = far / 2;
     double at_far = height_at(environment, height, far * along[0], far * along[1]);
     if (ahead != 0 && behind != 0)
-        return (at_far - height_at(environment, height, behind * along[0], behind * along[1])) / (ahead - behind);
+        return (at_far - height_at(environment, height, behind * along[0], behind * along[1])) /
+               (ahead - behind);
     double here = height_at(environment, height, 0, 0);
     double at_half = height_at(environment, height, half * along[0], half * along[1]);
     return (4 * (at_half - here) - (at_far - here)) / far;
@@ -151,15 +168,17 @@ void oracle_slopes(Environment *environment, const Height *height, double slope[
     const double h = slope_step(environment->surface);
     slope[0] = slope_along(environment, height, (double[]){1, 0}, h);
     slope[1] = slope_along(environment, height, (double[]){0, 1}, h);
-    if (environment->oracle->judges &&
-        !(is_smooth(environment, height, (double[]){h, 0}) && is_smooth(environment, height, (double[]){0, h})))
+    if (environment->oracle->judges && !(is_smooth(environment, height, (double[]){h, 0}) &&
+                                         is_smooth(environment, height, (double[]){0, h})))
         environment->oracle->rough = true;
 }
 
-/* The derivative of what is smooth near the point, to a few ulp: differences to both sides over steps from wide to narrow, each extrapolated with those
- * before it to a step of 0 (Ridders 1982); the entry that differs least from its neighbours, and whose own rounding is least, counts.
+/* The derivative of what is smooth near the point, to a few ulp: differences to both sides over
+ * steps from wide to narrow, each extrapolated with those before it to a step of 0 (Ridders 1982);
+ * the entry that differs least from its neighbours, and whose own rounding is least, counts.
  *     x^3 at 1: steps of 1/2 and 1/8 give 3.25 and 3.015625, and (16 * 3.015625 - 3.25) / 15 = 3 */
-static double slope_extrapolated(Environment *environment, const Height *height, const double along[2], double widest)
+static double slope_extrapolated(Environment *environment, const Height *height,
+                                 const double along[2], double widest)
 {
     enum { STEPS = 9, SHRINK = 4 };
     double row[STEPS] = {0}, before[STEPS], best = 0, least = INFINITY, h = widest;
@@ -173,7 +192,8 @@ static double slope_extrapolated(Environment *environment, const Height *height,
         for (int k = 1; k <= i; k++) {
             power *= SHRINK * SHRINK;
             row[k] = row[k - 1] + (row[k - 1] - before[k - 1]) / (power - 1);
-            const double error = fmax(fabs(row[k] - row[k - 1]), fabs(row[k] - before[k - 1])) + rounding;
+            const double error =
+                fmax(fabs(row[k] - row[k - 1]), fabs(row[k] - before[k - 1])) + rounding;
             if (error < least)
                 least = error, best = row[k];
         }
@@ -185,13 +205,15 @@ void oracle_slopes_exact(Environment *environment, const Height *height, double 
 {
     const double widest = ldexp(slope_step(environment->surface), 20);
     oracle_slopes(environment, height, slope);
-    for (int i = 0; i < 2 && environment->oracle->ahead != 0 && environment->oracle->behind != 0; i++)
+    for (int i = 0; i < 2 && environment->oracle->ahead != 0 && environment->oracle->behind != 0;
+         i++)
         slope[i] = slope_extrapolated(environment, height, (double[]){!i, i}, widest);
 }
 
-/* All channels of the frame after the tangents were raised, remembered; the one that is asked for. */
-static double raised_frame(Environment *environment, const Node *node, const Frame *frame, const double slope[2],
-                           int channel)
+/* All channels of the frame after the tangents were raised, remembered; the one that is asked
+ * for. */
+static double raised_frame(Environment *environment, const Node *node, const Frame *frame,
+                           const double slope[2], int channel)
 {
     static const Group groups[] = {GROUP_N, GROUP_DU, GROUP_DV};
     for (int i = 0; i < 9; i++) {
@@ -216,13 +238,18 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     double k = 0.02 * oracle_number(node, P_BumpMap_strength) / guarded_length(frame.n);
     double slope[2];
     if (environment->oracle->derivatives != CHOICE_derivatives_finite) {
-        oracle_slopes(environment, &(Height){red, node_param(node, P_BumpMap_displacement)->node, 0}, slope);
-        /* the tangents that they are raised along are those of the input: where it turned them, so are the slopes */
+        oracle_slopes(environment,
+                      &(Height){red, node_param(node, P_BumpMap_displacement)->node, 0}, slope);
+        /* the tangents that they are raised along are those of the input: where it turned them, so
+         * are the slopes */
         const Value *input = node_param(node, P_BumpMap_input);
-        oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL, slope);
+        oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL,
+                           slope);
     } else {
-        slope[0] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
-        slope[1] = oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
+        slope[0] =
+            oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DU, 0));
+        slope[1] =
+            oracle_ask_param(environment, node, P_BumpMap_displacement, channel_id(GROUP_DV, 0));
     }
     return raised_frame(environment, node, &frame, (double[]){k * slope[0], k * slope[1]}, channel);
 }
@@ -237,7 +264,8 @@ typedef struct {
     double u, v, count_u, count_v;
 } WavePoint;
 
-/* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then those of the face. */
+/* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are
+ * then those of the face. */
 static void move_to_box_top(WavePoint *point)
 {
     point->u -= 1. / 4;
@@ -257,7 +285,8 @@ double oracle_WaveMap(Environment *environment, const Node *node, int channel)
         return oracle_ask_input(environment, node, channel);
     WavePoint point = {oracle_ask_input(environment, node, channel_id(GROUP_U, 0)),
                        oracle_ask_input(environment, node, channel_id(GROUP_U, 1)),
-                       oracle_number(node, P_WaveMap_uCount), oracle_number(node, P_WaveMap_vCount)};
+                       oracle_number(node, P_WaveMap_uCount),
+                       oracle_number(node, P_WaveMap_vCount)};
     bool box_top = oracle_number(node, P_WaveMap_boxTop) != 0;
     if (box_top)
         move_to_box_top(&point);
@@ -282,14 +311,15 @@ static Surface shifted(const Surface *from, const double shift[3])
     return surface;
 }
 
-/* The input's answers on some lanes of a group, at a surface point whose local position and texture coordinate lie `shift`
- * beside this one. */
-static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes, const double shift[3],
-                          double result[3])
+/* The input's answers on some lanes of a group, at a surface point whose local position and texture
+ * coordinate lie `shift` beside this one. */
+static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes,
+                          const double shift[3], double result[3])
 {
     Oracle *oracle = environment->oracle;
     const Environment *origin = environment->origin ? environment->origin : environment;
-    const Surface here = shifted(environment->surface, shift), middle = shifted(origin->surface, shift);
+    const Surface here = shifted(environment->surface, shift),
+                  middle = shifted(origin->surface, shift);
     Environment moved = environment_open(oracle, &here, environment->depth + 1);
     Environment moved_centre = environment_open(oracle, &middle, environment->depth + 2);
     moved.origin = environment->origin ? &moved_centre : NULL;
@@ -303,10 +333,10 @@ enum { CENTRE = 13 }; /* of 27 cells */
 /* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
 typedef double Kernel[4];
 
-/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the weights' sum. All lanes
- * of a group are answered at once, as their points are the same. */
-static double filtered(Environment *environment, const Node *node, int channel, const double size[3],
-                       const Kernel kernel)
+/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the
+ * weights' sum. All lanes of a group are answered at once, as their points are the same. */
+static double filtered(Environment *environment, const Node *node, int channel,
+                       const double size[3], const Kernel kernel)
 {
     const Lanes lanes = {channel_id(group_of(channel), 0), group_of(channel) == GROUP_IOR ? 1 : 3};
     double centre[3] = {0}, value[3] = {0}, sum[3] = {0}, weights = 0;
@@ -328,7 +358,8 @@ static double filtered(Environment *environment, const Node *node, int channel, 
             sum[i] += weight * (value[i] - centre[i]);
     }
     for (int i = 0; i < lanes.count; i++) {
-        sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1); /* the weights of either kernel sum up to 0 or 1 */
+        /* the weights of either kernel sum up to 0 or 1 */
+        sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1);
         memo_set(environment, node, lanes.first + i, sum[i]);
     }
     return sum[lane_of(channel)];

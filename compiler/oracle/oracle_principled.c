@@ -1,4 +1,5 @@
-/* The slots of Principled, of a coat over a material, and of two materials mixed (semantics.md, section 4). */
+/* The slots of Principled, of a coat over a material, and of two materials mixed (semantics.md,
+ * section 4). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <math.h>
@@ -40,37 +41,43 @@ static double film_ior(double ior)
     return fmin(fmax(ior, slot_table[SLOT_filmIor].low), slot_table[SLOT_filmIor].high);
 }
 
-/* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight of what that reflects. */
+/* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight
+ * of what that reflects. */
 static void lay(const OracleCoat *coat, double ior, double specular, SlotValues *result)
 {
     if (!(coat->weight > 0))
         return;
-    const double w = coat->weight, high = fmax(ior, coat->ior), low = fmax(fmin(ior, coat->ior), LEAST);
+    const double w = coat->weight, high = fmax(ior, coat->ior),
+                 low = fmax(fmin(ior, coat->ior), LEAST);
     const double own = reflectance_of(coat->ior);
     const double back = unit(1 - (1 - own) / fmax(coat->ior * coat->ior, LEAST));
     double *rough = result->lane[SLOT_roughness];
-    const double rougher = pow(fmin(pow(fmax(rough[0], 0), 4) + 2 * pow(coat->roughness, 4), 1), .25);
+    const double rougher =
+        pow(fmin(pow(fmax(rough[0], 0), 4) + 2 * pow(coat->roughness, 4), 1), .25);
     rough[0] = mixed(rough[0], rougher, unit(w * coat->roughening));
     result->lane[SLOT_reflectance][0] = specular * reflectance_of(mixed(ior, high / low, w));
     for (int i = 0; i < 3; i++) {
         const double tint = 1 - w + w * coat->colour[i], by = unit(w * coat->darkening);
-        const double dark = (1 - back) / fmax(1 - unit(result->lane[SLOT_diffuse][i]) * back, LEAST);
+        const double dark =
+            (1 - back) / fmax(1 - unit(result->lane[SLOT_diffuse][i]) * back, LEAST);
         result->lane[SLOT_coatTint][i] = tint * (1 - by + by * dark);
         result->lane[SLOT_emissive][i] *= tint;
     }
     if (result->lane[SLOT_film][0] > 0)
-        result->lane[SLOT_filmIor][0] = film_ior(result->lane[SLOT_filmIor][0] / fmax(1 - w + w * coat->ior, LEAST));
+        result->lane[SLOT_filmIor][0] =
+            film_ior(result->lane[SLOT_filmIor][0] / fmax(1 - w + w * coat->ior, LEAST));
     result->lane[SLOT_coat][0] = w;
     result->lane[SLOT_coatRoughness][0] = coat->roughness;
     result->lane[SLOT_coatReflectance][0] = own;
 }
 
-/* a (cos 2 t, sin 2 t), t by turns and, if there is one, the tangent's angle from dP/du toward dP/dv. */
+/* a (cos 2 t, sin 2 t), t by turns and, if there is one, the tangent's angle from dP/du toward
+ * dP/dv. */
 static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
 {
     const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
-    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation), tangent[3], beside[3],
-           m[3];
+    double turn = 4 * M_PI * ask_red(environment, material, P_Principled_anisotropyRotation),
+           tangent[3], beside[3], m[3];
     const double *du = &environment->surface->root[channel_id(GROUP_DU, 0)],
                  *dv = &environment->surface->root[channel_id(GROUP_DV, 0)];
     if (!(strength > 0))
@@ -85,15 +92,17 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
-/* What goes through a dielectric, or is scattered below its surface: of a body the colour counts once for its two surfaces, and what is scattered leaves
- * where it came in. The diffuse slot is b (1 - metal + metal weight) before. */
+/* What goes through a dielectric, or is scattered below its surface: of a body the colour counts
+ * once for its two surfaces, and what is scattered leaves where it came in. The diffuse slot is b
+ * (1 - metal + metal weight) before. */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
                  metal = result->lane[SLOT_metalness][0];
     const double below = unit(ask_red(environment, material, P_Principled_subsurface)),
                  opacity = result->lane[SLOT_alpha][0];
-    const double on = fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
+    const double on =
+        fmin(fmax(ask_red(environment, material, P_Principled_subsurfaceAnisotropy), -1), 1);
     const double weight = ask_red(environment, material, P_Principled_specular),
                  base_weight = ask_red(environment, material, P_Principled_baseWeight);
     const bool thin = oracle_number(material, P_Principled_thinWalled) != 0;
@@ -105,8 +114,10 @@ static void let_through(Environment *environment, const Node *material, SlotValu
     oracle_ask_colour(environment, material, P_Principled_baseColor, base);
     for (int i = 0; i < 3; i++) {
         const double back = scattered[i] * (thin ? (1 - on) / 2 : 1), own = base[i] * base_weight;
-        const double through = clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
-        result->lane[SLOT_diffuse][i] = (1 - metal) * (1 - clear) * mixed(own, back, below) + metal * own * weight;
+        const double through =
+            clear * (1 - unit(metal)) * (thin ? unit(tint[i]) : sqrt(unit(tint[i])));
+        result->lane[SLOT_diffuse][i] =
+            (1 - metal) * (1 - clear) * mixed(own, back, below) + metal * own * weight;
         result->lane[SLOT_diffuseTransparency][i] =
             thin ? below * (1 - clear) * (1 - unit(metal)) * scattered[i] * (1 + on) / 2 : 0;
         result->lane[SLOT_transparency][i] = 1 - opacity * (1 - through);
@@ -128,7 +139,8 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
 }
 
 /* The coat's own normal, where there is a coat; nothing where it is that of what lies below. */
-static void set_coat_normal(Environment *environment, const Node *material, int param, SlotValues *result)
+static void set_coat_normal(Environment *environment, const Node *material, int param,
+                            SlotValues *result)
 {
     double normal[3], *lane = result->lane[SLOT_coatNormal];
     memset(lane, 0, sizeof result->lane[SLOT_coatNormal]);
@@ -150,14 +162,17 @@ static double of_both_sides(Environment *environment, const Node *material, doub
                : mixed(once, 2 * once / fmax(1 + once, LEAST), clear);
 }
 
-/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the weight of that as a factor on its colour. */
+/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the
+ * weight of that as a factor on its colour. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
-    static const int coat_params[] = {P_Principled_coat,    P_Principled_coatColor,     P_Principled_coatRoughness,
-                                      P_Principled_coatIor, P_Principled_coatDarkening, P_Principled_coatRoughening};
+    static const int coat_params[] = {P_Principled_coat,          P_Principled_coatColor,
+                                      P_Principled_coatRoughness, P_Principled_coatIor,
+                                      P_Principled_coatDarkening, P_Principled_coatRoughening};
     double normal[3], colour[3];
     for (int i = 0; i < 3; i++)
-        normal[i] = oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
+        normal[i] =
+            oracle_ask_param(environment, material, P_Principled_input, channel_id(GROUP_N, i));
     oracle_set_normal(environment, normal, result);
     const double metal = ask_red(environment, material, P_Principled_metalness);
     const double weight = ask_red(environment, material, P_Principled_specular);
@@ -165,12 +180,15 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     const double ior = fmax(ask_red(environment, material, P_Principled_ior), 0);
     oracle_ask_colour(environment, material, P_Principled_baseColor, colour);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_diffuse][i] =
-            colour[i] * ask_red(environment, material, P_Principled_baseWeight) * (1 - metal + metal * weight);
+        result->lane[SLOT_diffuse][i] = colour[i] *
+                                        ask_red(environment, material, P_Principled_baseWeight) *
+                                        (1 - metal + metal * weight);
     oracle_ask_colour(environment, material, P_Principled_emissionColor, colour);
     for (int i = 0; i < 3; i++)
-        result->lane[SLOT_emissive][i] = opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
-    oracle_ask_colour(environment, material, P_Principled_specularColor, result->lane[SLOT_specular]);
+        result->lane[SLOT_emissive][i] =
+            opacity * colour[i] * ask_red(environment, material, P_Principled_emission);
+    oracle_ask_colour(environment, material, P_Principled_specularColor,
+                      result->lane[SLOT_specular]);
     for (int i = 0; i < 3; i++)
         result->lane[SLOT_transparency][i] = 1 - opacity;
     result->lane[SLOT_alpha][0] = opacity;
@@ -178,7 +196,8 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     result->lane[SLOT_roughness][0] = ask_red(environment, material, P_Principled_roughness);
     result->lane[SLOT_reflectance][0] = weight * reflectance_of(ior);
     result->lane[SLOT_model][0] = MODEL_Principled;
-    result->lane[SLOT_diffuseRoughness][0] = unit(ask_red(environment, material, P_Principled_diffuseRoughness));
+    result->lane[SLOT_diffuseRoughness][0] =
+        unit(ask_red(environment, material, P_Principled_diffuseRoughness));
     set_anisotropy(environment, material, result);
     let_through(environment, material, result);
     set_film(environment, material, result);
@@ -186,19 +205,22 @@ void oracle_Principled(Environment *environment, const Node *material, SlotValue
     lay(&coat, ior, weight, result);
     if (coat.weight > 0)
         set_coat_normal(environment, material, P_Principled_coatNormal, result);
-    result->lane[SLOT_reflectance][0] = of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
+    result->lane[SLOT_reflectance][0] =
+        of_both_sides(environment, material, result->lane[SLOT_reflectance][0]);
     const double fuzz = ask_red(environment, material, P_Principled_fuzz);
     if (!(fuzz > 0))
         return;
     result->lane[SLOT_fuzz][0] = fuzz;
     oracle_ask_colour(environment, material, P_Principled_fuzzColor, result->lane[SLOT_fuzzColor]);
-    result->lane[SLOT_fuzzRoughness][0] = ask_red(environment, material, P_Principled_fuzzRoughness);
+    result->lane[SLOT_fuzzRoughness][0] =
+        ask_red(environment, material, P_Principled_fuzzRoughness);
 }
 
 void oracle_Layer(Environment *environment, const Node *material, SlotValues *result)
 {
-    static const int coat_params[] = {P_Layer_coat,    P_Layer_coatColor,     P_Layer_coatRoughness,
-                                      P_Layer_coatIor, P_Layer_coatDarkening, P_Layer_coatRoughening};
+    static const int coat_params[] = {P_Layer_coat,          P_Layer_coatColor,
+                                      P_Layer_coatRoughness, P_Layer_coatIor,
+                                      P_Layer_coatDarkening, P_Layer_coatRoughening};
     oracle_spend(environment, ANSWER_WORK);
     if (oracle_spent(environment->oracle))
         return;
@@ -219,15 +241,18 @@ bool oracle_is_principled(const Environment *environment, const Node *material)
 /* It reflects as much along the normal, and as wide. */
 void oracle_as_principled(SlotValues *side)
 {
-    const double *specular = side->lane[SLOT_specular], share = 2 / (side->lane[SLOT_shininess][0] + 2);
+    const double *specular = side->lane[SLOT_specular],
+                 share = 2 / (side->lane[SLOT_shininess][0] + 2);
     const double most = fmax(fmax(specular[0], fmax(specular[1], specular[2])), 0);
-    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess, SLOT_interpolatedTransparency,
-                                SLOT_diffuseTransparency, SLOT_ambient};
+    static const Slot lost[] = {SLOT_shininess, SLOT_transparencyShininess,
+                                SLOT_interpolatedTransparency, SLOT_diffuseTransparency,
+                                SLOT_ambient};
     for (size_t i = 0; i < sizeof lost / sizeof *lost; i++)
         for (int lane = 0; lane < type_table[slot_table[lost[i]].type].lanes; lane++)
             side->lane[lost[i]][lane] = slot_table[lost[i]].absent;
     for (int lane = 0; lane < 3; lane++)
-        side->lane[SLOT_specular][lane] = (side->lane[SLOT_specular][lane] + LEAST) / (most + LEAST);
+        side->lane[SLOT_specular][lane] =
+            (side->lane[SLOT_specular][lane] + LEAST) / (most + LEAST);
     side->lane[SLOT_roughness][0] = sqrt(sqrt(share));
     side->lane[SLOT_reflectance][0] = most * share;
     side->lane[SLOT_model][0] = MODEL_Principled;
@@ -235,17 +260,20 @@ void oracle_as_principled(SlotValues *side)
 
 static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
 
-/* How much the second side counts where the mask is t: as much as it has of the slot that weighs this one. */
+/* How much the second side counts where the mask is t: as much as it has of the slot that weighs
+ * this one. */
 static double counted(Slot slot, const SlotValues sides[2], double t)
 {
     if (slot_weight(slot) == SLOT_COUNT)
         return t;
-    const double a = (1 - t) * sides[0].lane[slot_weight(slot)][0], b = t * sides[1].lane[slot_weight(slot)][0];
+    const double a = (1 - t) * sides[0].lane[slot_weight(slot)][0],
+                 b = t * sides[1].lane[slot_weight(slot)][0];
     return a + b > LEAST ? b / (a + b) : t;
 }
 
 /* From a slot of a's to that of b's. */
-static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t, SlotValues *result)
+static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t,
+                     SlotValues *result)
 {
     const double *a = sides[0].lane[slot], *b = sides[1].lane[slot], by = counted(slot, sides, t);
     double *mean = result->lane[slot];
@@ -269,7 +297,8 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     }
 }
 
-/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded as all work is. */
+/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded
+ * as all work is. */
 void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
 {
     SlotValues sides[2];
@@ -277,8 +306,10 @@ void oracle_MixMaterial(Environment *environment, const Node *material, SlotValu
     if (oracle_spent(environment->oracle))
         return;
     const double red = ask_red(environment, material, P_MixMaterial_mask);
-    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_a), &sides[0]);
-    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_b), &sides[1]);
+    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_a),
+                     &sides[0]);
+    oracle_answer_as(environment, material, oracle_material_of(material, P_MixMaterial_b),
+                     &sides[1]);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         mix_slot(environment, (Slot)slot, sides, unit(red), result);
 }

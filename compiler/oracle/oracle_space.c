@@ -1,4 +1,5 @@
-/* The answers of the coordinate transformers (semantics.md 2.6). What they do not change they forward. */
+/* The answers of the coordinate transformers (semantics.md 2.6). What they do not change they
+ * forward. */
 #include "compiler/oracle/oracle_maps.h"
 
 /* (u', v') = linear * ((u, v) - offset) */
@@ -8,20 +9,24 @@ typedef struct {
 
 static UVMap uv_map(const Node *node)
 {
-    double c = cos(oracle_number(node, P_UVTransform_angle)), s = sin(oracle_number(node, P_UVTransform_angle));
-    double scale_u = oracle_number(node, P_UVTransform_scaleU), scale_v = oracle_number(node, P_UVTransform_scaleV);
+    double c = cos(oracle_number(node, P_UVTransform_angle)),
+           s = sin(oracle_number(node, P_UVTransform_angle));
+    double scale_u = oracle_number(node, P_UVTransform_scaleU),
+           scale_v = oracle_number(node, P_UVTransform_scaleV);
     double shear = oracle_number(node, P_UVTransform_shear) * scale_v;
     return (UVMap){
         .linear = {{scale_u * c + shear * s, scale_u * s - shear * c}, {-scale_v * s, scale_v * c}},
-        .offset = {oracle_number(node, P_UVTransform_offsetU), oracle_number(node, P_UVTransform_offsetV)},
+        .offset = {oracle_number(node, P_UVTransform_offsetU),
+                   oracle_number(node, P_UVTransform_offsetV)},
     };
 }
 
-/* The inverse of the linear part, whose determinant is scaleU * scaleV. A map that flattens the plane has none: there the
- * tangents become 0 rather than infinite. */
+/* The inverse of the linear part, whose determinant is scaleU * scaleV. A map that flattens the
+ * plane has none: there the tangents become 0 rather than infinite. */
 static void uv_inverse(const Node *node, const UVMap *map, double inverse[2][2])
 {
-    double determinant = oracle_number(node, P_UVTransform_scaleU) * oracle_number(node, P_UVTransform_scaleV);
+    double determinant =
+        oracle_number(node, P_UVTransform_scaleU) * oracle_number(node, P_UVTransform_scaleV);
     double factor = determinant != 0 ? 1 / determinant : 0;
     inverse[0][0] = map->linear[1][1] * factor;
     inverse[0][1] = -map->linear[0][1] * factor;
@@ -57,7 +62,8 @@ static const Node *input_of(const Node *node)
 static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
 {
     size_t number = node_number(&oracle->arena, &oracle->turned, node);
-    oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_room, sizeof *oracle->turns);
+    oracle->turns = arena_reach(&oracle->arena, oracle->turns, number, &oracle->turn_room,
+                                sizeof *oracle->turns);
     return &oracle->turns[number];
 }
 
@@ -184,7 +190,8 @@ double oracle_XYZTransform(Environment *environment, const Node *node, int chann
     return q[lane_of(channel)];
 }
 
-/* Displaces the triple that is asked for, local position or texture coordinate, by noise at that triple. */
+/* Displaces the triple that is asked for, local position or texture coordinate, by noise at that
+ * triple. */
 double oracle_Turbulence(Environment *environment, const Node *node, int channel)
 {
     if (!in_triple(channel, GROUP_X) && !in_triple(channel, GROUP_U))
@@ -194,7 +201,8 @@ double oracle_Turbulence(Environment *environment, const Node *node, int channel
     oracle_number3(node, P_Turbulence_amount, amount);
     double octaves = clamp(trunc(oracle_number(node, P_Turbulence_octaves)), 1, 10);
     oracle_call(environment, FN_vectorTurbulence,
-                (double[]){q[0], q[1], q[2], octaves, oracle_number(node, P_Turbulence_frequencyRatio),
+                (double[]){q[0], q[1], q[2], octaves,
+                           oracle_number(node, P_Turbulence_frequencyRatio),
                            oracle_number(node, P_Turbulence_noiseRatio)},
                 offset);
     for (int lane = 0; lane < 3; lane++) {

@@ -1,4 +1,5 @@
-/* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker of 2.3). */
+/* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker
+ * of 2.3). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/carpenter.h"
 #include "compiler/library/references.h"
@@ -17,20 +18,23 @@ double oracle_along_steps(const Stepped *map, const double q0[3], const double q
     return value;
 }
 
-/* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum would not. */
+/* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum
+ * would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
 
 static bool odd_square(double u, double v) { return is_odd(floor(2 * u)) != is_odd(floor(2 * v)); }
 
 static const double CHECKER_STEP = 0.05;
 
-/* The slope across an edge of the pattern sees the difference of the colours themselves; within a square the slope is that
- * of the colour. */
-static double checker_slope(Environment *environment, const Node *node, int channel, const double uv[2])
+/* The slope across an edge of the pattern sees the difference of the colours themselves; within a
+ * square the slope is that of the colour. */
+static double checker_slope(Environment *environment, const Node *node, int channel,
+                            const double uv[2])
 {
     bool along_u = group_of(channel) == GROUP_DU;
     bool here = odd_square(uv[0], uv[1]);
-    bool there = odd_square(uv[0] + (along_u ? CHECKER_STEP : 0), uv[1] + (along_u ? 0 : CHECKER_STEP));
+    bool there =
+        odd_square(uv[0] + (along_u ? CHECKER_STEP : 0), uv[1] + (along_u ? 0 : CHECKER_STEP));
     int this_colour = here ? P_Checker_color1 : P_Checker_color2;
     if (here == there)
         return oracle_ask_param(environment, node, this_colour, channel);
@@ -64,7 +68,8 @@ double oracle_CornerRamp(Environment *environment, const Node *node, int channel
     ask_uv(environment, node, uv);
     for (int i = 0; i < 4; i++)
         corner[i] = oracle_ask_param(environment, node, P_CornerRamp_bottomLeft + i, channel);
-    return between(between(corner[0], corner[1], uv[0]), between(corner[2], corner[3], uv[0]), uv[1]);
+    return between(between(corner[0], corner[1], uv[0]), between(corner[2], corner[3], uv[0]),
+                   uv[1]);
 }
 
 static double square_at(const void *map, const double q[3])
@@ -120,7 +125,8 @@ double oracle_VolumeChecker(Environment *environment, const Node *node, int chan
     return one_of(environment, node, channel, P_VolumeChecker_color1);
 }
 
-/* A texture as a function of u and v: one component of it, and the steps of its finite differences. */
+/* A texture as a function of u and v: one component of it, and the steps of its finite
+ * differences. */
 typedef struct {
     Environment *environment;
     int function; /* library function that reads it */
@@ -131,7 +137,8 @@ typedef struct {
     int channel;
 } Picture;
 
-/* The component of a picture at (u, v). The lanes that the function does not write are those of a grey. */
+/* The component of a picture at (u, v). The lanes that the function does not write are those of a
+ * grey. */
 static double picture_at(const Picture *picture, double u, double v, int component)
 {
     ReferenceContext context = picture->environment->oracle->context;
@@ -160,7 +167,8 @@ static double component_at(const void *map, const double q[3])
     return picture_at(c->picture, q[0], q[1], c->component);
 }
 
-static double picture_beside(const Picture *picture, const Node *node, const double uv[2], int component)
+static double picture_beside(const Picture *picture, const Node *node, const double uv[2],
+                             int component)
 {
     const Component c = {picture, component};
     const Stepped map = {component_at, &c, {picture->step_u, picture->step_v, 0}};
@@ -169,8 +177,8 @@ static double picture_beside(const Picture *picture, const Node *node, const dou
     return oracle_along_steps(&map, (double[3]){centre[0], centre[1]}, (double[3]){uv[0], uv[1]});
 }
 
-/* The rule of all surface maps: a derivative channel is the difference quotient of its own component, so that BumpMap sees
- * the slope of red. */
+/* The rule of all surface maps: a derivative channel is the difference quotient of its own
+ * component, so that BumpMap sees the slope of red. */
 static double picture_channel(const Picture *picture, const Node *node, int channel)
 {
     int component = lane_of(channel);
@@ -182,8 +190,10 @@ static double picture_channel(const Picture *picture, const Node *node, int chan
     if (!is_derivative(channel))
         return here;
     if (group_of(channel) == GROUP_DU)
-        return (picture_at(picture, uv[0] + picture->step_u, uv[1], component) - here) / picture->step_u;
-    return (picture_at(picture, uv[0], uv[1] + picture->step_v, component) - here) / picture->step_v;
+        return (picture_at(picture, uv[0] + picture->step_u, uv[1], component) - here) /
+               picture->step_u;
+    return (picture_at(picture, uv[0], uv[1] + picture->step_v, component) - here) /
+           picture->step_v;
 }
 
 /* Without a picture the value is a grey, whose difference quotients are 0 whatever the step. */
@@ -217,7 +227,8 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
         return no_picture(channel);
     Picture picture = {
         .environment = environment,
-        .function = oracle_number(node, P_ImageMap_bilinearFiltering) != 0 ? FN_imageBilinear : FN_imageNearest,
+        .function = oracle_number(node, P_ImageMap_bilinearFiltering) != 0 ? FN_imageBilinear
+                                                                           : FN_imageNearest,
         .texture = {.width = image->width,
                     .height = image->height,
                     .lanes = 4,
@@ -225,7 +236,8 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
                     .words = image_words(image),
                     .floats = image_floats(image),
                     .srgb = word_of(node, P_ImageMap_colorspace) == WORD_ColorSpace_srgb,
-                    .wrap = (ReferenceWrap)(word_of(node, P_ImageMap_address) - WORD_Address_repeat)},
+                    .wrap =
+                        (ReferenceWrap)(word_of(node, P_ImageMap_address) - WORD_Address_repeat)},
         .gray = word_of(node, P_ImageMap_channel) != NO_WORD,
         .channel = word_of(node, P_ImageMap_channel) - WORD_Channel_r,
         .centred = is_centred(node),
@@ -235,13 +247,14 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
     return picture_channel(&picture, node, channel);
 }
 
-/* A Carpenter's texels, baked when they are first read; NULL: they are more than a value may cost. */
+/* A Carpenter's texels, baked when they are first read; NULL: they are more than a value may
+ * cost. */
 static const float *relief(const Environment *environment, const Node *node, int width, int height)
 {
     Oracle *oracle = environment->oracle;
     size_t number = node_number(&oracle->arena, &oracle->baked, node);
-    oracle->reliefs =
-        arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room, sizeof *oracle->reliefs);
+    oracle->reliefs = arena_reach(&oracle->arena, oracle->reliefs, number, &oracle->relief_room,
+                                  sizeof *oracle->reliefs);
     float **texels = &oracle->reliefs[number];
     if (*texels)
         return *texels;
@@ -265,11 +278,15 @@ static const double SURFACE_STEP = 0.005; /* of surface maps that have no step o
 
 double oracle_Carpenter(Environment *environment, const Node *node, int channel)
 {
-    int width = (int)oracle_number(node, P_Carpenter_width), height = (int)oracle_number(node, P_Carpenter_height);
+    int width = (int)oracle_number(node, P_Carpenter_width),
+        height = (int)oracle_number(node, P_Carpenter_height);
     Picture picture = {
         .environment = environment,
         .function = FN_carpenterRelief,
-        .texture = {.width = width, .height = height, .lanes = 1, .floats = relief(environment, node, width, height)},
+        .texture = {.width = width,
+                    .height = height,
+                    .lanes = 1,
+                    .floats = relief(environment, node, width, height)},
         .step_u = SURFACE_STEP,
         .step_v = SURFACE_STEP,
     };

@@ -15,7 +15,8 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
 {
     const double scale = oracle_number(node, P_NormalMap_scale);
     for (int i = 0; i < 3; i++)
-        t[i] = 2 * oracle_ask_param(environment, node, P_NormalMap_normal, channel_id(GROUP_R, i)) - 1;
+        t[i] =
+            2 * oracle_ask_param(environment, node, P_NormalMap_normal, channel_id(GROUP_R, i)) - 1;
     if (oracle_number(node, P_NormalMap_twoChannel) != 0)
         t[2] = sqrt(fmax(1 - t[0] * t[0] - t[1] * t[1], 0));
     t[0] *= scale;
@@ -23,7 +24,8 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
 }
 
 /* The normal, in the world, from the unit normal and the tangents of the input. */
-static void turned_normal(const double t[3], const double n[3], double frame[2][3], double normal[3])
+static void turned_normal(const double t[3], const double n[3], double frame[2][3],
+                          double normal[3])
 {
     double along[3];
     const double leans = vec3_dot(frame[0], n);
@@ -39,7 +41,8 @@ static void turned_normal(const double t[3], const double n[3], double frame[2][
 
 double oracle_NormalMap(Environment *environment, const Node *node, int channel)
 {
-    const bool of_frame = in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
+    const bool of_frame =
+        in_triple(channel, GROUP_N) || in_triple(channel, GROUP_DU) || in_triple(channel, GROUP_DV);
     if (!of_frame || node_param(node, P_NormalMap_normal)->kind == VALUE_none)
         return oracle_ask_input(environment, node, channel);
     double n[3], frame[2][3], t[3], normal[3];
@@ -52,5 +55,6 @@ double oracle_NormalMap(Environment *environment, const Node *node, int channel)
     if (group_of(channel) == GROUP_N)
         return normal[lane_of(channel)];
     const double *tangent = frame[group_of(channel) == GROUP_DV];
-    return tangent[lane_of(channel)] - n[lane_of(channel)] * vec3_dot(normal, tangent) / fmax(vec3_dot(normal, n), 1e-3);
+    return tangent[lane_of(channel)] -
+           n[lane_of(channel)] * vec3_dot(normal, tangent) / fmax(vec3_dot(normal, n), 1e-3);
 }

@@ -1,8 +1,9 @@
-/* What a value costs the oracle, in steps of some 5 ns. It is the work that is bounded, not the number of answers: a Blend of 100,000
- * items or a fractal of 1,000 steps under four filters has few answers, and takes hours.
+/* What a value costs the oracle, in steps of some 5 ns. It is the work that is bounded, not the
+ * number of answers: a Blend of 100,000 items or a fractal of 1,000 steps under four filters has
+ * few answers, and takes hours.
  *
- * Of Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each 3 answers of 100 steps and one
- * call of 3 * 300 * 10 / 5, 56,700 together. */
+ * Of Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each
+ * 3 answers of 100 steps and one call of 3 * 300 * 10 / 5, 56,700 together. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/references.h"
 
@@ -11,7 +12,10 @@ enum {
     MOST_COUNTED = 1000
 };
 
-void oracle_spend(const Environment *environment, double steps) { environment->oracle->work += steps; }
+void oracle_spend(const Environment *environment, double steps)
+{
+    environment->oracle->work += steps;
+}
 
 double oracle_work(const Oracle *oracle) { return oracle->work; }
 bool oracle_spent(const Oracle *oracle) { return oracle->work > LIMIT_WORK; }
@@ -30,6 +34,7 @@ static double count_of(int function, const double *args)
 
 void oracle_call(const Environment *environment, int function, const double *args, double *result)
 {
-    oracle_spend(environment, CALL_WORK * function_row(function)->cost * count_of(function, args) / USUAL_COUNT);
+    oracle_spend(environment,
+                 CALL_WORK * function_row(function)->cost * count_of(function, args) / USUAL_COUNT);
     reference_of(function)(&environment->oracle->context, args, result);
 }

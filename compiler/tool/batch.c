@@ -1,6 +1,6 @@
-/* A batch: every document's materials are compiled to IR, side by side; the first of each program writes it; when all are known,
- * programs that several materials share with different numbers are written again with those in a buffer. Only then do files
- * appear in the folder. */
+/* A batch: every document's materials are compiled to IR, side by side; the first of each program
+ * writes it; when all are known, programs that several materials share with different numbers are
+ * written again with those in a buffer. Only then do files appear in the folder. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/depfile.h"
 #include "compiler/base/diag.h"
@@ -23,7 +23,8 @@ static void put_tree(Batch *b, BatchDocument *document)
     batch_document_parsed(b, document);
     const char *text = matc_tree_text(document->parsed);
     for (int i = 0; i < document->material_count; i++)
-        batch_put_file(b, document, (BatchFile){document->materials[i].name, emit_table[EMIT_tree].suffix}, text,
+        batch_put_file(b, document,
+                       (BatchFile){document->materials[i].name, emit_table[EMIT_tree].suffix}, text,
                        strlen(text));
 }
 
@@ -41,7 +42,10 @@ static int open_to_compile(void *user, int number)
     return document->material_count;
 }
 
-static void work_on_material(void *user, int number, int material) { batch_compile_material(user, number, material); }
+static void work_on_material(void *user, int number, int material)
+{
+    batch_compile_material(user, number, material);
+}
 
 static void close_compiled(void *user, int number)
 {
@@ -113,7 +117,8 @@ static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet
         batch_name(b, unit, name);
         string_set_add(names, name, &added);
         met = !added;
-        for (int before = 0; before < t && met; before++) { /* two passes of a material can be one program */
+        /* two passes of a material can be one program */
+        for (int before = 0; before < t && met; before++) {
             batch_name(b, &material->units[before], earlier);
             met = strcmp(name, earlier) != 0;
         }
@@ -209,7 +214,9 @@ static void write_depfile(Batch *b)
 static void commit(Batch *b)
 {
     const char *why = NULL;
-    char *old = staging_holds(b->staging, manifest_name) ? staging_read(b->staging, manifest_name, &why) : NULL;
+    char *old = staging_holds(b->staging, manifest_name)
+                    ? staging_read(b->staging, manifest_name, &why)
+                    : NULL;
     if (why)
         batch_complain_within(b, NULL, b->line->folder, manifest_name, why);
     if (old) /* else this manifest is that one, or the first */
@@ -320,14 +327,15 @@ static void finish(Batch *b)
 
 static void count(const Batch *b, BatchResult *result)
 {
-    *result = (BatchResult){
-        .documents = b->document_count, .programs = b->program_count, .written = staging_written(b->staging)};
+    *result = (BatchResult){.documents = b->document_count,
+                            .programs = b->program_count,
+                            .written = staging_written(b->staging)};
     for (int d = 0; d < b->document_count; d++)
         result->materials += b->documents[d].material_count;
     for (int i = 0; i < b->program_count; i++) {
         result->passes[b->programs[i].first->pass]++;
-        result->buffered +=
-            b->programs[i].members != NULL || (b->numbers == NUMBERS_uniform && b->programs[i].first->count);
+        result->buffered += b->programs[i].members != NULL ||
+                            (b->numbers == NUMBERS_uniform && b->programs[i].first->count);
     }
 }
 

@@ -1,7 +1,8 @@
-/* What a batch keeps for the next one. A document's entry says which files it was made from, with their contents, what its materials
- * are, and where the programs are that were written for them; its key is of the text, the options and the compiler itself, so that no
- * entry is ever taken for another input. A program's entry holds its files under the hash of their bytes: however many documents
- * come to the same text, in however many sets, it is kept once. */
+/* What a batch keeps for the next one. A document's entry says which files it was made from, with
+ * their contents, what its materials are, and where the programs are that were written for them;
+ * its key is of the text, the options and the compiler itself, so that no entry is ever taken for
+ * another input. A program's entry holds its files under the hash of their bytes: however many
+ * documents come to the same text, in however many sets, it is kept once. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/build_id.h"
 #include "compiler/choice.h"
@@ -12,7 +13,8 @@
 
 enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 3 };
 
-/* The contents of a file as this batch first read it. Materials of two states would be half a set. */
+/* The contents of a file as this batch first read it. Materials of two states would be half a
+ * set. */
 static void note_file(Batch *b, const char *path, Key key)
 {
     bool added;
@@ -67,8 +69,9 @@ bool batch_stored_open(Batch *b)
     b->options.user = b;
     if (!line->cache || b->textures || line->max_error || line->emit[EMIT_tree])
         return true; /* these are not kept */
-    b->cache =
-        cache_open(line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20, &why);
+    b->cache = cache_open(
+        line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20,
+        &why);
     if (!b->cache)
         batch_complain(b, NULL, line->cache, why);
     return b->cache != NULL;
@@ -119,7 +122,8 @@ static bool same_files(Batch *b, BytesReader *from, int count)
     return true;
 }
 
-/* The files that a document is made from, and what is in them. False: one is not known, so that a change would not be seen. */
+/* The files that a document is made from, and what is in them. False: one is not known, so that a
+ * change would not be seen. */
 static bool put_files(Batch *b, char *const *depends, int count, Bytes *to)
 {
     bytes_number(to, (uint32_t)count);
@@ -168,7 +172,9 @@ void batch_store_ranges(Batch *b, const BatchDocument *document)
 /* The library's own text. */
 static const char *opacity_named(const char *name)
 {
-    return !strcmp(name, "opaque") ? "opaque" : !strcmp(name, "transparent") ? "transparent" : "varying";
+    return !strcmp(name, "opaque")        ? "opaque"
+           : !strcmp(name, "transparent") ? "transparent"
+                                          : "varying";
 }
 
 static bool load_document(Batch *b, BatchDocument *document, BytesReader *from)
@@ -211,7 +217,8 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     if (!document->stored && document->materials) { /* damaged in a way that checksums do not see */
         int requests = b->request_count;
         Key key = document->key;
-        BatchDocument fresh = {.path = document->path, .text = document->text, .size = document->size, .key = key};
+        BatchDocument fresh = {
+            .path = document->path, .text = document->text, .size = document->size, .key = key};
         pthread_mutex_init(&fresh.mutex, NULL);
         document->text = NULL;
         batch_document_free(document, requests);
@@ -233,7 +240,8 @@ void batch_store_document(Batch *b, BatchDocument *document)
 {
     Bytes to = {0};
     document->spoke |= document->said.size > 0;
-    if (!b->cache || document->spoke || b->fault || (document->stored && !has_changed(document, b->request_count)))
+    if (!b->cache || document->spoke || b->fault ||
+        (document->stored && !has_changed(document, b->request_count)))
         return;
     if (!put_files(b, document->depends, document->depend_count, &to)) {
         bytes_free(&to);
@@ -275,7 +283,9 @@ bool batch_stored_program(Batch *b, BatchDocument *document, const BatchEdition 
             continue;
         const char *text = bytes_take_block(&from, &size);
         if (text)
-            batch_put_file(b, document, (BatchFile){edition->base, options_emit_suffix(&b->options, emit)}, text, size);
+            batch_put_file(b, document,
+                           (BatchFile){edition->base, options_emit_suffix(&b->options, emit)}, text,
+                           size);
     }
     free(entry);
     if (from.broken) {

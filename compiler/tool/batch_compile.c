@@ -6,11 +6,13 @@
 #include <string.h>
 
 /* Writes a program for one of its materials, and keeps what the manifest needs of it. */
-static void write_program(Batch *b, BatchDocument *document, const BatchEdition *edition, MatcProgram *program)
+static void write_program(Batch *b, BatchDocument *document, const BatchEdition *edition,
+                          MatcProgram *program)
 {
     Unit *unit = edition->unit;
     if (!matc_emit(program, b->outputs)) {
-        batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
+        batch_say_of(b, document, unit->material,
+                     matc_program_diagnostics(program, b->line->diagnostics));
         batch_fault(b);
         return;
     }
@@ -37,9 +39,10 @@ static bool first_of_program(Batch *b, const Unit *unit)
     return added;
 }
 
-/* Textures that matc makes: those of the material by the name of its program, as each pass numbers its own; tables of noise by
- * their own. */
-static void write_textures(Batch *b, BatchDocument *document, const char *base, MatcProgram *program)
+/* Textures that matc makes: those of the material by the name of its program, as each pass numbers
+ * its own; tables of noise by their own. */
+static void write_textures(Batch *b, BatchDocument *document, const char *base,
+                           MatcProgram *program)
 {
     char name[2 * LONGEST_NAME];
     for (int i = 0; b->textures && i < matc_texture_count(program); i++) {
@@ -48,7 +51,8 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base, 
         size_t size;
         if (texture->path)
             continue;
-        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : base, table ? "" : ".", texture->name);
+        snprintf(name, sizeof name, "%s%s%s.ktx", table ? "" : base, table ? "" : ".",
+                 texture->name);
         char *bytes = output_ktx(texture, &size);
         const char *why = staging_put(b->textures, name, bytes, size);
         free(bytes);
@@ -57,7 +61,8 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base, 
     }
 }
 
-/* The material's IR in a pass; with members, those numbers come from a buffer. NULL: a fault, said. */
+/* The material's IR in a pass; with members, those numbers come from a buffer. NULL: a fault,
+ * said. */
 static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit, const int *members)
 {
     const MatcDocument *parsed = batch_document_parsed(b, document);
@@ -77,7 +82,8 @@ static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit,
     MatcProgram *program = matc_compile(parsed, material, MATC_KEY, &options);
     if (matc_ok(program))
         return program;
-    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics));
+    batch_say_of(b, document, unit->material,
+                 matc_program_diagnostics(program, b->line->diagnostics));
     batch_fault(b);
     matc_program_free(program);
     return NULL;
@@ -89,7 +95,9 @@ static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *ow
     MatcProgram *program = compile(b, document, unit, NULL);
     if (!program)
         return;
-    batch_say_of(b, document, unit->material, matc_program_diagnostics(program, b->line->diagnostics)); /* warnings */
+    /* warnings */
+    batch_say_of(b, document, unit->material,
+                 matc_program_diagnostics(program, b->line->diagnostics));
     unit->pass = unit_pass(program);
     batch_name(b, unit, name);
     snprintf(textures, sizeof textures, "%s/%s", b->line->textures ? b->line->textures : "", name);

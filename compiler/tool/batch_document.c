@@ -6,7 +6,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-static bool is_standard_input(const BatchDocument *document) { return !strcmp(document->path, "-"); }
+static bool is_standard_input(const BatchDocument *document)
+{
+    return !strcmp(document->path, "-");
+}
 
 static bool is_regular(const char *path)
 {

@@ -1,4 +1,5 @@
-/* Programs out of units. Everything goes by the order of the inputs, so that any number of threads gives the same. */
+/* Programs out of units. Everything goes by the order of the inputs, so that any number of threads
+ * gives the same. */
 #include "compiler/tool/batch_state.h"
 #include <stdlib.h>
 #include <string.h>
@@ -12,7 +13,8 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
     unit->next = NULL;
     if (added) {
         if (unit->program % 64 == 0)
-            b->programs = sets_resize(b->programs, (size_t)(unit->program + 64) * sizeof *b->programs);
+            b->programs =
+                sets_resize(b->programs, (size_t)(unit->program + 64) * sizeof *b->programs);
         b->programs[unit->program] = (BatchProgram){.first = unit, .last = unit};
         b->program_count = unit->program + 1;
     } else {
@@ -43,7 +45,8 @@ static Key column_key(const BatchProgram *program, int at, int lanes)
     return (Key){hash.low64, hash.high64};
 }
 
-/* Places where the materials differ become members; places that are alike in all of them become one. The number of members. */
+/* Places where the materials differ become members; places that are alike in all of them become
+ * one. The number of members. */
 static int find_members(BatchProgram *program)
 {
     const Unit *first = program->first;
@@ -71,7 +74,8 @@ static int find_members(BatchProgram *program)
     return members;
 }
 
-/* Programs of one shape share one, unless they differ in more numbers than a buffer has room for. */
+/* Programs of one shape share one, unless they differ in more numbers than a buffer has room
+ * for. */
 static void share_shapes(Batch *b, KeySet *keys)
 {
     int count = b->program_count;
@@ -103,7 +107,8 @@ static void share_shapes(Batch *b, KeySet *keys)
     }
 }
 
-/* Its first material's document writes it once more: for another of its materials' names, or with members. */
+/* Its first material's document writes it once more: for another of its materials' names, or with
+ * members. */
 static void plan_writing(Batch *b, int index)
 {
     BatchProgram *program = &b->programs[index];
@@ -113,7 +118,8 @@ static void plan_writing(Batch *b, int index)
     if (program->first->written && !program->members)
         return;
     BatchDocument *document = &b->documents[program->first->document];
-    document->again = sets_resize(document->again, (size_t)(document->again_count + 1) * sizeof *document->again);
+    document->again =
+        sets_resize(document->again, (size_t)(document->again_count + 1) * sizeof *document->again);
     document->again[document->again_count++] = index;
 }
 

@@ -1,4 +1,5 @@
-/* What a batch is made from: all of its files, and those of them that lie in its own folder, which no output may replace. */
+/* What a batch is made from: all of its files, and those of them that lie in its own folder, which
+ * no output may replace. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/memory.h"
 #include "compiler/tool/layout_option.h"
@@ -24,7 +25,8 @@ static bool lies_in(const char *path, size_t size, const struct stat *folder)
     char *name = size ? strndup(path, size) : sets_copy(".");
     if (!name)
         memory_exhausted();
-    bool same = !stat(name, &info) && info.st_dev == folder->st_dev && info.st_ino == folder->st_ino;
+    bool same =
+        !stat(name, &info) && info.st_dev == folder->st_dev && info.st_ino == folder->st_ino;
     free(name);
     return same;
 }
@@ -50,7 +52,10 @@ static void list_within(StringSet *within, const StringSet *files, const char *f
     }
 }
 
-bool batch_reads(const Batch *b, const char *name) { return string_set_find(&b->within, name) >= 0; }
+bool batch_reads(const Batch *b, const char *name)
+{
+    return string_set_find(&b->within, name) >= 0;
+}
 
 void batch_spare_inputs(Batch *b)
 {
@@ -60,5 +65,6 @@ void batch_spare_inputs(Batch *b)
     string_set_free(&files);
     for (int i = 0; i < b->within.count; i++)
         if (staging_holds(b->staging, b->within.at[i]))
-            batch_complain_within(b, NULL, b->line->folder, b->within.at[i], "an output would replace this file, which is read");
+            batch_complain_within(b, NULL, b->line->folder, b->within.at[i],
+                                  "an output would replace this file, which is read");
 }

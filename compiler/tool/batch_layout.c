@@ -1,4 +1,5 @@
-/* The layout of a batch: with --layout=auto the smallest one that holds what its materials can be; and its files. */
+/* The layout of a batch: with --layout=auto the smallest one that holds what its materials can be;
+ * and its files. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
@@ -19,7 +20,8 @@ static int open_to_measure(void *user, int number)
     matc_ranges_init(document->ranges);
     if (batch_stored_ranges(b, document))
         return 0;
-    int count = matc_material_count(batch_document_parsed(b, document)); /* what is wrong with it is said later */
+    /* what is wrong with it is said later */
+    int count = matc_material_count(batch_document_parsed(b, document));
     return count;
 }
 
@@ -86,7 +88,8 @@ unsigned batch_cases(const Batch *b)
 /* One file for all programs: the layout is theirs. */
 void batch_write_layout(Batch *b)
 {
-    for (int i = 0; (b->line->emit[EMIT_unpack] || b->line->emit[EMIT_layout]) && i < b->program_count; i++) {
+    for (int i = 0;
+         (b->line->emit[EMIT_unpack] || b->line->emit[EMIT_layout]) && i < b->program_count; i++) {
         const BatchProgram *program = &b->programs[i];
         BatchDocument *document = &b->documents[program->first->document];
         if (program->first->pass != PASS_gbuffer && program->first->pass != PASS_plane)
@@ -100,10 +103,12 @@ void batch_write_layout(Batch *b)
         Text layout = text_new(&arena);
         layout_write(&layout, job.layout);
         if (b->line->emit[EMIT_unpack])
-            batch_put_file(b, document, (BatchFile){job.layout->name, emit_table[EMIT_unpack].suffix}, unpack,
+            batch_put_file(b, document,
+                           (BatchFile){job.layout->name, emit_table[EMIT_unpack].suffix}, unpack,
                            strlen(unpack));
         if (b->line->emit[EMIT_layout])
-            batch_put_file(b, document, (BatchFile){job.layout->name, emit_table[EMIT_layout].suffix}, layout.at,
+            batch_put_file(b, document,
+                           (BatchFile){job.layout->name, emit_table[EMIT_layout].suffix}, layout.at,
                            layout.size);
         arena_free(&arena);
         return;

@@ -1,4 +1,5 @@
-/* What a batch says: each document's diagnostics in the order of the documents, whichever thread found them. */
+/* What a batch says: each document's diagnostics in the order of the documents, whichever thread
+ * found them. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/diag.h"
 #include <stdio.h>
@@ -47,7 +48,8 @@ void batch_join_said(BatchDocument *document)
 
 void batch_fault(Batch *b) { b->fault = true; }
 
-static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what, const char *why)
+static void say_of_file(Batch *b, BatchDocument *document, Severity severity, const char *what,
+                        const char *why)
 {
     Arena arena = {0};
     Text text = text_new(&arena);
@@ -62,7 +64,8 @@ void batch_complain(Batch *b, BatchDocument *document, const char *what, const c
     batch_fault(b);
 }
 
-void batch_complain_within(Batch *b, BatchDocument *document, const char *folder, const char *name, const char *why)
+void batch_complain_within(Batch *b, BatchDocument *document, const char *folder, const char *name,
+                           const char *why)
 {
     const char *slash = *folder && folder[strlen(folder) - 1] == '/' ? "" : "/";
     char path[LONGEST_PATH];
@@ -70,7 +73,10 @@ void batch_complain_within(Batch *b, BatchDocument *document, const char *folder
     batch_complain(b, document, path, why);
 }
 
-void batch_warn(Batch *b, const char *what, const char *why) { say_of_file(b, NULL, SEVERITY_warning, what, why); }
+void batch_warn(Batch *b, const char *what, const char *why)
+{
+    say_of_file(b, NULL, SEVERITY_warning, what, why);
+}
 
 /* What was found when all documents were known. */
 void batch_say_rest(Batch *b)

@@ -11,8 +11,8 @@
 
 enum { LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
-/* What a batch does with numbers: they stand in programs; those of the document come from a buffer; or those do in which
- * materials of one shape differ. */
+/* What a batch does with numbers: they stand in programs; those of the document come from a buffer;
+ * or those do in which materials of one shape differ. */
 typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
@@ -26,7 +26,8 @@ typedef struct {
     const char *path;
     char *text; /* while its materials are compiled, and it itself */
     size_t size;
-    Key key;              /* of all that its materials' programs depend on but for the files it is made from */
+    /* of all that its materials' programs depend on but for the files it is made from */
+    Key key;
     MatcDocument *parsed; /* while someone needs it */
     BatchMaterial *materials;
     Unit *units; /* of all of them */
@@ -36,10 +37,11 @@ typedef struct {
     int depend_count;
     MatcRanges *ranges; /* with --layout=auto, while it is open */
     bool stored;        /* the cache has it */
-    bool spoke;         /* something was said of it, so that it is not kept: the next run would be silent */
-    bool unreadable;    /* which is said */
-    bool once;          /* a pipe, which can be read but once: its text is kept */
-    Bytes said;         /* diagnostics */
+    /* something was said of it, so that it is not kept: the next run would be silent */
+    bool spoke;
+    bool unreadable; /* which is said */
+    bool once;       /* a pipe, which can be read but once: its text is kept */
+    Bytes said;      /* diagnostics */
     bool closed;
     int *again, again_count; /* programs to be written for its materials, once all are known */
     pthread_mutex_t mutex;   /* of `parsed` */
@@ -52,7 +54,8 @@ typedef struct {
     char *name;   /* of its files, without suffix */
 } BatchProgram;
 
-/* A program to be written: a unit's, with the numbers at those places from a buffer (NULL: none), under that name. */
+/* A program to be written: a unit's, with the numbers at those places from a buffer (NULL: none),
+ * under that name. */
 typedef struct {
     Unit *unit;
     const int *members;
@@ -75,20 +78,23 @@ typedef struct {
     int document_count;
     BatchProgram *programs;
     int program_count;
-    MatcRanges ranges;           /* of all documents, with --layout=auto */
-    MatcLayout *layout;          /* made for the set, or NULL */
-    Outputs folders;             /* all that is written */
-    Staging *staging, *textures; /* of the folder, and of --textures, which may be the same; NULL: none */
-    MatcLinked *linked;          /* in the options of all */
-    Cache *cache;                /* NULL: none */
-    pthread_mutex_t mutex;       /* of what follows */
-    StringSet within;            /* files that the batch reads and that lie in its folder, by their names there */
-    KeySet seen;                 /* programs that someone writes already */
-    StringSet files;             /* what documents are made from, as it was read */
-    Key *file_keys;              /* its contents */
-    int closed, said;            /* documents whose diagnostics are complete; and were said, from the first on */
-    Bytes general;               /* diagnostics of no document */
-    atomic_bool fault;           /* any thread reads it */
+    MatcRanges ranges;  /* of all documents, with --layout=auto */
+    MatcLayout *layout; /* made for the set, or NULL */
+    Outputs folders;    /* all that is written */
+    /* of the folder, and of --textures, which may be the same; NULL: none */
+    Staging *staging, *textures;
+    MatcLinked *linked;    /* in the options of all */
+    Cache *cache;          /* NULL: none */
+    pthread_mutex_t mutex; /* of what follows */
+    /* files that the batch reads and that lie in its folder, by their names there */
+    StringSet within;
+    KeySet seen;     /* programs that someone writes already */
+    StringSet files; /* what documents are made from, as it was read */
+    Key *file_keys;  /* its contents */
+    /* documents whose diagnostics are complete; and were said, from the first on */
+    int closed, said;
+    Bytes general;     /* diagnostics of no document */
+    atomic_bool fault; /* any thread reads it */
 } Batch;
 
 /* -- batch_say.c */
@@ -100,12 +106,14 @@ void batch_fault(Batch *batch);
 /* Something against the document, which is a fault. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
 /* The same of a file of that folder, where the message says it is. */
-void batch_complain_within(Batch *batch, BatchDocument *document, const char *folder, const char *name, const char *why);
+void batch_complain_within(Batch *batch, BatchDocument *document, const char *folder,
+                           const char *name, const char *why);
 /* Something to know, of no document, which is no fault. */
 void batch_warn(Batch *batch, const char *what, const char *why);
 /* Says the diagnostics up to the first document that is not done. The mutex is held. */
 void batch_say_complete(Batch *batch);
-/* Puts what was said of its materials behind what was said of the document. No thread works on it. */
+/* Puts what was said of its materials behind what was said of the document. No thread works on
+ * it. */
 void batch_join_said(BatchDocument *document);
 /* What was found when all documents were known. */
 void batch_say_rest(Batch *batch);
@@ -115,14 +123,17 @@ Unit *batch_unit(const Batch *batch, int document, int material, int request);
 /* Of the files of a material's program: its name, and the pass unless that goes without saying. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 /* A file of a program, or of the layout. */
-void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes, size_t size);
+void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes,
+                    size_t size);
 /* An output that every program has a file of. */
 bool batch_is_of_program(int emit);
 /* Every document is opened, its parts worked on and closed, by all threads. */
-void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int), void (*close)(void *, int));
+void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, int, int),
+                 void (*close)(void *, int));
 
 /* -- batch_inputs.c */
-/* The files that change the batch when they change: documents, what they are made from, lists and a layout. */
+/* The files that change the batch when they change: documents, what they are made from, lists and a
+ * layout. */
 void batch_inputs(const Batch *batch, StringSet *files);
 /* Complains of each output that would replace an input. Once all outputs are in the staging. */
 void batch_spare_inputs(Batch *batch);
@@ -140,7 +151,8 @@ unsigned batch_cases(const Batch *batch);
 bool batch_open(Batch *batch, BatchDocument *document);
 /* Of an open document, from any thread. */
 const MatcDocument *batch_document_parsed(Batch *batch, BatchDocument *document);
-/* Its materials and the files that it is made from, by parsing it. False: it has faults, which are said. */
+/* Its materials and the files that it is made from, by parsing it. False: it has faults, which are
+ * said. */
 bool batch_document_list(Batch *batch, BatchDocument *document);
 void batch_document_make_room(BatchDocument *document, int materials, int requests, int depends);
 void batch_close(BatchDocument *document);
@@ -150,7 +162,8 @@ void batch_document_free(BatchDocument *document, int requests);
 void batch_compile_material(Batch *batch, int document, int material);
 void batch_compile_again(Batch *batch, BatchDocument *document, BatchProgram *program);
 
-/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is of the text alone. */
+/* -- batch_cache.c: what the cache knows of a document and of a program. Without a cache a key is
+ * of the text alone. */
 bool batch_stored_open(Batch *batch);
 void batch_stored_key(const Batch *batch, BatchDocument *document);
 bool batch_stored_document(Batch *batch, BatchDocument *document);
@@ -162,8 +175,8 @@ void batch_store_ranges(Batch *batch, const BatchDocument *document);
 bool batch_stored_program(Batch *batch, BatchDocument *document, const BatchEdition *edition);
 void batch_store_program(Batch *batch, const BatchEdition *edition, MatcProgram *program);
 
-/* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer, names them, and lists what
- * must be written again. batch_group.c */
+/* Programs out of units: groups them by key or by shape, decides which numbers come from a buffer,
+ * names them, and lists what must be written again. batch_group.c */
 void batch_group(Batch *batch);
 /* The manifest as JSON. manifest.c */
 void manifest_put(const Batch *batch, Bytes *to);

@@ -39,7 +39,8 @@ static int look_at(struct dl_phdr_info *info, size_t size, void *user)
     (void)size;
     for (int i = 0; i < info->dlpi_phnum; i++) {
         const ElfW(Phdr) *header = &info->dlpi_phdr[i];
-        const char *at = (const char *)(info->dlpi_addr + header->p_vaddr); /* where it was loaded */
+        /* where it was loaded */
+        const char *at = (const char *)(info->dlpi_addr + header->p_vaddr);
         if (header->p_type == PT_NOTE)
             look_at_notes(at, at + header->p_memsz, user);
     }

@@ -25,13 +25,17 @@ struct Cache {
     uint64_t limit;
     uint64_t mark; /* of this Cache's temporary names */
     atomic_uint_fast64_t temporaries;
-    atomic_uint_fast64_t hits, misses, damaged, failed, written; /* since they were last added to the statistics */
-    atomic_uint_fast64_t total;                                  /* bytes in the folder, as far as is known */
-    atomic_int trouble;                                          /* errno of the first failure, 0: none */
+    /* since they were last added to the statistics */
+    atomic_uint_fast64_t hits, misses, damaged, failed, written;
+    /* bytes in the folder, as far as is known */
+    atomic_uint_fast64_t total;
+    /* errno of the first failure, 0: none */
+    atomic_int trouble;
     atomic_flag trimming; /* a thread is; left set where trimming does not help */
 };
 
-/* In front of every blob. In the machine's byte order: a machine of another order finds another version. */
+/* In front of every blob. In the machine's byte order: a machine of another order finds another
+ * version. */
 typedef struct {
     char magic[4];
     uint32_t version;
@@ -68,8 +72,9 @@ static bool make_folders(const char *path)
 /* Backups and indexers leave folders with this file alone. */
 static void put_tag(int folder)
 {
-    static const char text[] = "Signature: 8a477f597d28d172789f06886806bc55\n"
-                               "# This folder is a cache of matc's; it can be removed at any time.\n";
+    static const char text[] =
+        "Signature: 8a477f597d28d172789f06886806bc55\n"
+        "# This folder is a cache of matc's; it can be removed at any time.\n";
     int file = openat(folder, "CACHEDIR.TAG", O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, READABLE);
     if (file < 0)
         return;
@@ -92,8 +97,9 @@ static const char *distrust(int folder)
         return text_error(errno);
     if (is_own(&info))
         return NULL;
-    return info.st_mode & BY_OTHERS ? "others may write to the folder, and could forge its entries (chmod go-w)"
-                                    : "the folder belongs to another user, who could forge its entries";
+    return info.st_mode & BY_OTHERS
+               ? "others may write to the folder, and could forge its entries (chmod go-w)"
+               : "the folder belongs to another user, who could forge its entries";
 }
 
 Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
@@ -130,8 +136,8 @@ static char *read_entry(int file, Key key, size_t *size)
 {
     struct stat info;
     Header header;
-    if (fstat(file, &info) || !S_ISREG(info.st_mode) || !is_own(&info) || info.st_size < (off_t)sizeof header ||
-        info.st_size > LARGEST_BLOB + (off_t)sizeof header)
+    if (fstat(file, &info) || !S_ISREG(info.st_mode) || !is_own(&info) ||
+        info.st_size < (off_t)sizeof header || info.st_size > LARGEST_BLOB + (off_t)sizeof header)
         return NULL;
     size_t length = (size_t)info.st_size - sizeof header;
     char *bytes = malloc(length + 1);
@@ -159,7 +165,8 @@ static int open_above(const Cache *cache, const char *name)
     const char above[3] = {name[0], name[1], 0};
     const int how = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
     int folder = openat(cache->folder, above, how);
-    if (folder >= 0 || errno != ENOENT || (mkdirat(cache->folder, above, PASSABLE) && errno != EEXIST))
+    if (folder >= 0 || errno != ENOENT ||
+        (mkdirat(cache->folder, above, PASSABLE) && errno != EEXIST))
         return folder;
     return openat(cache->folder, above, how);
 }
@@ -223,8 +230,8 @@ static bool put_entry(Cache *cache, Key key, const void *bytes, size_t size)
     snprintf(temporary, sizeof temporary, ".tmp%016llx-%llx", (unsigned long long)cache->mark,
              (unsigned long long)cache->temporaries++);
     int above = open_above(cache, name), none = 0;
-    bool fine =
-        above >= 0 && write_entry(above, temporary, &header, bytes) && !renameat(above, temporary, above, name + ABOVE);
+    bool fine = above >= 0 && write_entry(above, temporary, &header, bytes) &&
+                !renameat(above, temporary, above, name + ABOVE);
     int error = errno;
     if (!fine && above >= 0)
         unlinkat(above, temporary, 0);
@@ -235,7 +242,8 @@ static bool put_entry(Cache *cache, Key key, const void *bytes, size_t size)
     return fine;
 }
 
-/* Adds what was counted since the last time to the statistics, and trims if the folder may be too large. */
+/* Adds what was counted since the last time to the statistics, and trims if the folder may be too
+ * large. */
 static void settle(Cache *cache)
 {
     const CacheCounts counts = {.hits = atomic_exchange(&cache->hits, 0),
@@ -255,7 +263,8 @@ static void settle(Cache *cache)
         cache->total = cache_trimmed(cache->limit); /* the other process sees to it */
         return;
     }
-    cache_count(cache->folder, &(CacheCounts){.removed = done.removed, .bytes = done.bytes, .scanned = now});
+    cache_count(cache->folder,
+                &(CacheCounts){.removed = done.removed, .bytes = done.bytes, .scanned = now});
     cache->total = done.bytes;
 }
 
@@ -291,8 +300,8 @@ void cache_keep(Cache *cache, Key key, const void *bytes, size_t size)
     if (!cache)
         return;
     cache_name(key, name);
-    bool there = !fstatat(cache->folder, name, &info, AT_SYMLINK_NOFOLLOW) && S_ISREG(info.st_mode) &&
-                 info.st_size == (off_t)(sizeof(Header) + size);
+    bool there = !fstatat(cache->folder, name, &info, AT_SYMLINK_NOFOLLOW) &&
+                 S_ISREG(info.st_mode) && info.st_size == (off_t)(sizeof(Header) + size);
     if (!there)
         cache_put(cache, key, bytes, size);
     else if (is_stale(&info))

@@ -1,5 +1,5 @@
-/* The cache's folder: the file of counts, and trimming by least recent use, which is the time of modification. Only files with
- * names that the cache gives are ever removed. */
+/* The cache's folder: the file of counts, and trimming by least recent use, which is the time of
+ * modification. Only files with names that the cache gives are ever removed. */
 #include "compiler/tool/cache_folder.h"
 #include "compiler/base/memory.h"
 #include <dirent.h>
@@ -13,7 +13,13 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { NAME_DIGITS = 30, COUNTS_TEXT = 1024, LOCK_TRIES = 100, LOCK_WAIT_NS = 1000000, READABLE = 0666 };
+enum {
+    NAME_DIGITS = 30,
+    COUNTS_TEXT = 1024,
+    LOCK_TRIES = 100,
+    LOCK_WAIT_NS = 1000000,
+    READABLE = 0666
+};
 
 static const char statistics[] = "statistics";
 
@@ -29,7 +35,8 @@ void cache_name(Key key, char *name)
     *name = 0;
 }
 
-/* A process that was stopped while it held the lock must not stop us: after a while we do without. */
+/* A process that was stopped while it held the lock must not stop us: after a while we do
+ * without. */
 static bool lock(int file)
 {
     for (int i = 0; i < LOCK_TRIES; i++) {
@@ -44,10 +51,10 @@ static bool lock(int file)
 static CacheCounts parse_counts(const char *text)
 {
     CacheCounts counts = {0};
-#define X(member)                                                                                                      \
-    {                                                                                                                  \
-        const char *line = strstr(text, #member " ");                                                                  \
-        counts.member = line ? strtoull(line + sizeof #member, NULL, 10) : 0;                                          \
+#define X(member)                                                                                  \
+    {                                                                                              \
+        const char *line = strstr(text, #member " ");                                              \
+        counts.member = line ? strtoull(line + sizeof #member, NULL, 10) : 0;                      \
     }
     CACHE_COUNTS(X)
 #undef X
@@ -65,21 +72,23 @@ static CacheCounts read_counts(int file)
 static int print_counts(char *text, const CacheCounts *counts)
 {
     int size = 0;
-#define X(member)                                                                                                      \
-    size += snprintf(text + size, (size_t)(COUNTS_TEXT - size), #member " %llu\n", (unsigned long long)counts->member);
+#define X(member)                                                                                  \
+    size += snprintf(text + size, (size_t)(COUNTS_TEXT - size), #member " %llu\n",                 \
+                     (unsigned long long)counts->member);
     CACHE_COUNTS(X)
 #undef X
     return size;
 }
 
-/* Opens a file of the cache's own, which is made if need be. What somebody planted under its name goes first: a link, a pipe, or
- * another name of a file that lies elsewhere. */
+/* Opens a file of the cache's own, which is made if need be. What somebody planted under its name
+ * goes first: a link, a pipe, or another name of a file that lies elsewhere. */
 static int open_own(int folder, const char *name)
 {
     const int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
     struct stat info;
     int file = openat(folder, name, how, READABLE);
-    if (file < 0 ? errno != ELOOP : !fstat(file, &info) && S_ISREG(info.st_mode) && info.st_nlink == 1)
+    if (file < 0 ? errno != ELOOP
+                 : !fstat(file, &info) && S_ISREG(info.st_mode) && info.st_nlink == 1)
         return file;
     if (file >= 0)
         close(file);
@@ -146,7 +155,10 @@ static void push(Entries *entries, const char *above, const char *name, const st
     entries->bytes += entry->size;
 }
 
-static bool is_entry(const char *name) { return strspn(name, "0123456789abcdef") == NAME_DIGITS && !name[NAME_DIGITS]; }
+static bool is_entry(const char *name)
+{
+    return strspn(name, "0123456789abcdef") == NAME_DIGITS && !name[NAME_DIGITS];
+}
 
 /* Puts the entries of one of the folders on the list; with `clean`, stale temporaries go. */
 static void list_folder(Entries *entries, int folder, const char *above, bool clean)
@@ -160,8 +172,8 @@ static void list_folder(Entries *entries, int folder, const char *above, bool cl
         return;
     for (struct dirent *item = readdir(dir); item; item = readdir(dir)) {
         bool temporary = !strncmp(item->d_name, ".tmp", 4);
-        if ((!temporary && !is_entry(item->d_name)) || fstatat(file, item->d_name, &info, AT_SYMLINK_NOFOLLOW) ||
-            !S_ISREG(info.st_mode))
+        if ((!temporary && !is_entry(item->d_name)) ||
+            fstatat(file, item->d_name, &info, AT_SYMLINK_NOFOLLOW) || !S_ISREG(info.st_mode))
             continue;
         if (!temporary)
             push(entries, above, item->d_name, &info);
@@ -238,13 +250,15 @@ char *cache_statistics(const char *path)
     const CacheCounts sums = cache_counts(folder);
     const CacheTrim now = cache_sum(folder);
     close(folder);
-    int size = snprintf(text, COUNTS_TEXT, "entries %llu\nbytes   %llu\n", (unsigned long long)now.entries,
-                        (unsigned long long)now.bytes);
+    int size = snprintf(text, COUNTS_TEXT, "entries %llu\nbytes   %llu\n",
+                        (unsigned long long)now.entries, (unsigned long long)now.bytes);
     if (sums.limit)
-        size += snprintf(text + size, (size_t)(COUNTS_TEXT - size), "limit   %llu\n", (unsigned long long)sums.limit);
+        size += snprintf(text + size, (size_t)(COUNTS_TEXT - size), "limit   %llu\n",
+                         (unsigned long long)sums.limit);
     snprintf(text + size, (size_t)(COUNTS_TEXT - size),
-             "hits    %llu\nmisses  %llu\ndamaged %llu\nremoved %llu\nfailed  %llu\n", (unsigned long long)sums.hits,
-             (unsigned long long)sums.misses, (unsigned long long)sums.damaged, (unsigned long long)sums.removed,
+             "hits    %llu\nmisses  %llu\ndamaged %llu\nremoved %llu\nfailed  %llu\n",
+             (unsigned long long)sums.hits, (unsigned long long)sums.misses,
+             (unsigned long long)sums.damaged, (unsigned long long)sums.removed,
              (unsigned long long)sums.failed);
     return text;
 }

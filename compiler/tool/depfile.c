@@ -1,7 +1,9 @@
-/* `target: files...`. To make this is a line of a makefile, in which a name such as `a;touch b` would be a command; ninja has a reader
- * of its own. Both read letters, digits, bytes beyond ASCII and `others` as they stand, once a backslash is before ` `, `#` and `:`,
- * and `$` is there twice: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja takes
- * `\;` for two characters, and ends the name at a bare `;`. tests/tool/depfile.sh asks both for every character. */
+/* `target: files...`. To make this is a line of a makefile, in which a name such as `a;touch b`
+ * would be a command; ninja has a reader of its own. Both read letters, digits, bytes beyond ASCII
+ * and `others` as they stand, once a backslash is before ` `, `#` and `:`, and `$` is there twice:
+ * `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja
+ * takes `\;` for two characters, and ends the name at a bare `;`. tests/tool/depfile.sh asks both
+ * for every character. */
 #include "compiler/tool/depfile.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"
@@ -14,7 +16,10 @@ static const char others[] = "!#$%()+,-./:=@\\]_{}~ ";
 
 const char depfile_why[] = "make and ninja cannot both read this name in a depfile";
 
-static bool is_readable_byte(char c) { return c & 0x80 || text_is_alphanumeric(c) || (c && strchr(others, c)); }
+static bool is_readable_byte(char c)
+{
+    return c & 0x80 || text_is_alphanumeric(c) || (c && strchr(others, c));
+}
 
 /* Without what make drops before it looks at a name. */
 static const char *without_here(const char *name)
@@ -29,7 +34,8 @@ static bool is_readable(const char *name)
 {
     size_t size = strlen(name);
     for (size_t i = 0; i < size; i++)
-        if (!is_readable_byte(name[i]) || (name[i] == '\\' && name[i + 1] && strchr("#$:=", name[i + 1])))
+        if (!is_readable_byte(name[i]) ||
+            (name[i] == '\\' && name[i + 1] && strchr("#$:=", name[i + 1])))
             return false;
     if (!size || strchr(" :\\", name[size - 1]))
         return false;
@@ -41,11 +47,15 @@ static bool is_readable(const char *name)
 static bool can_be_target(const char *name)
 {
     const char *start = without_here(name);
-    return is_readable(name) && !strpbrk(name, "=%") && !(start[0] == '.' && text_is_upper(start[1]));
+    return is_readable(name) && !strpbrk(name, "=%") &&
+           !(start[0] == '.' && text_is_upper(start[1]));
 }
 
 /* `out: a=b` and `out: a =b` set a variable. */
-static bool can_be_file(const char *name) { return is_readable(name) && name[strspn(name, "!+")] != '='; }
+static bool can_be_file(const char *name)
+{
+    return is_readable(name) && name[strspn(name, "!+")] != '=';
+}
 
 static bool can_be_first(const char *name) { return !strchr(name, '='); }
 

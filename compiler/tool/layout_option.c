@@ -1,4 +1,5 @@
-/* The layout of a command line: a file that is read, or one that is made for all materials of all documents. */
+/* The layout of a command line: a file that is read, or one that is made for all materials of all
+ * documents. */
 #include "compiler/tool/layout_option.h"
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
@@ -25,10 +26,14 @@ static bool ends_in(const char *text, const char *suffix)
 
 bool layout_is_file(const char *layout)
 {
-    return strchr(layout, '/') || ends_in(layout, ".yaml") || ends_in(layout, ".yml") || ends_in(layout, ".json");
+    return strchr(layout, '/') || ends_in(layout, ".yaml") || ends_in(layout, ".yml") ||
+           ends_in(layout, ".json");
 }
 
-bool layout_is_custom(const char *layout) { return layout && (layout_is_file(layout) || !strcmp(layout, "auto")); }
+bool layout_is_custom(const char *layout)
+{
+    return layout && (layout_is_file(layout) || !strcmp(layout, "auto"));
+}
 
 static MatcLayout *read_file_of(const char *path, const MatcOptions *options, char **fault)
 {
@@ -44,8 +49,10 @@ static MatcLayout *read_file_of(const char *path, const MatcOptions *options, ch
     return layout;
 }
 
-/* A document's materials, all or the one that is meant. What is wrong with it is said when it is compiled. */
-static bool add_document(MatcRanges *ranges, const CommandLine *line, const char *path, char **fault)
+/* A document's materials, all or the one that is meant. What is wrong with it is said when it is
+ * compiled. */
+static bool add_document(MatcRanges *ranges, const CommandLine *line, const char *path,
+                         char **fault)
 {
     size_t size;
     const char *why;

@@ -7,7 +7,8 @@
 bool layout_is_file(const char *layout);
 /* It is that, or auto. */
 bool layout_is_custom(const char *layout);
-/* The layout of --layout, which all materials of the command line then share; also where --explain names a file. NULL and no
- * fault: it is one of the tables'. A fault is from malloc and says all; a layout that is not ok has diagnostics. */
+/* The layout of --layout, which all materials of the command line then share; also where --explain
+ * names a file. NULL and no fault: it is one of the tables'. A fault is from malloc and says all; a
+ * layout that is not ok has diagnostics. */
 MatcLayout *layout_open(const CommandLine *line, char **fault);
 #endif

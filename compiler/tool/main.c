@@ -1,4 +1,5 @@
-/* matc's command line: reads files, calls the library, writes what it made. Only the files main*.c print, and main() alone exits. */
+/* matc's command line: reads files, calls the library, writes what it made. Only the files main*.c
+ * print, and main() alone exits. */
 #include "compiler/tool/main.h"
 #include "compiler/base/session.h"
 #include "compiler/base/output.h"
@@ -32,7 +33,8 @@ static void show_progress(void *user, int done, int documents)
 {
     (void)user;
     if (done % PROGRESS_STEP == 0 || done == documents)
-        fprintf(stderr, "\r%d of %d documents%s", done, documents, done == documents ? "\r\033[K" : "");
+        fprintf(stderr, "\r%d of %d documents%s", done, documents,
+                done == documents ? "\r\033[K" : "");
 }
 
 static void warn_of_cache(void *user, const char *folder, const char *why)
@@ -44,7 +46,8 @@ static void warn_of_cache(void *user, const char *folder, const char *why)
     arena_free(&arena);
 }
 
-static bool choose_for_batch(void *user, const MatcDocument *document, int material, MatcOptions *options)
+static bool choose_for_batch(void *user, const MatcDocument *document, int material,
+                             MatcOptions *options)
 {
     const char *pass = options->pass;
     bool fine = main_choose(user, document, material, options) == FINE;
@@ -54,18 +57,21 @@ static bool choose_for_batch(void *user, const MatcDocument *document, int mater
 
 static void print_counts(const BatchResult *result)
 {
-    fprintf(stderr, "%d documents, %d materials, %d programs (", result->documents, result->materials,
-            result->programs);
+    fprintf(stderr, "%d documents, %d materials, %d programs (", result->documents,
+            result->materials, result->programs);
     for (int pass = 0, any = 0; pass < PASS_COUNT; pass++)
         if (result->passes[pass])
-            fprintf(stderr, "%s%d %s", any++ ? ", " : "", result->passes[pass], pass_table[pass].name);
-    fprintf(stderr, "), %d with numbers from a buffer; %d files written\n", result->buffered, result->written);
+            fprintf(stderr, "%s%d %s", any++ ? ", " : "", result->passes[pass],
+                    pass_table[pass].name);
+    fprintf(stderr, "), %d with numbers from a buffer; %d files written\n", result->buffered,
+            result->written);
 }
 
 static int run_batch(CommandLine *line, BatchResult *result)
 {
-    const BatchCalls calls = {say, isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL, warn_of_cache,
-                              choose_for_batch, line};
+    const BatchCalls calls = {say,
+                              isatty(STDERR_FILENO) && line->input_count > 1 ? show_progress : NULL,
+                              warn_of_cache, choose_for_batch, line};
     if (!batch_run(line, &calls, result))
         return FAULT;
     if (line->stats)
@@ -149,7 +155,8 @@ static int answer(const CommandLine *line, char *text, const char *otherwise)
 static int print_list(CommandLine *line)
 {
     const char *kind = *line->list ? line->list : line->input_count ? line->inputs[0] : "";
-    return answer(line, *kind ? matc_list_of(kind) : matc_list(), options_fault_list(&line->words, kind));
+    return answer(line, *kind ? matc_list_of(kind) : matc_list(),
+                  options_fault_list(&line->words, kind));
 }
 
 /* What `--list=` or `--schema=` was given; NULL: neither was, or without a word of its own. */
@@ -162,7 +169,9 @@ static const char *word_asked(const CommandLine *line)
 /* --list=FILE, --list FILE..., --explain NAME FILE; --schema the same */
 static bool asks_of_documents(const CommandLine *line)
 {
-    const char *word = word_asked(line), *first = word ? word : line->input_count ? line->inputs[0] : "";
+    const char *word = word_asked(line), *first = word                ? word
+                                                  : line->input_count ? line->inputs[0]
+                                                                      : "";
     if (line->schema || line->list)
         return main_is_document(first);
     return line->explain && line->input_count;
@@ -231,10 +240,11 @@ static void run_and_tell(CommandLine *line, Watch *watch)
     if (status != FINE)
         fprintf(stderr, "matc: nothing written; watching %d file%s\n", files.count, s);
     else if (line->folder)
-        fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d file%s\n", result.written,
-                result.materials, took, files.count, s);
+        fprintf(stderr, "matc: %d files written for %d materials in %ld ms; watching %d file%s\n",
+                result.written, result.materials, took, files.count, s);
     else
-        fprintf(stderr, "matc: %s in %ld ms; watching %d file%s\n", line->output, took, files.count, s);
+        fprintf(stderr, "matc: %s in %ld ms; watching %d file%s\n", line->output, took, files.count,
+                s);
     watch_list_free(&files);
 }
 
@@ -284,13 +294,15 @@ int main(int argc, char **argv)
         status = answer_of_documents(&line);
     else if (line.schema)
         status = answer(&line, matc_schema(line.schema),
-                        option_fault_value(&line.words, "--schema", line.schema, &(NameChoice){schema_name, NULL, 4}));
+                        option_fault_value(&line.words, "--schema", line.schema,
+                                           &(NameChoice){schema_name, NULL, 4}));
     else if (line.list)
         status = print_list(&line);
     else if (line.explain && layout_is_file(line.explain))
         status = explain_layout(&line);
     else if (line.explain)
-        status = answer(&line, matc_explain(line.explain), options_fault_explain(&line.words, line.explain));
+        status = answer(&line, matc_explain(line.explain),
+                        options_fault_explain(&line.words, line.explain));
     else if (line.cache_stats)
         status = print_cache(&line);
     else if ((status = check_usage(&line)) == FINE)

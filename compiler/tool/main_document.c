@@ -1,4 +1,5 @@
-/* One document: its material is found, measured where that is asked for, compiled or evaluated, and written. */
+/* One document: its material is found, measured where that is asked for, compiled or evaluated, and
+ * written. */
 #include "compiler/tool/main.h"
 #include "compiler/base/file.h"
 #include "compiler/base/progress.h"
@@ -38,14 +39,12 @@ static void show_measuring(void *user, int done, int total)
 }
 
 /* The variants to measure. */
-static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material, Shown *shown)
+static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material,
+                                Shown *shown)
 {
-    return (ParetoSubject){document,
-                           material,
-                           line->gl,
-                           line->range > 0 ? line->range : measure_range,
-                           line->output,
-                           isatty(STDERR_FILENO) ? show_measuring : NULL,
+    return (ParetoSubject){document,     material,
+                           line->gl,     line->range > 0 ? line->range : measure_range,
+                           line->output, isatty(STDERR_FILENO) ? show_measuring : NULL,
                            shown};
 }
 
@@ -62,7 +61,8 @@ static bool is_refused(const CommandLine *line, const MatcDocument *document, in
     return refused;
 }
 
-int main_choose(const CommandLine *line, const MatcDocument *document, int material, MatcOptions *options)
+int main_choose(const CommandLine *line, const MatcDocument *document, int material,
+                MatcOptions *options)
 {
     ParetoAnswer answer;
     *options = line->compile;
@@ -130,7 +130,8 @@ static int eval_material(const CommandLine *line, const MatcDocument *document, 
 
 static void complain_of_several(const CommandLine *line, const MatcDocument *document)
 {
-    static const char why[] = "the document has several materials; name one with --material, or use -d";
+    static const char why[] =
+        "the document has several materials; name one with --material, or use -d";
     if (line->diagnostics == MATC_JSON) {
         main_complain(line, NULL, why);
         return;
@@ -140,7 +141,10 @@ static void complain_of_several(const CommandLine *line, const MatcDocument *doc
         fprintf(stderr, "  %s\n", matc_material_name(document, i));
 }
 
-static const char *material_name(const void *document, int i) { return matc_material_name(document, i); }
+static const char *material_name(const void *document, int i)
+{
+    return matc_material_name(document, i);
+}
 
 static void complain_of_material(const CommandLine *line, const MatcDocument *document)
 {
@@ -168,14 +172,16 @@ static int choose_material(const CommandLine *line, const MatcDocument *document
 static int run_document(const CommandLine *line, MatcDocument *document)
 {
     if (!matc_material_count(document))
-        return matc_error_count(document) ? FAULT
-                                          : main_complain(line, NULL, "the document has no material to compile");
+        return matc_error_count(document)
+                   ? FAULT
+                   : main_complain(line, NULL, "the document has no material to compile");
     int material = choose_material(line, document);
     if (material < 0)
         return FAULT;
     if (line->pareto)
         return print_pareto(line, document, material);
-    return line->eval ? eval_material(line, document, material) : compile_material(line, document, material);
+    return line->eval ? eval_material(line, document, material)
+                      : compile_material(line, document, material);
 }
 
 static int write_tree(const CommandLine *line, MatcDocument *document)
@@ -192,7 +198,8 @@ static MatcOptions with_advice(const CommandLine *line, Arena *arena)
     MatcOptions options = line->compile;
     const char *given = options.warnings;
     Text settings = text_new(arena);
-    text_format(&settings, "%s%s%s", diag_table[DIAG_linear_colors].name, given ? "," : "", given ? given : "");
+    text_format(&settings, "%s%s%s", diag_table[DIAG_linear_colors].name, given ? "," : "",
+                given ? given : "");
     options.warnings = settings.at;
     return options;
 }

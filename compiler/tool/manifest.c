@@ -1,4 +1,5 @@
-/* What a batch made, as JSON: programs, and for every material its programs and the numbers that are its own. */
+/* What a batch made, as JSON: programs, and for every material its programs and the numbers that
+ * are its own. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
 #include "compiler/base/json_write.h"
@@ -33,7 +34,8 @@ static void put_layout(Text *out, const Batch *b)
     Job job;
     bool any = false;
     for (int i = 0; i < b->program_count; i++)
-        any |= b->programs[i].first->pass == PASS_gbuffer || b->programs[i].first->pass == PASS_plane;
+        any |=
+            b->programs[i].first->pass == PASS_gbuffer || b->programs[i].first->pass == PASS_plane;
     if (!any || choice_job(&b->options, &job))
         return;
     text_put(out, ",\n  \"layout\": {");
@@ -56,11 +58,19 @@ static void put_layout(Text *out, const Batch *b)
 
 /* Members of a program that name files, by emit; NULL: it has none. */
 static const char *const file_keys[EMIT_COUNT] = {
-    [EMIT_glsl] = "fragment", [EMIT_vertex] = "vertex", [EMIT_reflect] = "reflection",
-    [EMIT_spirv] = "spirv",   [EMIT_ir] = "ir",         [EMIT_dot] = "dot",
-    [EMIT_tessvertex] = "tessvertex", [EMIT_tesscontrol] = "tesscontrol", [EMIT_tesseval] = "tesseval",
-    [EMIT_geometryvertex] = "geometryvertex", [EMIT_geometry] = "geometry",
-    [EMIT_displace] = "displace", [EMIT_compute] = "compute",
+    [EMIT_glsl] = "fragment",
+    [EMIT_vertex] = "vertex",
+    [EMIT_reflect] = "reflection",
+    [EMIT_spirv] = "spirv",
+    [EMIT_ir] = "ir",
+    [EMIT_dot] = "dot",
+    [EMIT_tessvertex] = "tessvertex",
+    [EMIT_tesscontrol] = "tesscontrol",
+    [EMIT_tesseval] = "tesseval",
+    [EMIT_geometryvertex] = "geometryvertex",
+    [EMIT_geometry] = "geometry",
+    [EMIT_displace] = "displace",
+    [EMIT_compute] = "compute",
 };
 
 static void put_files(Text *out, const Batch *b, const char *name)
@@ -116,7 +126,8 @@ static void put_constants(Text *out, const Unit *unit, const Written *written)
     free(offsets);
 }
 
-static void put_material(Text *out, const Batch *b, const BatchDocument *document, const BatchMaterial *material)
+static void put_material(Text *out, const Batch *b, const BatchDocument *document,
+                         const BatchMaterial *material)
 {
     text_put(out, "{");
     json_member(out, "name", material->name);
@@ -134,7 +145,8 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     text_put(out, "]}");
 }
 
-/* What the folder has of this run beside the manifest itself, so that the next run knows its own. */
+/* What the folder has of this run beside the manifest itself, so that the next run knows its
+ * own. */
 static void put_folder(Text *out, const Batch *b)
 {
     int count;
@@ -200,24 +212,28 @@ static bool is_output(const char *name)
     return size > 4 && !strcmp(name + size - 4, ".ktx");
 }
 
-/* A manifest can be anybody's, and a file can have been edited: what goes has the bytes that a run wrote. */
+/* A manifest can be anybody's, and a file can have been edited: what goes has the bytes that a run
+ * wrote. */
 void manifest_remove_stale(Batch *b, const char *old)
 {
     cJSON *json = cJSON_Parse(old);
     const cJSON *file;
-    if (!json) /* cJSON keeps where the fault is, in a text that goes: one without a fault makes it forget */
+    /* cJSON keeps where the fault is, in a text that goes: one without a fault makes it forget */
+    if (!json)
         cJSON_Delete(cJSON_Parse("0"));
     cJSON_ArrayForEach(file, cJSON_GetObjectItemCaseSensitive(json, "files"))
     {
         const char *hash = cJSON_GetStringValue(file), *name = file->string;
-        if (!name || !hash || strlen(hash) != KEY_TEXT - 1 || !is_output(name) || batch_reads(b, name))
+        if (!name || !hash || strlen(hash) != KEY_TEXT - 1 || !is_output(name) ||
+            batch_reads(b, name))
             continue;
         bool stays;
         const char *why = staging_remove(b->staging, name, key_read(hash), &stays);
         if (why)
             batch_complain_within(b, NULL, b->line->folder, name, why);
         else if (stays)
-            batch_warn(b, name, "it is no longer made, but it is not as matc wrote it, so it stays");
+            batch_warn(b, name,
+                       "it is no longer made, but it is not as matc wrote it, so it stays");
     }
     cJSON_Delete(json);
 }

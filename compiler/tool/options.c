@@ -84,7 +84,9 @@ static const char *add_warning(void *to, const Option *option, const char *setti
     const char *wrong = warnings_fault(setting, &size);
     if (!wrong)
         return NULL;
-    const char *name = strrchr(wrong, '=') ? strrchr(wrong, '=') + 1 : strncmp(wrong, "no-", 3) ? wrong : wrong + 3;
+    const char *name = strrchr(wrong, '=')        ? strrchr(wrong, '=') + 1
+                       : strncmp(wrong, "no-", 3) ? wrong
+                                                  : wrong + 3;
     return option_fault_value(&line->words, option->name, name,
                               &(NameChoice){warnings_name, NULL, DIAG_COUNT});
 }
@@ -93,7 +95,8 @@ static void add_input(CommandLine *line, const char *path)
 {
     enum { STEP = 256 };
     if (line->input_count % STEP == 0) {
-        line->inputs = realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
+        line->inputs =
+            realloc(line->inputs, sizeof *line->inputs * (size_t)(line->input_count + STEP));
         if (!line->inputs)
             memory_exhausted();
     }
@@ -112,7 +115,8 @@ static const char *read_list(CommandLine *line, const char *path)
         return out.at;
     }
     line->lists = realloc(line->lists, sizeof *line->lists * (size_t)(line->list_count + 1));
-    line->list_texts = realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
+    line->list_texts =
+        realloc(line->list_texts, sizeof *line->list_texts * (size_t)(line->list_count + 1));
     if (!line->lists || !line->list_texts)
         memory_exhausted();
     line->lists[line->list_count] = path;
@@ -179,12 +183,24 @@ static void put_passes(Text *out)
 
 /* -- the table */
 
-#define AT(member)                  offsetof(CommandLine, member)
-#define HEADING(text)               {NULL, OPTION_heading, .help = text}
-#define TEXT(name, member, ...)     {name, OPTION_text, AT(member), ROW_HELP(__VA_ARGS__)}
-#define FLAG(name, member, ...)     {name, OPTION_flag, AT(member), ROW_HELP(__VA_ARGS__)}
-#define CHOICE(name, ...)           {name, OPTION_text, .set = set_choice, ROW_HELP(__VA_ARGS__)}
-#define ROW_HELP(label_, help_)     .label = label_, .help = help_
+#define AT(member) offsetof(CommandLine, member)
+#define HEADING(text)                                                                              \
+    {                                                                                              \
+        NULL, OPTION_heading, .help = text                                                         \
+    }
+#define TEXT(name, member, ...)                                                                    \
+    {                                                                                              \
+        name, OPTION_text, AT(member), ROW_HELP(__VA_ARGS__)                                       \
+    }
+#define FLAG(name, member, ...)                                                                    \
+    {                                                                                              \
+        name, OPTION_flag, AT(member), ROW_HELP(__VA_ARGS__)                                       \
+    }
+#define CHOICE(name, ...)                                                                          \
+    {                                                                                              \
+        name, OPTION_text, .set = set_choice, ROW_HELP(__VA_ARGS__)                                \
+    }
+#define ROW_HELP(label_, help_) .label = label_, .help = help_
 static const Option options[] = {
     HEADING("usage: matc [options] document...\n\n"
             "Compiles material trees (YAML, JSON; - is standard input) to GLSL.\n\noutput\n"),
@@ -307,15 +323,18 @@ unsigned options_emit_outputs(const MatcOptions *options, int emit)
     return emit_table[emit_row(options, emit)].output | (is_spirv(options, emit) ? MATC_SPIRV : 0);
 }
 
-const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size)
+const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program,
+                              size_t *size)
 {
     const MatcOutput output = (MatcOutput)emit_table[emit_row(options, emit)].output;
-    return is_spirv(options, emit) ? matc_spirv(program, output, size) : matc_output(program, output, size);
+    return is_spirv(options, emit) ? matc_spirv(program, output, size)
+                                   : matc_output(program, output, size);
 }
 
 const char *options_emit_suffix(const MatcOptions *options, int emit)
 {
-    return is_spirv(options, emit) ? emit_table[emit].spirv : emit_table[emit_row(options, emit)].suffix;
+    return is_spirv(options, emit) ? emit_table[emit].spirv
+                                   : emit_table[emit_row(options, emit)].suffix;
 }
 
 /* "gbuffer,shadow" */

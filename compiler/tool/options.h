@@ -6,8 +6,8 @@
 #include "runtime/gl/context.h"
 
 enum { MOST_PASSES = 8 };
-#define OPTIONS_SCHEMA "document" /* what --schema asks for by itself */
-#define OPTIONS_CASES_ALL "all"   /* --cases: the unpacking text reads every case of the layout */
+#define OPTIONS_SCHEMA    "document" /* what --schema asks for by itself */
+#define OPTIONS_CASES_ALL "all" /* --cases: the unpacking text reads every case of the layout */
 
 /* Outputs that a run may write, in the order of --emit's names. */
 typedef enum {
@@ -31,7 +31,7 @@ typedef enum {
 } Emit;
 typedef struct {
     const char *name, *suffix;
-    unsigned output; /* MatcOutput; 0: the tree, which is the document's */
+    unsigned output;   /* MatcOutput; 0: the tree, which is the document's */
     const char *spirv; /* suffix of a stage's SPIR-V; NULL: it is none, or is the fragment's */
 } EmitRow;
 extern const EmitRow emit_table[EMIT_COUNT];
@@ -50,23 +50,23 @@ typedef struct {
     bool cache_stats;                /* --cache-stats */
     const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
     int pass_count;
-    char *pass_list;          /* what they lie in */
-    int threads;              /* -j; 0: as many as there are processors */
-    const char *output;       /* -o */
-    const char *folder;       /* -d */
-    const char *depfile;      /* -MF */
-    const char *target;       /* -MT */
-    bool depend;              /* -MD */
-    bool emit[EMIT_COUNT];    /* --emit */
-    bool emit_named;          /* by --emit; else it is the default */
-    const char *material;     /* --material */
-    const char *eval;         /* --eval */
-    const char *explain;      /* --explain */
-    const char *textures;     /* --textures */
-    double max_error, range;  /* --max-error, --range; 0: not given */
-    GlKind gl;                /* --gl */
-    double layout_error;      /* --layout-error; 0: not given */
-    const char *cases;        /* --cases: used or all; NULL: used */
+    char *pass_list;         /* what they lie in */
+    int threads;             /* -j; 0: as many as there are processors */
+    const char *output;      /* -o */
+    const char *folder;      /* -d */
+    const char *depfile;     /* -MF */
+    const char *target;      /* -MT */
+    bool depend;             /* -MD */
+    bool emit[EMIT_COUNT];   /* --emit */
+    bool emit_named;         /* by --emit; else it is the default */
+    const char *material;    /* --material */
+    const char *eval;        /* --eval */
+    const char *explain;     /* --explain */
+    const char *textures;    /* --textures */
+    double max_error, range; /* --max-error, --range; 0: not given */
+    GlKind gl;               /* --gl */
+    double layout_error;     /* --layout-error; 0: not given */
+    const char *cases;       /* --cases: used or all; NULL: used */
     bool pareto, stats, watch, help, version;
     const char *list;          /* --list: of which kind, "" for all; NULL */
     const char *schema;        /* --schema: of which file; NULL */
@@ -79,12 +79,14 @@ bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
 /* NULL, or what does not go together. options_check.c */
 const char *options_check(CommandLine *line);
-/* Follows the suffix of -o where no option selects the output or the target; NULL, or how it contradicts one.
- * options_suffix.c */
+/* Follows the suffix of -o where no option selects the output or the target; NULL, or how it
+ * contradicts one. options_suffix.c */
 const char *options_suffix(CommandLine *line);
-/* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */
+/* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of
+ * which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */
 unsigned options_emit_outputs(const MatcOptions *options, int emit);
-const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program, size_t *size);
+const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program,
+                              size_t *size);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
 /* The text of --help, in the arena. */
 const char *options_help(Arena *arena);

@@ -44,7 +44,8 @@ static const char *check_output(const CommandLine *line)
     for (int i = 0; i < line->input_count && line->watch; i++)
         if (!strcmp(line->inputs[i], "-"))
             return "standard input cannot be watched";
-    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) && !line->depfile)
+    if (line->depend && !line->folder && (!line->output || !strcmp(line->output, "-")) &&
+        !line->depfile)
         return "-MD needs -o, -d or -MF";
     return NULL;
 }
@@ -74,7 +75,8 @@ static const char *check_names(CommandLine *line)
         options.pass = line->passes[i];
         if (layout_is_custom(options.layout))
             options.layout = NULL; /* layout_open looks at it */
-        const char *name = matc_options_fault(&options), *value = name ? choice_value(&options, name) : NULL;
+        const char *name = matc_options_fault(&options),
+                   *value = name ? choice_value(&options, name) : NULL;
         if (!name)
             continue;
         Text option = text_new(&line->words);

@@ -53,10 +53,13 @@ static const char *explained_name(const void *user, int i)
 
 const char *options_fault_explain(Arena *arena, const char *name)
 {
-    enum { NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + DOCUMENT_KEY_COUNT + PARAM_COUNT +
-           SCENE_PARAM_COUNT + SCENE_KIND_COUNT + LAYOUT_COUNT + DIAG_COUNT };
+    enum {
+        NAMES = KIND_COUNT + WAVE_COUNT + CHOICE_COUNT + SLOT_COUNT + DOCUMENT_KEY_COUNT +
+                PARAM_COUNT + SCENE_PARAM_COUNT + SCENE_KIND_COUNT + LAYOUT_COUNT + DIAG_COUNT
+    };
     Text out = text_new(arena);
-    text_format(&out, "--explain: nothing is called '%s'%s", name, suggest(arena, name, explained_name, NULL, NAMES));
+    text_format(&out, "--explain: nothing is called '%s'%s", name,
+                suggest(arena, name, explained_name, NULL, NAMES));
     return out.at;
 }
 

@@ -1,4 +1,5 @@
-/* What is wrong with a word of the command line: the word, what may stand there, what was perhaps meant. */
+/* What is wrong with a word of the command line: the word, what may stand there, what was perhaps
+ * meant. */
 #ifndef MATC_OPTIONS_FAULT_H
 #define MATC_OPTIONS_FAULT_H
 #include "compiler/base/option.h"

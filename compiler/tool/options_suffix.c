@@ -1,4 +1,5 @@
-/* The suffix of -o. It selects an output, or the target, that no option names; it may not contradict one.
+/* The suffix of -o. It selects an output, or the target, that no option names; it may not
+ * contradict one.
  *
  *     -o a.spv                    as with --target=spirv
  *     -o a.json                   as with --emit=reflect
@@ -16,7 +17,8 @@ static bool ends_with(const char *name, const char *suffix)
     return length && size > length && !strcmp(name + size - length, suffix);
 }
 
-/* The output with the longest suffix that the name ends with; EMIT_COUNT: none. *spirv: its SPIR-V. */
+/* The output with the longest suffix that the name ends with; EMIT_COUNT: none. *spirv: its
+ * SPIR-V. */
 static int emit_of_suffix(const char *name, bool *spirv)
 {
     size_t longest = 0;
@@ -36,8 +38,8 @@ static int emit_of_suffix(const char *name, bool *spirv)
 /* Whether an output is GLSL or SPIR-V, as the target has it, or something else. */
 static bool is_program(int emit)
 {
-    return emit == EMIT_glsl || emit == EMIT_spirv || emit == EMIT_unpack || emit == EMIT_displace ||
-           emit_table[emit].spirv;
+    return emit == EMIT_glsl || emit == EMIT_spirv || emit == EMIT_unpack ||
+           emit == EMIT_displace || emit_table[emit].spirv;
 }
 
 static int emit_asked(const CommandLine *line)
@@ -51,13 +53,16 @@ static int emit_asked(const CommandLine *line)
 static Content content_of(const CommandLine *line, int emit)
 {
     const TargetRow *target = choice_target(&line->compile);
-    const bool spirv = emit == EMIT_spirv || (emit != EMIT_unpack && emit != EMIT_displace && target && target->spirv);
+    const bool spirv = emit == EMIT_spirv ||
+                       (emit != EMIT_unpack && emit != EMIT_displace && target && target->spirv);
     return !is_program(emit) ? CONTENT_other : spirv ? CONTENT_spirv : CONTENT_glsl;
 }
 
 static const char *contradiction(CommandLine *line, int named, bool spirv, int emit)
 {
-    const Content wanted = !is_program(named) ? CONTENT_other : spirv ? CONTENT_spirv : CONTENT_glsl;
+    const Content wanted = !is_program(named) ? CONTENT_other
+                           : spirv            ? CONTENT_spirv
+                                              : CONTENT_glsl;
     const Content content = content_of(line, emit);
     Text out = text_new(&line->words);
     if (wanted == content && (wanted != CONTENT_other || named == emit))
@@ -65,7 +70,8 @@ static const char *contradiction(CommandLine *line, int named, bool spirv, int e
     if (wanted == CONTENT_spirv && content == CONTENT_glsl)
         text_format(&out, "-o %s would hold GLSL: for SPIR-V give --target=spirv", line->output);
     else if (wanted == CONTENT_glsl && content == CONTENT_spirv)
-        text_format(&out, "-o %s would hold SPIR-V: for GLSL ask for no SPIR-V, or name a file .spv",
+        text_format(&out,
+                    "-o %s would hold SPIR-V: for GLSL ask for no SPIR-V, or name a file .spv",
                     line->output);
     else
         text_format(&out, "-o %s is the name of --emit=%s, and would hold --emit=%s", line->output,
@@ -76,7 +82,8 @@ static const char *contradiction(CommandLine *line, int named, bool spirv, int e
 const char *options_suffix(CommandLine *line)
 {
     bool spirv = false;
-    const int named = line->output && !line->folder ? emit_of_suffix(line->output, &spirv) : EMIT_COUNT;
+    const int named =
+        line->output && !line->folder ? emit_of_suffix(line->output, &spirv) : EMIT_COUNT;
     int emit = emit_asked(line);
     if (named == EMIT_COUNT || emit == EMIT_COUNT || line->eval || line->pareto)
         return NULL;

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *put_textures(Outputs *files, const CommandLine *line, MatcProgram *program, char path[SINGLE_PATH])
+static const char *put_textures(Outputs *files, const CommandLine *line, MatcProgram *program,
+                                char path[SINGLE_PATH])
 {
     const char *why = NULL;
     for (int i = 0; i < matc_texture_count(program) && !why; i++) {
@@ -36,8 +37,8 @@ static bool is_written(const CommandLine *line, const char *to, const char *byte
     return same;
 }
 
-static const char *put_output(Outputs *files, const CommandLine *line, MatcDocument *document, MatcProgram *program,
-                              char path[SINGLE_PATH])
+static const char *put_output(Outputs *files, const CommandLine *line, MatcDocument *document,
+                              MatcProgram *program, char path[SINGLE_PATH])
 {
     int emit = 0;
     size_t size = 0;
@@ -61,29 +62,35 @@ static int list_files(const CommandLine *line, const MatcDocument *document, con
     return count;
 }
 
-/* The depfile's text, from malloc; NULL: it cannot be written, since a name in it cannot, which `path` gets. */
-static char *make_depfile(const CommandLine *line, const MatcDocument *document, char path[SINGLE_PATH])
+/* The depfile's text, from malloc; NULL: it cannot be written, since a name in it cannot, which
+ * `path` gets. */
+static char *make_depfile(const CommandLine *line, const MatcDocument *document,
+                          char path[SINGLE_PATH])
 {
     const char *to = line->output ? line->output : "-", *bad;
     const char **files = calloc((size_t)matc_depend_count(document) + 1, sizeof *files);
     if (!files)
         memory_exhausted();
-    char *text = depfile_text(line->target ? line->target : to, files, list_files(line, document, files), &bad);
+    char *text = depfile_text(line->target ? line->target : to, files,
+                              list_files(line, document, files), &bad);
     if (!text)
         snprintf(path, SINGLE_PATH, "%s", bad);
     free(files);
     return text;
 }
 
-static const char *put_depfile(Outputs *files, const CommandLine *line, const char *text, char path[SINGLE_PATH])
+static const char *put_depfile(Outputs *files, const CommandLine *line, const char *text,
+                               char path[SINGLE_PATH])
 {
     const char *to = line->output ? line->output : "-";
-    snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to, line->depfile ? "" : ".d");
+    snprintf(path, SINGLE_PATH, "%s%s", line->depfile ? line->depfile : to,
+             line->depfile ? "" : ".d");
     return outputs_put(files, path, text, strlen(text));
 }
 
 /* The output last: standard output cannot be taken back. */
-const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program, char path[SINGLE_PATH])
+const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program,
+                         char path[SINGLE_PATH])
 {
     Outputs files = {0};
     bool depend = line->depend && program;

@@ -5,7 +5,8 @@
 
 enum { SINGLE_PATH = 4096 };
 
-/* Writes what the command line asks for of a program, or of its document alone (program NULL: the tree). NULL; or why not, and
- * in `path` which file. */
-const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program, char path[SINGLE_PATH]);
+/* Writes what the command line asks for of a program, or of its document alone (program NULL: the
+ * tree). NULL; or why not, and in `path` which file. */
+const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program,
+                         char path[SINGLE_PATH]);
 #endif

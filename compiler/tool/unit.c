@@ -89,7 +89,8 @@ static void put_block(Text *out, const MatcProgram *program)
 {
     if (!matc_constant_count(program))
         return;
-    text_format(out, ",\n     \"constants\": {\"block\": \"Constants\", \"size\": %d, \"members\": [",
+    text_format(out,
+                ",\n     \"constants\": {\"block\": \"Constants\", \"size\": %d, \"members\": [",
                 matc_constant_bytes(program));
     for (int i = 0; i < matc_constant_count(program); i++) {
         const MatcConstant *member = matc_constant(program, i);
@@ -123,7 +124,8 @@ Written *unit_written(MatcProgram *program, bool buffered)
     Written *written = sets_resize(NULL, sizeof *written);
     put_block(&json, program);
     put_tables(&json, program);
-    *written = (Written){.json = sets_copy(json.size ? json.at : ""), .member_count = matc_constant_count(program)};
+    *written = (Written){.json = sets_copy(json.size ? json.at : ""),
+                         .member_count = matc_constant_count(program)};
     written->members = sets_resize(NULL, (size_t)written->member_count * sizeof *written->members);
     for (int i = 0; i < written->member_count; i++)
         written->members[i] = buffered ? i : matc_constant(program, i)->member;
@@ -190,7 +192,8 @@ void unit_store(Bytes *to, const Unit *unit)
     bytes_block(to, unit->lanes, (size_t)unit->count);
     bytes_block(to, unit->bits, (size_t)unit->bit_count * sizeof *unit->bits);
     bytes_text(to, unit->own);
-    bytes_block(to, unit->files ? (const char *)unit->files : "", (size_t)unit->file_count * sizeof *unit->files);
+    bytes_block(to, unit->files ? (const char *)unit->files : "",
+                (size_t)unit->file_count * sizeof *unit->files);
 }
 
 static void *copy(const void *from, size_t size)
@@ -201,7 +204,8 @@ static void *copy(const void *from, size_t size)
 bool unit_load(BytesReader *from, Unit *unit)
 {
     size_t count, size, files_size;
-    const void *key = bytes_take(from, sizeof unit->key), *shape = bytes_take(from, sizeof unit->shape);
+    const void *key = bytes_take(from, sizeof unit->key),
+               *shape = bytes_take(from, sizeof unit->shape);
     uint32_t pass = bytes_take_number(from), numbered = bytes_take_number(from);
     const char *lanes = bytes_take_block(from, &count), *bits = bytes_take_block(from, &size),
                *own = bytes_take_text(from);

@@ -16,14 +16,19 @@ void fail(const char *what, const char *why)
 void gl_open(void)
 {
     static unsigned char window[4]; /* OSMesa wants one; frames are drawn to textures */
-    static const int wanted[] = {
-        OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 3, OSMESA_CONTEXT_MINOR_VERSION, 3, 0};
+    static const int wanted[] = {OSMESA_PROFILE,
+                                 OSMESA_CORE_PROFILE,
+                                 OSMESA_CONTEXT_MAJOR_VERSION,
+                                 3,
+                                 OSMESA_CONTEXT_MINOR_VERSION,
+                                 3,
+                                 0};
     OSMesaContext context = OSMesaCreateContextAttribs(wanted, NULL);
     if (!context || !OSMesaMakeCurrent(context, window, GL_UNSIGNED_BYTE, 1, 1))
         fail("OSMesa", "no core context of OpenGL 3.3");
-#define F(NAME, Name)                                                                                                  \
-    gl.Name = (PFNGL##NAME##PROC)(void (*)(void))OSMesaGetProcAddress("gl" #Name);                                     \
-    if (!gl.Name)                                                                                                      \
+#define F(NAME, Name)                                                                              \
+    gl.Name = (PFNGL##NAME##PROC)(void (*)(void))OSMesaGetProcAddress("gl" #Name);                 \
+    if (!gl.Name)                                                                                  \
         fail("gl" #Name, "not in this OpenGL");
     GL_FUNCTIONS(F)
 #undef F
@@ -53,7 +58,8 @@ GLuint gl_program(const char *name, const char *vertex, const char *fragment)
     return program;
 }
 
-GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height, const void *pixels)
+GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height,
+                  const void *pixels)
 {
     GLuint name;
     glGenTextures(1, &name);
@@ -85,11 +91,13 @@ GLuint gl_sampler(bool mipmaps, int anisotropy, const char *wrap)
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &most);
     glGetError();
     gl.GenSamplers(1, &name);
-    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER, mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
+    gl.SamplerParameteri(name, GL_TEXTURE_MIN_FILTER,
+                         mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_NEAREST);
     gl.SamplerParameteri(name, GL_TEXTURE_MAG_FILTER, mipmaps ? GL_LINEAR : GL_NEAREST);
     gl.SamplerParameteri(name, GL_TEXTURE_WRAP_S, wrap_of(wrap));
     gl.SamplerParameteri(name, GL_TEXTURE_WRAP_T, wrap_of(wrap));
     if (anisotropy > 1 && most > 1)
-        gl.SamplerParameteri(name, GL_TEXTURE_MAX_ANISOTROPY_EXT, anisotropy < (int)most ? anisotropy : (int)most);
+        gl.SamplerParameteri(name, GL_TEXTURE_MAX_ANISOTROPY_EXT,
+                             anisotropy < (int)most ? anisotropy : (int)most);
     return name;
 }

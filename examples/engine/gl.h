@@ -1,4 +1,5 @@
-/* OpenGL 3.3 without a window, by OSMesa. Every function is asked for by name, as an engine's loader does. */
+/* OpenGL 3.3 without a window, by OSMesa. Every function is asked for by name, as an engine's
+ * loader does. */
 #ifndef ENGINE_GL_H
 #define ENGINE_GL_H
 #include <GL/gl.h>
@@ -36,7 +37,9 @@ void gl_open(void);
 /* A linked program from two texts. `name` is for messages. */
 GLuint gl_program(const char *name, const char *vertex, const char *fragment);
 /* Nearest texels, repeated; `pixels` may be NULL. */
-GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height, const void *pixels);
-/* What a program's reflection says of a sampler, as far as the driver can; a border is 0 in all lanes, as OpenGL's are. */
+GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height,
+                  const void *pixels);
+/* What a program's reflection says of a sampler, as far as the driver can; a border is 0 in all
+ * lanes, as OpenGL's are. */
 GLuint gl_sampler(bool mipmaps, int anisotropy, const char *wrap);
 #endif

@@ -1,5 +1,6 @@
-// The light pass. It stands behind the code that matc wrote for the layout, struct Surface and unpackSurface(), and behind the lobe that is installed with
-// matc: struct Lit, surfaceLit() and what it gives.
+// The light pass. It stands behind the code that matc wrote for the layout, struct Surface and
+// unpackSurface(), and behind the lobe that is installed with matc: struct Lit, surfaceLit() and
+// what it gives.
 uniform sampler2D depthBuffer;
 uniform float cell; // edge of a sphere's square in samples
 out vec4 color;     // linear; the render target encodes it

@@ -12,12 +12,13 @@ int main(int argc, char **argv)
     char *light = read_text(LIGHT);
     gl_open();
     unsigned char *pixels = scene_draw(&manifest, light, &width, &height);
-    png_image image = {.version = PNG_IMAGE_VERSION, .width = (png_uint_32)width, .height = (png_uint_32)height};
+    png_image image = {
+        .version = PNG_IMAGE_VERSION, .width = (png_uint_32)width, .height = (png_uint_32)height};
     image.format = PNG_FORMAT_RGBA;
     if (!png_image_write_to_file(&image, path, 0, pixels, -(int)PNG_IMAGE_ROW_STRIDE(image), NULL))
         fail(path, image.message);
-    printf("%d materials, %d programs, layout %s: %d bytes a pixel\n", manifest.material_count, manifest.program_count,
-           manifest.layout, manifest.bytes);
+    printf("%d materials, %d programs, layout %s: %d bytes a pixel\n", manifest.material_count,
+           manifest.program_count, manifest.layout, manifest.bytes);
     free(pixels);
     free(light);
     return 0;

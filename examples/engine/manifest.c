@@ -34,7 +34,8 @@ static char *file_of(const char *manifest, const cJSON *object, const char *key)
 {
     char path[4096];
     const char *slash = strrchr(manifest, '/');
-    snprintf(path, sizeof path, "%.*s%s", slash ? (int)(slash - manifest) + 1 : 0, manifest, text_of(object, key));
+    snprintf(path, sizeof path, "%.*s%s", slash ? (int)(slash - manifest) + 1 : 0, manifest,
+             text_of(object, key));
     return read_text(path);
 }
 
@@ -57,10 +58,11 @@ static Sampling sampling_of(const Program *program, const char *name)
     cJSON_ArrayForEach(texture, (const cJSON *)program->textures)
     {
         if (!strcmp(text_of(texture, "name"), name))
-            return (Sampling){.mipmaps = !strcmp(text_of(texture, "filter"), "mipmaps"),
-                              .srgb = !strcmp(text_of(texture, "format"), "SRGB8_ALPHA8"),
-                              .anisotropy = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(texture, "anisotropy")),
-                              .wrap = text_of(texture, "wrap")};
+            return (Sampling){
+                .mipmaps = !strcmp(text_of(texture, "filter"), "mipmaps"),
+                .srgb = !strcmp(text_of(texture, "format"), "SRGB8_ALPHA8"),
+                .anisotropy = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(texture, "anisotropy")),
+                .wrap = text_of(texture, "wrap")};
     }
     fail(name, "is not in the program's reflection");
 }
@@ -92,7 +94,9 @@ static void read_settings(Material *material, const Program *program, const cJSO
         if (material->texture_count == MOST_TEXTURES)
             fail(material->name, "too many textures");
         material->textures[material->texture_count++] =
-            (Setting){.name = item->string, .file = item->valuestring, .sampling = sampling_of(program, item->string)};
+            (Setting){.name = item->string,
+                      .file = item->valuestring,
+                      .sampling = sampling_of(program, item->string)};
     }
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(use, "uniforms"))
     {
@@ -100,13 +104,14 @@ static void read_settings(Material *material, const Program *program, const cJSO
             fail(material->name, "too many uniforms");
         Setting *setting = &material->uniforms[material->uniform_count++];
         setting->name = item->string;
-        cJSON_ArrayForEach(number, item) if (setting->lanes < 4) setting->numbers[setting->lanes++] =
-            (float)number->valuedouble;
+        cJSON_ArrayForEach(number, item) if (setting->lanes < 4)
+            setting->numbers[setting->lanes++] = (float)number->valuedouble;
     }
 }
 
 /* What the material does in the G-buffer pass. */
-static void read_material(Material *material, const Manifest *manifest, const cJSON *json, const cJSON *programs)
+static void read_material(Material *material, const Manifest *manifest, const cJSON *json,
+                          const cJSON *programs)
 {
     const cJSON *use;
     material->name = text_of(json, "name");
@@ -115,7 +120,8 @@ static void read_material(Material *material, const Manifest *manifest, const cJ
         if (strcmp(text_of(use, "pass"), "gbuffer") != 0)
             continue;
         material->program = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(use, "program"));
-        const cJSON *constants = cJSON_GetObjectItem(cJSON_GetArrayItem(programs, material->program), "constants");
+        const cJSON *constants =
+            cJSON_GetObjectItem(cJSON_GetArrayItem(programs, material->program), "constants");
         int bytes = manifest->programs[material->program].block_bytes;
         if (bytes) {
             material->block = calloc(1, (size_t)bytes);
@@ -134,14 +140,18 @@ Manifest manifest_read(const char *path)
         fail(path, "is not JSON");
     free(text);
     const cJSON *layout = cJSON_GetObjectItem(json, "layout"), *item;
-    const cJSON *programs = cJSON_GetObjectItem(json, "programs"), *materials = cJSON_GetObjectItem(json, "materials");
-    Manifest manifest = {.layout = text_of(layout, "name"), .unpack = file_of(path, layout, "unpack")};
+    const cJSON *programs = cJSON_GetObjectItem(json, "programs"),
+                *materials = cJSON_GetObjectItem(json, "materials");
+    Manifest manifest = {.layout = text_of(layout, "name"),
+                         .unpack = file_of(path, layout, "unpack")};
     manifest.bytes = (int)cJSON_GetNumberValue(cJSON_GetObjectItem(layout, "bytes"));
-    cJSON_ArrayForEach(item, cJSON_GetObjectItem(layout, "targets")) if (manifest.target_count < MOST_TARGETS)
+    cJSON_ArrayForEach(item, cJSON_GetObjectItem(layout, "targets")) if (manifest.target_count <
+                                                                         MOST_TARGETS)
         manifest.targets[manifest.target_count++] = item->valuestring;
     manifest.programs = calloc((size_t)cJSON_GetArraySize(programs), sizeof *manifest.programs);
     manifest.materials = calloc((size_t)cJSON_GetArraySize(materials), sizeof *manifest.materials);
-    cJSON_ArrayForEach(item, programs) read_program(&manifest.programs[manifest.program_count++], path, item);
+    cJSON_ArrayForEach(item, programs)
+        read_program(&manifest.programs[manifest.program_count++], path, item);
     cJSON_ArrayForEach(item, materials)
         read_material(&manifest.materials[manifest.material_count++], &manifest, item, programs);
     return manifest; /* its names lie in the JSON, which stays */

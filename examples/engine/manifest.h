@@ -44,7 +44,8 @@ typedef struct {
     Material *materials;
 } Manifest;
 
-/* Reads the programs of the pass gbuffer and all files that they name; fails with a message. Kept until the engine ends. */
+/* Reads the programs of the pass gbuffer and all files that they name; fails with a message. Kept
+ * until the engine ends. */
 Manifest manifest_read(const char *path);
 char *read_text(const char *path); /* a whole file, zero-terminated */
 #endif

@@ -1,4 +1,5 @@
-/* One frame: the G-buffer pass with each material's own program, then one light pass over the screen. */
+/* One frame: the G-buffer pass with each material's own program, then one light pass over the
+ * screen. */
 #include "scene.h"
 #include <math.h>
 #include <png.h>
@@ -6,7 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COLUMNS = 8, SAMPLES = 2 /* each way, of a pixel of the picture */, ACROSS = 96, UP = 48, BLOCK = 0 };
+enum {
+    COLUMNS = 8,
+    SAMPLES = 2 /* each way, of a pixel of the picture */,
+    ACROSS = 96,
+    UP = 48,
+    BLOCK = 0
+};
 static const float SPACING = 2.3f; /* between the middles of spheres of radius 1 */
 
 typedef struct {
@@ -39,14 +46,16 @@ static void fill_constants(Scene *s)
     unsigned char *bytes = calloc(1, (size_t)size);
     for (int i = 0; i < s->manifest->material_count; i++)
         if (s->manifest->materials[i].block)
-            memcpy(bytes + s->ranges[i], s->manifest->materials[i].block, (size_t)block_bytes(s, i));
+            memcpy(bytes + s->ranges[i], s->manifest->materials[i].block,
+                   (size_t)block_bytes(s, i));
     gl.GenBuffers(1, &s->constants);
     gl.BindBuffer(GL_UNIFORM_BUFFER, s->constants);
     gl.BufferData(GL_UNIFORM_BUFFER, size, bytes, GL_STATIC_DRAW);
     free(bytes);
 }
 
-/* Materials that name one file share its texture, unless one decodes its colours and the other does not. */
+/* Materials that name one file share its texture, unless one decodes its colours and the other does
+ * not. */
 static GLuint load_texture(const Scene *s, int upto, const Setting *wanted)
 {
     const char *file = wanted->file;
@@ -61,10 +70,11 @@ static GLuint load_texture(const Scene *s, int upto, const Setting *wanted)
         fail(file, image.message);
     image.format = PNG_FORMAT_RGBA;
     unsigned char *pixels = malloc(PNG_IMAGE_SIZE(image));
-    if (!png_image_finish_read(&image, NULL, pixels, -(int)PNG_IMAGE_ROW_STRIDE(image), NULL)) /* bottom row first */
+    /* bottom row first */
+    if (!png_image_finish_read(&image, NULL, pixels, -(int)PNG_IMAGE_ROW_STRIDE(image), NULL))
         fail(file, image.message);
-    GLuint texture = gl_texture(wanted->sampling.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE,
-                                (int)image.width, (int)image.height, pixels);
+    GLuint texture = gl_texture(wanted->sampling.srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8, GL_RGBA,
+                                GL_UNSIGNED_BYTE, (int)image.width, (int)image.height, pixels);
     gl.GenerateMipmap(GL_TEXTURE_2D); /* whether they are read is the sampler's */
     free(pixels);
     return texture;
@@ -78,21 +88,24 @@ static void load_materials(Scene *s)
     s->textures = calloc((size_t)m->material_count, sizeof *s->textures);
     s->samplers = calloc((size_t)m->material_count, sizeof *s->samplers);
     for (int i = 0; i < m->program_count; i++) {
-        s->programs[i] = gl_program(m->programs[i].file, m->programs[i].vertex, m->programs[i].fragment);
+        s->programs[i] =
+            gl_program(m->programs[i].file, m->programs[i].vertex, m->programs[i].fragment);
         if (m->programs[i].block_bytes)
-            gl.UniformBlockBinding(s->programs[i], gl.GetUniformBlockIndex(s->programs[i], "Constants"), BLOCK);
+            gl.UniformBlockBinding(s->programs[i],
+                                   gl.GetUniformBlockIndex(s->programs[i], "Constants"), BLOCK);
     }
     fill_constants(s);
     for (int i = 0; i < m->material_count; i++)
         for (int k = 0; k < m->materials[i].texture_count; k++) {
             const Setting *setting = &m->materials[i].textures[k];
             s->textures[i][k] = load_texture(s, i, setting);
-            s->samplers[i][k] =
-                gl_sampler(setting->sampling.mipmaps, setting->sampling.anisotropy, setting->sampling.wrap);
+            s->samplers[i][k] = gl_sampler(setting->sampling.mipmaps, setting->sampling.anisotropy,
+                                           setting->sampling.wrap);
         }
 }
 
-/* Position, normal, u and v, the tangents along u and v: the attributes 0 to 4 of every program of matc. */
+/* Position, normal, u and v, the tangents along u and v: the attributes 0 to 4 of every program of
+ * matc. */
 static void put_vertex(float *out, float u, float v)
 {
     const float turn = 6.2831853f, a = u * turn, b = (v - .5f) * turn / 2;
@@ -116,7 +129,8 @@ static void put_vertex(float *out, float u, float v)
 
 static void make_sphere(Scene *s)
 {
-    static const int lanes[] = {3, 3, 2, 3, 3}, corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
+    static const int lanes[] = {3, 3, 2, 3, 3},
+                     corners[6][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}};
     enum { STRIDE = 14 * sizeof(float) };
     float *vertices = malloc((size_t)ACROSS * UP * 6 * STRIDE), *out = vertices;
     for (int i = 0; i < ACROSS * UP * 6; i++, out += 14)
@@ -167,32 +181,39 @@ static GLuint make_target(const Scene *s, const char *format)
                 {"RGBA32F", GL_RGBA32F, GL_RGBA, GL_FLOAT}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (!strcmp(rows[i].name, format))
-            return gl_texture(rows[i].internal, rows[i].format, rows[i].type, s->width, s->height, NULL);
+            return gl_texture(rows[i].internal, rows[i].format, rows[i].type, s->width, s->height,
+                              NULL);
     fail(format, "this engine has no such render target");
 }
 
 static void set_uniform(GLuint program, const Setting *setting)
 {
     GLint at = gl.GetUniformLocation(program, setting->name);
-    const PFNGLUNIFORM1FVPROC set[] = {gl.Uniform1fv, gl.Uniform2fv, gl.Uniform3fv, gl.Uniform4fv}; /* of one type */
+    /* of one type */
+    const PFNGLUNIFORM1FVPROC set[] = {gl.Uniform1fv, gl.Uniform2fv, gl.Uniform3fv, gl.Uniform4fv};
     set[setting->lanes - 1](at, 1, setting->numbers);
 }
 
-/* Names are those of matc; a program that does not use one has no location for it, which OpenGL passes over. */
+/* Names are those of matc; a program that does not use one has no location for it, which OpenGL
+ * passes over. */
 static void place(const Scene *s, GLuint program, int cell)
 {
-    const float c = cosf(.42f), t = sinf(.42f), wide = (float)s->width / SCENE_CELL / SAMPLES * SPACING,
+    const float c = cosf(.42f), t = sinf(.42f),
+                wide = (float)s->width / SCENE_CELL / SAMPLES * SPACING,
                 high = (float)s->height / SCENE_CELL / SAMPLES * SPACING;
     const float x = ((float)(cell % COLUMNS) + .5f) * SPACING - wide / 2,
                 y = high / 2 - ((float)(cell / COLUMNS) + .5f) * SPACING;
-    /* z of a sphere points up and a little to the viewer, who looks along -z of the world. Columns. */
+    /* z of a sphere points up and a little to the viewer, who looks along -z of the world.
+     * Columns. */
     const float turned[9] = {0, -t, c, 1, 0, 0, 0, c, t}, same[9] = {1, 0, 0, 0, 1, 0, 0, 0, 1};
     const float world[16] = {0, -t, c, 0, 1, 0, 0, 0, 0, c, t, 0, x, y, 0, 1};
     const float clip[16] = {2 / wide, 0, 0, 0, 0, 2 / high, 0, 0, 0, 0, -.5f, 0, 0, 0, 0, 1};
     gl.UniformMatrix4fv(gl.GetUniformLocation(program, "matc_worldFromLocal"), 1, GL_FALSE, world);
     gl.UniformMatrix4fv(gl.GetUniformLocation(program, "matc_clipFromWorld"), 1, GL_FALSE, clip);
-    gl.UniformMatrix3fv(gl.GetUniformLocation(program, "matc_worldNormalFromLocal"), 1, GL_FALSE, turned);
-    gl.UniformMatrix3fv(gl.GetUniformLocation(program, "matc_eyeNormalFromLocal"), 1, GL_FALSE, turned);
+    gl.UniformMatrix3fv(gl.GetUniformLocation(program, "matc_worldNormalFromLocal"), 1, GL_FALSE,
+                        turned);
+    gl.UniformMatrix3fv(gl.GetUniformLocation(program, "matc_eyeNormalFromLocal"), 1, GL_FALSE,
+                        turned);
     gl.UniformMatrix3fv(gl.GetUniformLocation(program, "matc_eyeFromWorld"), 1, GL_FALSE, same);
 }
 
@@ -219,7 +240,8 @@ static void draw_gbuffer(Scene *s)
 {
     for (int i = 0; i < s->manifest->target_count; i++)
         s->targets[i] = make_target(s, s->manifest->targets[i]);
-    s->depth = gl_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, s->width, s->height, NULL);
+    s->depth =
+        gl_texture(GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, s->width, s->height, NULL);
     use_framebuffer(s->targets, s->manifest->target_count, s->depth);
     glViewport(0, 0, s->width, s->height);
     glEnable(GL_DEPTH_TEST);
@@ -233,9 +255,9 @@ static void draw_gbuffer(Scene *s)
 /* The manifest's code declares Surface and unpackSurface(); `light` stands behind it. */
 static GLuint light_program(const Manifest *m, const char *light)
 {
-    static const char screen[] =
-        "#version 330 core\nvoid main() { gl_Position = vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) "
-        "* 4. - 1., 0., 1.); }\n";
+    static const char screen[] = "#version 330 core\nvoid main() { gl_Position = "
+                                 "vec4(vec2(gl_VertexID & 1, gl_VertexID >> 1) "
+                                 "* 4. - 1., 0., 1.); }\n";
     size_t size = strlen(m->unpack) + strlen(light) + 64;
     char *text = malloc(size);
     snprintf(text, size, "#version 330 core\n%s\n%s", m->unpack, light);
@@ -244,11 +266,13 @@ static GLuint light_program(const Manifest *m, const char *light)
     return program;
 }
 
-/* Draws linear colours, which the target encodes for the screen; its mipmap averages the samples. */
+/* Draws linear colours, which the target encodes for the screen; its mipmap averages the
+ * samples. */
 static unsigned char *draw_light(const Scene *s, const char *light)
 {
     GLuint program = light_program(s->manifest, light);
-    GLuint frame = gl_texture(GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, s->width, s->height, NULL);
+    GLuint frame =
+        gl_texture(GL_SRGB8_ALPHA8, GL_RGBA, GL_UNSIGNED_BYTE, s->width, s->height, NULL);
     use_framebuffer(&frame, 1, 0);
     glEnable(GL_FRAMEBUFFER_SRGB);
     gl.UseProgram(program);

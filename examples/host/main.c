@@ -1,5 +1,6 @@
-/* host SCENE BEFORE.ppm AFTER.ppm: a scene, then the same with its second object moved to the right and painted otherwise. The context is this
- * program's own, by OSMesa; the renderer only draws with it. */
+/* host SCENE BEFORE.ppm AFTER.ppm: a scene, then the same with its second object moved to the right
+ * and painted otherwise. The context is this program's own, by OSMesa; the renderer only draws with
+ * it. */
 #include <GL/osmesa.h>
 #include <matc_render.h>
 #include <stdio.h>
@@ -24,8 +25,13 @@ static MatcRenderProc load(void *user, const char *name)
 static OSMesaContext open_context(void)
 {
     static unsigned char window[4]; /* OSMesa wants one; the renderer draws to textures */
-    static const int wanted[] = {
-        OSMESA_PROFILE, OSMESA_CORE_PROFILE, OSMESA_CONTEXT_MAJOR_VERSION, 4, OSMESA_CONTEXT_MINOR_VERSION, 5, 0};
+    static const int wanted[] = {OSMESA_PROFILE,
+                                 OSMESA_CORE_PROFILE,
+                                 OSMESA_CONTEXT_MAJOR_VERSION,
+                                 4,
+                                 OSMESA_CONTEXT_MINOR_VERSION,
+                                 5,
+                                 0};
     OSMesaContext context = OSMesaCreateContextAttribs(wanted, NULL);
     return context && OSMesaMakeCurrent(context, window, GL_UNSIGNED_BYTE, 1, 1) ? context : NULL;
 }
@@ -67,9 +73,11 @@ int main(int count, char **arguments)
         return fputs("host SCENE BEFORE.ppm AFTER.ppm, with OSMesa's OpenGL 4.5\n", stderr), 2;
     char *text = read_file(arguments[1], &size);
     MatcScene *scene = matc_scene_read(arguments[1], text, size, NULL, &document);
-    MatcRender *render = scene ? matc_render_open(&(MatcRenderOptions){.size = sizeof(MatcRenderOptions), .load = load},
-                                                  error, sizeof error)
-                               : NULL;
+    MatcRender *render =
+        scene ? matc_render_open(
+                    &(MatcRenderOptions){.size = sizeof(MatcRenderOptions), .load = load}, error,
+                    sizeof error)
+              : NULL;
     const int done = render && matc_render_scene(render, scene) && draw(render, arguments[2]) &&
                      change(render, scene) && draw(render, arguments[3]);
     if (!done)

@@ -1,4 +1,5 @@
-/* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one kind. */
+/* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one
+ * kind. */
 #include "runtime/cache/cache_trace.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/cache/exact_number.h"
@@ -18,7 +19,8 @@ static Key shape_key(const Shape *shape)
     const Key parts[] = {
         key_of_bytes(shape->vertices, (size_t)shape->vertex_count * sizeof *shape->vertices),
         key_of_bytes(shape->indices, (size_t)shape->index_count * sizeof *shape->indices),
-        key_of_bytes(shape->base, shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
+        key_of_bytes(shape->base,
+                     shape->base ? (size_t)shape->vertex_count * sizeof *shape->base : 0)};
     return key_of_bytes(parts, sizeof parts);
 }
 
@@ -56,7 +58,8 @@ static Key mesh_key(const Maker *m, const SceneObject *object)
 {
     double parts[SCENE_NUMBERS + 1] = {object->kind};
     memcpy(parts + 1, object->numbers, sizeof object->numbers);
-    return object->kind == SCENE_Mesh ? m->file_keys[object->mesh] : key_of_bytes(parts, sizeof parts);
+    return object->kind == SCENE_Mesh ? m->file_keys[object->mesh]
+                                      : key_of_bytes(parts, sizeof parts);
 }
 
 /* Takes the mesh of that key out of the cache before. */
@@ -80,7 +83,8 @@ static int mesh_of(Maker *m, const SceneObject *object)
     const int known = find(&m->meshes, key);
     if (known >= 0)
         return known;
-    const bool patches = object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
+    const bool patches =
+        object->kind == SCENE_Mesh && m->source->scene->meshes[object->mesh].patches;
     if ((patches || !take_mesh(m, key)) && !cache_mesh_make(m->store, m->source, m->cache, object))
         return -1;
     add(&m->meshes, key, m->cache->mesh_count - 1);
@@ -90,7 +94,8 @@ static int mesh_of(Maker *m, const SceneObject *object)
 static bool make_material(Maker *m, const SetProgram *program, CacheUse use, Material *made)
 {
     const Set *set = m->source->set;
-    ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+    ProgramText text = {.vertex = {set_vertex(set, program)},
+                        .fragment = {set_fragment(set, program)}};
     if (program->transparent && use == CACHE_USE_seen)
         transparency_wrap(&m->transparency, !strcmp(program->pass, "plane"), &text);
     if (use == CACHE_USE_cut)
@@ -118,7 +123,8 @@ static bool are_alike(const Set *set, int a, int b, CacheUse use)
            set->programs[x].text == set->programs[y].text;
 }
 
-/* The numbers of all programs of a text, one behind the other: for a use in the order of the surfaces. */
+/* The numbers of all programs of a text, one behind the other: for a use in the order of the
+ * surfaces. */
 static bool make_numbers(Maker *m, int surface, CacheUse use, GLuint *buffer)
 {
     const Set *set = m->source->set;
@@ -147,7 +153,8 @@ static bool find_numbers(Maker *m, int surface, CacheUse use, GLuint *found)
     const Set *set = m->source->set;
     int first = 0;
     *found = 0;
-    if (!m->cache->instances || !matc_constant_count(set->programs[drawn_as(set, surface, use)].program))
+    if (!m->cache->instances ||
+        !matc_constant_count(set->programs[drawn_as(set, surface, use)].program))
         return true;
     while (!are_alike(set, surface, first, use))
         first++;
@@ -164,12 +171,14 @@ typedef struct {
     Known *known;
 } Kinds;
 
-/* A kind whose program is that of a material; the same one, if what it would be drawn with is the same. */
+/* A kind whose program is that of a material; the same one, if what it would be drawn with is the
+ * same. */
 static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, const Kinds *to)
 {
     const int own = matc_uniform_count(program->program) || !m->cache->instances ? *to->count : -1;
     const Key parts[] = {material_key(&kind->material),
-                         {(uint64_t)(int64_t)own, kind->numbers}}; /* whose uniforms are set by themselves */
+                         /* whose uniforms are set by themselves */
+                         {(uint64_t)(int64_t)own, kind->numbers}};
     const Key key = key_of_bytes(parts, sizeof parts);
     const int known = find(to->known, key);
     if (known >= 0) {
@@ -188,7 +197,8 @@ static int make_kind(Maker *m, const SetProgram *surface, CacheUse use, const Ki
     const int number = (int)(surface - set->programs);
     const SetProgram *program = &set->programs[drawn_as(set, number, use)];
     CacheKind kind = {.transparent = surface->transparent};
-    if (!find_numbers(m, number, use, &kind.numbers) || !make_material(m, program, use, &kind.material))
+    if (!find_numbers(m, number, use, &kind.numbers) ||
+        !make_material(m, program, use, &kind.material))
         return -1;
     return add_kind(m, program, &kind, to);
 }
@@ -200,14 +210,16 @@ static bool find_uses(Maker *m, int material, const SetProgram *surface)
     const Kinds casters = {cache->casters, &cache->caster_count, &m->casters};
     bool fine = true;
     for (int use = 0; fine && use < CACHE_USES; use++) {
-        const bool none = drawn_as(m->source->set, (int)(surface - m->source->set->programs), (CacheUse)use) < 0;
+        const bool none =
+            drawn_as(m->source->set, (int)(surface - m->source->set->programs), (CacheUse)use) < 0;
         m->used_as[use][material] = none ? -1 : make_kind(m, surface, (CacheUse)use, &casters);
         fine = none || m->used_as[use][material] >= 0;
     }
     return fine;
 }
 
-/* The place of an object's kind among the cache's, or -1. Without instances each object has its own, for its matrices. */
+/* The place of an object's kind among the cache's, or -1. Without instances each object has its
+ * own, for its matrices. */
 static int kind_of(Maker *m, int material)
 {
     Cache *cache = m->cache;
@@ -261,9 +273,11 @@ static bool add_objects(Maker *m)
     for (int i = 0; i < scene->material_count; i++)
         m->kind_of[i] = -1;
     for (int i = 0; i < scene->mesh_count; i++)
-        m->file_keys[i] = scene->meshes[i].patches ? (Key){(uint64_t)i, 0} : shape_key(&scene->meshes[i].shape);
+        m->file_keys[i] =
+            scene->meshes[i].patches ? (Key){(uint64_t)i, 0} : shape_key(&scene->meshes[i].shape);
     for (int i = 0; i < scene->object_count; i++)
-        if (!scene->objects[i].hidden && !(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
+        if (!scene->objects[i].hidden &&
+            !(scene->objects[i].kind == SCENE_Plane ? add_plane(m, i) : add_surface(m, i)))
             return false;
     return true;
 }
@@ -272,7 +286,8 @@ static bool make_sky(Maker *m)
 {
     Cache *cache = m->cache;
     const int sky = m->source->scene->sky;
-    SetProgram program = sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
+    SetProgram program =
+        sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
     program.transparent = false; /* nothing is behind it */
     cache->has_sky = sky >= 0 && make_material(m, &program, CACHE_USE_seen, &cache->sky);
     return sky < 0 || cache->has_sky;
@@ -282,7 +297,8 @@ static bool make_room(Maker *m)
 {
     Cache *cache = m->cache;
     const Scene *scene = m->source->scene;
-    const size_t objects = (size_t)scene->object_count + 1, materials = (size_t)scene->material_count + 1;
+    const size_t objects = (size_t)scene->object_count + 1,
+                 materials = (size_t)scene->material_count + 1;
     const size_t kinds = cache->instances ? materials : objects;
     cache->number_count = m->source->set->count;
     cache->kinds = calloc(kinds, sizeof *cache->kinds);
@@ -308,10 +324,11 @@ static bool make_room(Maker *m)
     m->used_as[0] = calloc(CACHE_USES * materials, sizeof *m->used_as[0]);
     for (int use = 1; use < CACHE_USES; use++)
         m->used_as[use] = m->used_as[0] + (m->used_as[0] ? materials * (size_t)use : 0);
-    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes && cache->displaced &&
-            cache->places && cache->place_of && cache->surfaces && cache->planes && cache->list && cache->seen_list &&
-            cache->order && cache->cast_order && m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of &&
-            m->row_of && m->used_as[0] && m->file_keys) ||
+    return (cache->kinds && cache->casters && cache->numbers && cache->meshes && cache->boxes &&
+            cache->displaced && cache->places && cache->place_of && cache->surfaces &&
+            cache->planes && cache->list && cache->seen_list && cache->order && cache->cast_order &&
+            m->meshes.keys && m->kinds.keys && m->casters.keys && m->kind_of && m->row_of &&
+            m->used_as[0] && m->file_keys) ||
            gl_fail(m->gl, "out of memory");
 }
 
@@ -339,22 +356,28 @@ static bool make_buffers(Maker *m)
     gl->GenBuffers(1, &cache->words);
     gl->GenBuffers(2, cache->views);
     gl->BindBuffer(GL_ARRAY_BUFFER, cache->words);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)sizeof *cache->list * CACHE_LISTS * cache->place_count, NULL,
+    gl->BufferData(GL_ARRAY_BUFFER,
+                   (GLsizeiptr)sizeof *cache->list * CACHE_LISTS * cache->place_count, NULL,
                    GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     for (int i = 0; i < cache->mesh_count; i++)
         mesh_attach(gl, &cache->meshes[i], cache->words);
-    return gl_check(m->gl, "making buffers of instances") && cache_trace_make(m->store, m->source, cache);
+    return gl_check(m->gl, "making buffers of instances") &&
+           cache_trace_make(m->store, m->source, cache);
 }
 
 bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made)
 {
-    Maker maker = {.store = store, .gl = store_context(store), .source = source, .before = before, .cache = made};
+    Maker maker = {.store = store,
+                   .gl = store_context(store),
+                   .source = source,
+                   .before = before,
+                   .cache = made};
     *made = (Cache){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
     exact_number_text(maker.gl, source->set, source->written, &maker.number);
-    const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) && make_buffers(&maker) &&
-                      cache_arrange(maker.gl, source, made);
+    const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) &&
+                      make_buffers(&maker) && cache_arrange(maker.gl, source, made);
     made->displaced_anew = false; /* all is made for it afterwards */
     forget(&maker);
     if (!done)

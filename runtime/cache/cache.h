@@ -1,5 +1,6 @@
-/* A scene on the driver's side: each mesh once, each program once with the numbers of all its materials, and objects in groups that one
- * call draws. Where the driver can: instances, whose matrices and numbers lie in buffers; else each object is a group of its own. */
+/* A scene on the driver's side: each mesh once, each program once with the numbers of all its
+ * materials, and objects in groups that one call draws. Where the driver can: instances, whose
+ * matrices and numbers lie in buffers; else each object is a group of its own. */
 #ifndef MATC_CACHE_CACHE_H
 #define MATC_CACHE_CACHE_H
 #include "runtime/cache/cull.h"
@@ -9,14 +10,17 @@
 #include "runtime/displace/displaced.h"
 #include "runtime/gl/mesh.h"
 
-/* Into what a surface is drawn by programs of its material: into shadow maps, into voxels; into the picture. */
+/* Into what a surface is drawn by programs of its material: into shadow maps, into voxels; into the
+ * picture. */
 typedef enum { CACHE_USE_cast, CACHE_USE_cut, CACHE_USES, CACHE_USE_seen = CACHE_USES } CacheUse;
 
-/* Materials that are drawn alike but for their numbers: one program, the same textures and uniforms. */
+/* Materials that are drawn alike but for their numbers: one program, the same textures and
+ * uniforms. */
 typedef struct {
     Material material; /* without instances: with an object's matrices */
     bool transparent;  /* at least in places */
-    GLuint numbers;    /* buffer of the numbers of all materials of the program; 0: there are none */
+    /* buffer of the numbers of all materials of the program; 0: there are none */
+    GLuint numbers;
 } CacheKind;
 
 /* What one call draws: objects of one kind, one mesh, and one turn of its triangles. */
@@ -32,8 +36,12 @@ typedef struct {
 typedef struct {
     int object;          /* in Scene.objects */
     int kind, mesh, row; /* `row`: of the kind's numbers */
-    int caster; /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts none */
-    int cut; /* in Cache.casters: with what it is drawn into voxels, of which it fills some, as it is cut out; -1: it is not */
+    /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts
+     * none */
+    int caster;
+    /* in Cache.casters: with what it is drawn into voxels, of which it fills some, as it is cut
+     * out; -1: it is not */
+    int cut;
     GLuint program;
     bool transparent, mirrored;
     const float *even; /* what it lets through, if that is the same everywhere; else NULL */
@@ -59,7 +67,9 @@ typedef struct {
     CacheKind *kinds;
     int kind_count;
     CacheKind *
-        casters; /* programs that draw into shadow maps and voxels, of what is transparent; the numbers by the rows of its kind */
+        /* programs that draw into shadow maps and voxels, of what is transparent; the numbers by
+         * the rows of its kind */
+        casters;
     int caster_count;
     GLuint *numbers; /* by program of the set: a buffer, or 0 */
     int number_count;
@@ -67,11 +77,14 @@ typedef struct {
     CullBox *boxes;       /* of the meshes */
     Key *mesh_keys;       /* of what they are made of */
     Displaced *displaced; /* by mesh: how the driver makes it; empty where it is there as it is */
-    Material *traced;     /* by kind: draws surfaces that rays have found (cache_trace.h); empty where none is */
-    bool tracing;         /* there is one */
-    bool displaced_anew;  /* such a mesh has other triangles, since whoever reads this took it back */
+    /* by kind: draws surfaces that rays have found (cache_trace.h); empty where none is */
+    Material *traced;
+    bool tracing; /* there is one */
+    /* such a mesh has other triangles, since whoever reads this took it back */
+    bool displaced_anew;
     int mesh_count;
-    CachePlace *places; /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
+    /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
+    CachePlace *places;
     int place_count;
     int *place_of; /* by object; -1: it has none */
     Drawable *surfaces;
@@ -82,14 +95,17 @@ typedef struct {
     Material sky;
     bool has_sky;
     long triangles; /* of all surfaces */
-    uint32_t *list; /* places: all of them, then those in view, then those that a light sees; a buffer has the same */
+    /* places: all of them, then those in view, then those that a light sees; a buffer has the
+     * same */
+    uint32_t *list;
     uint32_t *seen_list; /* the second of these, as the buffer has it */
     int seen;
     CacheOrder *order;    /* room to sort places in */
     uint32_t *cast_order; /* places of what casts shadows, sorted by caster and mesh */
     int cast_count;
     GLuint matrices, words,
-        views[2]; /* buffers: of places, of the list, of the block View for the camera and for a light */
+        /* buffers: of places, of the list, of the block View for the camera and for a light */
+        views[2];
 } Cache;
 
 typedef struct {
@@ -101,21 +117,25 @@ typedef struct {
     const int *size;            /* of the picture, in pixels */
     const int *at;              /* its pixel that is drawn first: of a tile */
     const MatcOptions *compile; /* of programs that displace */
-    bool triangles;             /* of meshes that the driver displaces are wanted in the scene, too */
-    bool alone;                 /* the camera alone looks at the scene, and maps of shadows: no ray, no other shadows */
-    bool casts;                 /* there are such maps */
+    /* of meshes that the driver displaces are wanted in the scene, too */
+    bool triangles;
+    /* the camera alone looks at the scene, and maps of shadows: no ray, no other shadows */
+    bool alone;
+    bool casts; /* there are such maps */
     Transparency transparency;
     ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
     bool lines;              /* surfaces are drawn as lines */
 } CacheSource;
 
-/* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's error; *made is empty then. */
+/* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's
+ * error; *made is empty then. */
 bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made);
 /* Safe on an empty one, which it leaves behind. */
 void cache_delete(GlContext *gl, Cache *cache);
 
 /* Adds the mesh of an object. cache_mesh.c, as is what follows. */
-bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, const SceneObject *object);
+bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache,
+                     const SceneObject *object);
 /* Has the driver displace meshes again that go by the view. */
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache);
 /* Some of these go by lights. */
@@ -129,8 +149,10 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
 /* Sorts the places into drawables, and writes all buffers. */
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
 /* Sorts places of a drawable, from the farthest on. cache_order.c. */
-void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list, int count);
-/* Draws the surfaces in view, each with its program: those that are opaque but not traced, or the others. */
+void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list,
+                 int count);
+/* Draws the surfaces in view, each with its program: those that are opaque but not traced, or the
+ * others. */
 void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 
 /* How what is traced goes to a shadow map. */
@@ -144,19 +166,27 @@ typedef struct {
 typedef struct {
     const double *clip_from_world; /* 16, by columns */
     const CullVolume *volume;
-    bool mirrored;              /* triangles turn the other way round there */
-    Material *solid;            /* draws depth alone (shadow_depth.glsl) */
-    Material *kept;             /* by kind, draws what is opaque in its place (radiance.h); or NULL */
-    int number;                 /* of its map: the uniform glass_map of programs that color shadows */
-    const unsigned char *waves; /* by place: those are drawn that have the number `wave`; NULL: all are */
+    bool mirrored;   /* triangles turn the other way round there */
+    Material *solid; /* draws depth alone (shadow_depth.glsl) */
+    /* by kind, draws what is opaque in its place (radiance.h); or NULL */
+    Material *kept;
+    /* of its map: the uniform glass_map of programs that color shadows */
+    int number;
+    /* by place: those are drawn that have the number `wave`; NULL: all are */
+    const unsigned char *waves;
     int wave;
-    bool cut;     /* draws what is cut out, by programs of its own, or in place of these by `kept` */
-    bool varying; /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
-    const CacheLightTrace *traced; /* what is traced for pictures is traced; NULL: its grid is drawn */
+    /* draws what is cut out, by programs of its own, or in place of these by `kept` */
+    bool cut;
+    /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
+    bool varying;
+    /* what is traced for pictures is traced; NULL: its grid is drawn */
+    const CacheLightTrace *traced;
 } CacheLight;
 
 /* Sorts what casts shadows. cache_cast.c, as is what follows. */
 bool cache_arrange_casters(GlContext *gl, Cache *cache);
-/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster; or what is cut out. */
-void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent);
+/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster; or what is
+ * cut out. */
+void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light,
+                bool transparent);
 #endif

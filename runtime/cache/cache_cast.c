@@ -1,4 +1,5 @@
-/* What of a cache casts shadows: drawn for each light, as the light sees it. What is opaque is grouped by mesh alone. */
+/* What of a cache casts shadows: drawn for each light, as the light sees it. What is opaque is
+ * grouped by mesh alone. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/displace/displaced_traced.h"
@@ -38,7 +39,8 @@ bool cache_arrange_casters(GlContext *gl, Cache *cache)
         return gl_fail(gl, "out of memory");
     cache->cast_count = 0;
     for (int i = 0; i < cache->place_count; i++)
-        if (!cache->places[i].transparent || cache->places[i].caster >= 0 || cache->places[i].cut >= 0)
+        if (!cache->places[i].transparent || cache->places[i].caster >= 0 ||
+            cache->places[i].cut >= 0)
             casts[cache->cast_count++] = cast_of(cache, (uint32_t)i);
     qsort(casts, (size_t)cache->cast_count, sizeof *casts, compare);
     for (int i = 0; i < cache->cast_count; i++)
@@ -49,18 +51,21 @@ bool cache_arrange_casters(GlContext *gl, Cache *cache)
 
 static bool is_wanted(const CachePlace *place, const CacheLight *light, bool transparent)
 {
-    return light->cut ? place->cut >= 0 : place->transparent == transparent && (!transparent || place->caster >= 0);
+    return light->cut ? place->cut >= 0
+                      : place->transparent == transparent && (!transparent || place->caster >= 0);
 }
 
 /* Lists the places that the light sees, in the order of drawing. So many. */
-static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent)
+static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *light,
+                     bool transparent)
 {
     uint32_t *list = cache->list + (CACHE_LISTS - 1) * cache->place_count;
     int count = 0;
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
         if (is_wanted(place, light, transparent) &&
-            (!light->waves || light->waves[cache->cast_order[i]] == light->wave) && !(light->varying && place->even) &&
+            (!light->waves || light->waves[cache->cast_order[i]] == light->wave) &&
+            !(light->varying && place->even) &&
             cull_sees(light->volume, &cache->boxes[place->mesh],
                       &source->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
@@ -117,8 +122,8 @@ static void use(GlContext *gl, CacheKind *caster, Material *material, const Mate
 static bool is_traced(const Cache *cache, const CacheLight *light, const CachePlace *place)
 {
     const DisplacedTrace *trace = displaced_traced(&cache->displaced[place->mesh]);
-    return light->traced && cache->tracing && !place->transparent && cache->traced[place->kind].store && trace &&
-           !trace->parallax;
+    return light->traced && cache->tracing && !place->transparent &&
+           cache->traced[place->kind].store && trace && !trace->parallax;
 }
 
 /* The light's clip space, the camera's eye. */
@@ -131,7 +136,8 @@ static Spaces spaces_of(const CacheSource *source, const CacheLight *light)
     return spaces;
 }
 
-void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light, bool transparent)
+void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light,
+                bool transparent)
 {
     const int start = (CACHE_LISTS - 1) * cache->place_count;
     const int count = list_seen(source, cache, light, transparent);
@@ -143,8 +149,12 @@ void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const Ca
     for (int i = 0, group; i < count; i += group) {
         const CachePlace *place = &cache->places[list[i]];
         const int number = light->cut ? place->cut : place->caster;
-        CacheKind *caster = light->kept ? &cache->kinds[place->kind] : number < 0 ? NULL : &cache->casters[number];
-        Material *material = light->kept ? &light->kept[place->kind] : caster ? &caster->material : light->solid;
+        CacheKind *caster = light->kept  ? &cache->kinds[place->kind]
+                            : number < 0 ? NULL
+                                         : &cache->casters[number];
+        Material *material = light->kept ? &light->kept[place->kind]
+                             : caster    ? &caster->material
+                                         : light->solid;
         group = group_of(cache, list + i, count - i, light->kept != NULL);
         gl->FrontFace(place->mirrored != light->mirrored ? GL_CW : GL_CCW);
         if (is_traced(cache, light, place)) {

@@ -14,7 +14,8 @@ static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)
 /* Around all places where points may be moved to. */
 static CullBox box_of_patches(const SceneMesh *mesh)
 {
-    CullBox box = cull_box(&(Shape){.vertices = mesh->patches->rows, .vertex_count = mesh->patches->row_count});
+    CullBox box = cull_box(
+        &(Shape){.vertices = mesh->patches->rows, .vertex_count = mesh->patches->row_count});
     for (int k = 0; k < 3; k++) {
         box.low[k] -= mesh->patches->reach[k];
         box.high[k] += mesh->patches->reach[k];
@@ -43,7 +44,8 @@ static void find_box(const CacheSource *source, const Cache *cache, double low[3
 enum { GROUNDS_MOST = 8 };
 
 /* Planes of the scene. False: there are more. */
-static bool find_grounds(const CacheSource *source, const Cache *cache, double grounds[GROUNDS_MOST][4])
+static bool find_grounds(const CacheSource *source, const Cache *cache,
+                         double grounds[GROUNDS_MOST][4])
 {
     for (int i = 0; i < cache->plane_count && i < GROUNDS_MOST; i++) {
         const double *m = source->scene->objects[cache->planes[i].object].world_from_local.m;
@@ -90,18 +92,22 @@ static bool make_displaced(Store *store, const CacheSource *source, Cache *cache
         return set_fail(gl, source->scene, from->patches->material);
     if (displaced_by_view(&cache->displaced[mesh]))
         return true; /* cache_mesh_view follows, which knows all objects */
-    if (!displace(&(DisplacedView){source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}}, source,
-                  cache, mesh))
+    if (!displace(
+            &(DisplacedView){
+                source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}},
+            source, cache, mesh))
         return false;
     if (source->triangles)
         cache->boxes[mesh] = cull_box(&from->shape);
     return true;
 }
 
-bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache, const SceneObject *object)
+bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache,
+                     const SceneObject *object)
 {
     GlContext *gl = store_context(store);
-    const SceneMesh *mesh = object->kind == SCENE_Mesh ? &source->scene->meshes[object->mesh] : NULL;
+    const SceneMesh *mesh =
+        object->kind == SCENE_Mesh ? &source->scene->meshes[object->mesh] : NULL;
     Shape shape;
     if (mesh)
         return mesh->patches ? make_displaced(store, source, cache, object->mesh)
@@ -123,7 +129,8 @@ bool cache_mesh_by_lights(const Cache *cache)
 
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
 {
-    DisplacedView view = {source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
+    DisplacedView view = {
+        source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
     double grounds[GROUNDS_MOST][4];
     bool fine = true;
     if (cache_mesh_by_lights(cache) && !cache->plane_count) /* which has no end */

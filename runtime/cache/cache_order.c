@@ -1,12 +1,14 @@
-/* The order in which transparent objects are drawn where their fragments go to lists: from the farthest on. What is appended last stands first, so
- * the lists of most pixels are in order then, and sorting them takes a walk (pass_blend.glsl). Any other order gives the same picture. */
+/* The order in which transparent objects are drawn where their fragments go to lists: from the
+ * farthest on. What is appended last stands first, so the lists of most pixels are in order then,
+ * and sorting them takes a walk (pass_blend.glsl). Any other order gives the same picture. */
 #include "runtime/cache/cache.h"
 #include <stdlib.h>
 
 /* Greater for what is nearer: along the view, the middle of the object's box. */
 static double nearness(const CacheSource *source, const CullBox *box, int object)
 {
-    const double *eye = source->space->eye_from_world, *world = source->scene->objects[object].world_from_local.m;
+    const double *eye = source->space->eye_from_world,
+                 *world = source->scene->objects[object].world_from_local.m;
     double sum = eye[14];
     for (int row = 0; row < 3; row++) {
         double at = world[12 + row];
@@ -25,11 +27,13 @@ static int farthest_first(const void *a, const void *b)
     return x->place < y->place ? -1 : x->place > y->place;
 }
 
-void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list, int count)
+void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list,
+                 int count)
 {
     for (int i = 0; i < count; i++) {
         const int object = cache->places[list[i]].object;
-        cache->order[i] = (CacheOrder){nearness(source, &cache->boxes[drawable->mesh], object), list[i]};
+        cache->order[i] =
+            (CacheOrder){nearness(source, &cache->boxes[drawable->mesh], object), list[i]};
     }
     qsort(cache->order, (size_t)count, sizeof *cache->order, farthest_first);
     for (int i = 0; i < count; i++)

@@ -11,15 +11,18 @@ enum { MET_UNIT = MATERIAL_TEXTURES - 1 };
 
 /* -- programs */
 
-static bool make_program(Store *store, const CacheSource *source, const SetProgram *program, Material *made)
+static bool make_program(Store *store, const CacheSource *source, const SetProgram *program,
+                         Material *made)
 {
     GlContext *gl = store_context(store);
-    char *text = trace_text(program->program, set_vertex(source->set, program), set_fragment(source->set, program));
+    char *text = trace_text(program->program, set_vertex(source->set, program),
+                            set_fragment(source->set, program));
     if (!text)
         return gl_fail(gl, "out of memory");
-    const ProgramText of = {.vertex = {"#version 450 core\n", render_text_trace_vertex}, .fragment = {text}};
-    const bool fine =
-        material_make(store, program->program, &of, made) || set_fail(gl, source->scene, program->material);
+    const ProgramText of = {.vertex = {"#version 450 core\n", render_text_trace_vertex},
+                            .fragment = {text}};
+    const bool fine = material_make(store, program->program, &of, made) ||
+                      set_fail(gl, source->scene, program->material);
     free(text);
     if (fine)
         material_set_number(made, "trace_met", MET_UNIT);
@@ -36,14 +39,16 @@ bool cache_trace_make(Store *store, const CacheSource *source, Cache *cache)
         const CachePlace *place = &cache->places[i];
         if (place->transparent || !displaced_traced(&cache->displaced[place->mesh]))
             continue;
-        const SetProgram *program = set_find(source->set, source->scene->objects[place->object].material, "gbuffer");
+        const SetProgram *program =
+            set_find(source->set, source->scene->objects[place->object].material, "gbuffer");
         cache->tracing = true;
         if (!cache->traced[place->kind].store)
             fine = make_program(store, source, program, &cache->traced[place->kind]);
     }
     for (int i = 0; fine && i < cache->mesh_count; i++)
         if (displaced_traced(&cache->displaced[i]))
-            mesh_attach(store_context(store), &displaced_traced(&cache->displaced[i])->hulls, cache->words);
+            mesh_attach(store_context(store), &displaced_traced(&cache->displaced[i])->hulls,
+                        cache->words);
     return fine;
 }
 
@@ -63,7 +68,8 @@ void cache_trace_view(const CacheSource *source, Cache *cache)
 
 bool cache_traces(const Cache *cache, const Drawable *drawable)
 {
-    return cache->tracing && cache->traced[drawable->kind].store && displaced_traced(&cache->displaced[drawable->mesh]);
+    return cache->tracing && cache->traced[drawable->kind].store &&
+           displaced_traced(&cache->displaced[drawable->mesh]);
 }
 
 /* -- drawing */
@@ -115,7 +121,8 @@ void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
 {
     float pixel[2];
     find_pixel(source, pixel);
-    const float corner[2] = {pixel[0] * (float)source->at[0] - 1, pixel[1] * (float)source->at[1] - 1};
+    const float corner[2] = {pixel[0] * (float)source->at[0] - 1,
+                             pixel[1] * (float)source->at[1] - 1};
     begin(gl, cache, cache->views[0]);
     for (int i = 0; i < cache->opaque_count; i++) {
         const Drawable *drawable = &cache->surfaces[i];
@@ -169,17 +176,20 @@ static double minor_of(const double m[16], int a, int b, int c)
     double sum = 0;
     for (int i = 0; i < 3; i++) {
         const double first = m[4 * columns[0] + rows[i]];
-        sum += first * (m[4 * columns[1] + rows[(i + 1) % 3]] * m[4 * columns[2] + rows[(i + 2) % 3]] -
-                        m[4 * columns[1] + rows[(i + 2) % 3]] * m[4 * columns[2] + rows[(i + 1) % 3]]);
+        sum +=
+            first * (m[4 * columns[1] + rows[(i + 1) % 3]] * m[4 * columns[2] + rows[(i + 2) % 3]] -
+                     m[4 * columns[1] + rows[(i + 2) % 3]] * m[4 * columns[2] + rows[(i + 1) % 3]]);
     }
     return sum;
 }
 
-/* Where all rays of a view meet, which it shows nowhere; where they are parallel, that is infinitely far: the direction in which depth grows. */
+/* Where all rays of a view meet, which it shows nowhere; where they are parallel, that is
+ * infinitely far: the direction in which depth grows. */
 static void find_viewer(const double m[16], float viewer[4])
 {
     const double least = 1e-9;
-    double at[4] = {minor_of(m, 1, 2, 3), -minor_of(m, 0, 2, 3), minor_of(m, 0, 1, 3), -minor_of(m, 0, 1, 2)};
+    double at[4] = {minor_of(m, 1, 2, 3), -minor_of(m, 0, 2, 3), minor_of(m, 0, 1, 3),
+                    -minor_of(m, 0, 1, 2)};
     const double size = vec3_length(at);
     const bool parallel = fabs(m[3]) + fabs(m[7]) + fabs(m[11]) < least * fabs(m[15]);
     const double deep = m[2] * at[0] + m[6] * at[1] + m[10] * at[2];

@@ -1,9 +1,11 @@
-/* Surfaces that are traced (displaced_traced.h), in two steps: rays of all of them say which is met where, and how deep; the material's own program then runs for the pixels that it is met in. */
+/* Surfaces that are traced (displaced_traced.h), in two steps: rays of all of them say which is met
+ * where, and how deep; the material's own program then runs for the pixels that it is met in. */
 #ifndef MATC_CACHE_CACHE_TRACE_H
 #define MATC_CACHE_CACHE_TRACE_H
 #include "runtime/cache/cache.h"
 
-/* Programs of the kinds whose surfaces are traced: opaque ones, where nothing asks which triangle a pixel sees. */
+/* Programs of the kinds whose surfaces are traced: opaque ones, where nothing asks which triangle a
+ * pixel sees. */
 bool cache_trace_make(Store *store, const CacheSource *source, Cache *cache);
 void cache_trace_delete(Cache *cache);
 /* The view is another. */

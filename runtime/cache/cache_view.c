@@ -1,4 +1,5 @@
-/* What of a cache depends on where objects stand and on where they are seen from: their order, matrices, which are in view. */
+/* What of a cache depends on where objects stand and on where they are seen from: their order,
+ * matrices, which are in view. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
@@ -8,7 +9,8 @@
 
 /* -- objects */
 
-/* Opaque ones first. A change of program costs most, then one of textures and numbers, then one of the mesh. */
+/* Opaque ones first. A change of program costs most, then one of textures and numbers, then one of
+ * the mesh. */
 static int compare(const void *a, const void *b)
 {
     const CachePlace *x = a, *y = b;
@@ -25,7 +27,10 @@ static int compare(const void *a, const void *b)
     return x->object < y->object ? -1 : 1;
 }
 
-static bool is_mirrored(const SceneObject *object) { return scene_matrix_determinant(&object->world_from_local) < 0; }
+static bool is_mirrored(const SceneObject *object)
+{
+    return scene_matrix_determinant(&object->world_from_local) < 0;
+}
 
 static void find_groups(Cache *cache)
 {
@@ -33,7 +38,8 @@ static void find_groups(Cache *cache)
     for (int i = 0; i < cache->place_count; i++) {
         const CachePlace *place = &cache->places[i];
         Drawable *last = &cache->surfaces[cache->surface_count - (cache->surface_count > 0)];
-        if (!i || last->kind != place->kind || last->mesh != place->mesh || last->mirrored != place->mirrored)
+        if (!i || last->kind != place->kind || last->mesh != place->mesh ||
+            last->mirrored != place->mirrored)
             cache->surfaces[cache->surface_count++] =
                 (Drawable){place->kind, place->mesh, place->mirrored, i, 1, 0, 0, false};
         else
@@ -61,7 +67,8 @@ static Spaces spaces_of(const CacheSource *source, int object)
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)matrix->m[i];
     set_plane(matrix, &spaces);
-    if (source->scene->objects[object].kind == SCENE_Plane && source->scene->camera.kind == SCENE_Orthographic)
+    if (source->scene->objects[object].kind == SCENE_Plane &&
+        source->scene->camera.kind == SCENE_Orthographic)
         view_space_parallels(&source->scene->camera, source->size, matrix, &spaces);
     return spaces;
 }
@@ -78,7 +85,8 @@ static void set_object(const CacheSource *source, Cache *cache, int object)
         spaces_set(&spaces, &cache->kinds[cache->places[place].kind].material);
 }
 
-static bool write_places(GlContext *gl, const CacheSource *source, const Cache *cache, int first, int count)
+static bool write_places(GlContext *gl, const CacheSource *source, const Cache *cache, int first,
+                         int count)
 {
     Instance *rows = malloc((size_t)count * sizeof *rows + 1);
     if (!rows)
@@ -89,10 +97,11 @@ static bool write_places(GlContext *gl, const CacheSource *source, const Cache *
     }
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, cache->matrices);
     if (count == cache->place_count)
-        gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *rows * count, rows, GL_DYNAMIC_DRAW);
+        gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *rows * count, rows,
+                       GL_DYNAMIC_DRAW);
     else
-        gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, (GLintptr)sizeof *rows * first, (GLsizeiptr)sizeof *rows * count,
-                          rows);
+        gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, (GLintptr)sizeof *rows * first,
+                          (GLsizeiptr)sizeof *rows * count, rows);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     free(rows);
     return true;
@@ -132,17 +141,20 @@ static bool list_seen(const CacheSource *source, Cache *cache)
         drawable->first_seen = cache->place_count + first;
         drawable->solid = cache->meshes[drawable->mesh].body == SHAPE_BODY_solid;
         for (int k = drawable->first; k < drawable->first + drawable->count; k++) {
-            const SceneMatrix *matrix = &source->scene->objects[cache->places[k].object].world_from_local;
+            const SceneMatrix *matrix =
+                &source->scene->objects[cache->places[k].object].world_from_local;
             if (source->volume && !cull_sees(source->volume, &cache->boxes[drawable->mesh], matrix))
                 continue;
-            drawable->solid = drawable->solid && cull_is_beyond(source->view, &cache->boxes[drawable->mesh], matrix);
+            drawable->solid = drawable->solid &&
+                              cull_is_beyond(source->view, &cache->boxes[drawable->mesh], matrix);
             list[next++] = (uint32_t)k;
         }
         drawable->seen = next - first;
         if (i >= cache->opaque_count && source->transparency == TRANSPARENCY_lists)
             cache_order(source, cache, drawable, list + first, drawable->seen);
     }
-    const bool changed = next != cache->seen || memcmp(list, cache->seen_list, (size_t)next * sizeof *list) != 0;
+    const bool changed =
+        next != cache->seen || memcmp(list, cache->seen_list, (size_t)next * sizeof *list) != 0;
     memcpy(cache->seen_list, list, (size_t)next * sizeof *list);
     cache->seen = next;
     return changed;
@@ -155,7 +167,8 @@ static void find_seen(const GlContext *gl, const CacheSource *source, Cache *cac
     const size_t start = sizeof *cache->list * (size_t)cache->place_count,
                  size = sizeof *cache->list * (size_t)cache->seen;
     gl->BindBuffer(GL_ARRAY_BUFFER, cache->words);
-    gl->BufferSubData(GL_ARRAY_BUFFER, (GLintptr)start, (GLsizeiptr)size, cache->list + cache->place_count);
+    gl->BufferSubData(GL_ARRAY_BUFFER, (GLintptr)start, (GLsizeiptr)size,
+                      cache->list + cache->place_count);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
@@ -191,7 +204,8 @@ bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int firs
     int low = cache->place_count, high = -1;
     for (int object = first; object < first + count; object++) {
         const int place = cache->place_of[object];
-        if (place >= 0 && cache->places[place].mirrored != is_mirrored(&source->scene->objects[object]))
+        if (place >= 0 &&
+            cache->places[place].mirrored != is_mirrored(&source->scene->objects[object]))
             return cache_arrange(gl, source, cache);
         set_object(source, cache, object);
         low = place >= 0 && place < low ? place : low;
@@ -211,7 +225,8 @@ bool cache_set(const CacheSource *source, Cache *cache, int material, const Mate
             found |= material_set(&cache->kinds[place->kind].material, value);
             if (cache->tracing && cache->traced[place->kind].store)
                 material_set(&cache->traced[place->kind], value);
-            found |= place->caster >= 0 && material_set(&cache->casters[place->caster].material, value);
+            found |=
+                place->caster >= 0 && material_set(&cache->casters[place->caster].material, value);
             found |= place->cut >= 0 && material_set(&cache->casters[place->cut].material, value);
         }
     for (int i = 0; i < cache->plane_count; i++)
@@ -248,7 +263,8 @@ void cache_draw(GlContext *gl, Cache *cache, bool transparent)
         before = &kind->material;
         material_feed(&kind->material, &cache->meshes[drawable->mesh]);
         if (cache->instances)
-            mesh_draw_instances(gl, &cache->meshes[drawable->mesh], drawable->first_seen, drawable->seen);
+            mesh_draw_instances(gl, &cache->meshes[drawable->mesh], drawable->first_seen,
+                                drawable->seen);
         else
             mesh_draw(gl, &cache->meshes[drawable->mesh]);
     }

@@ -1,18 +1,21 @@
-/* Boxes against half spaces. A box's image is a parallelepiped: its centre, and half an edge along each axis; its farthest point in the direction
- * n is the sum of all |n edge| away from the centre.
+/* Boxes against half spaces. A box's image is a parallelepiped: its centre, and half an edge along
+ * each axis; its farthest point in the direction n is the sum of all |n edge| away from the centre.
  *
- *     n = (1, 0, 0), d = 0: what is right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2) has its centre at x = -2, half an edge is 1:
- *     -2 + 1 < 0, nothing of it is seen. Turned by 45 degrees about z, half edges are 0.7 and 0.7: -2 + 1.4 < 0 still */
+ *     n = (1, 0, 0), d = 0: what is right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2) has its
+ *     centre at x = -2, half an edge is 1: -2 + 1 < 0, nothing of it is seen. Turned by 45 degrees
+ *     about z, half edges are 0.7 and 0.7: -2 + 1.4 < 0 still */
 #include "runtime/cache/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* Vertices go through two matrices in floats, with roundings of 6e-8 of the greatest term: 1e-5 of the terms' sum is far more. */
+/* Vertices go through two matrices in floats, with roundings of 6e-8 of the greatest term: 1e-5 of
+ * the terms' sum is far more. */
 static const double slack = 1e-5;
 enum { NEAREST = 4 /* behind the four sides */ };
 
-/* x right + y up + z back, seen from the camera, plus `distance` where the plane does not go through its position. */
+/* x right + y up + z back, seen from the camera, plus `distance` where the plane does not go
+ * through its position. */
 static void add_plane(const SceneCamera *c, const double eye[3], double distance, CullVolume *made)
 {
     double *plane = made->planes[made->count], normal[3];
@@ -98,7 +101,8 @@ bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *
     return true;
 }
 
-bool cull_is_beyond(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local)
+bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
+                    const SceneMatrix *world_from_local)
 {
     const BoxImage image = image_of(box, world_from_local->m);
     const double *plane = volume->planes[NEAREST];

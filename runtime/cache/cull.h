@@ -1,5 +1,6 @@
-/* What a camera sees, as half spaces of the world, and whether anything of a box can be in all of them. In double, on the safe side: what is
- * left out covers no pixel, whatever rounding in floats does to its vertices. */
+/* What a camera sees, as half spaces of the world, and whether anything of a box can be in all of
+ * them. In double, on the safe side: what is left out covers no pixel, whatever rounding in floats
+ * does to its vertices. */
 #ifndef MATC_CACHE_CULL_H
 #define MATC_CACHE_CULL_H
 #include "runtime/scene/scene.h"
@@ -23,5 +24,6 @@ CullBox cull_box(const Shape *shape);
 /* False: nothing of the box, which stands where the matrix says, is seen. */
 bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
 /* All of it is beyond the nearest that a camera sees: it looks at it from outside. */
-bool cull_is_beyond(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
+bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
+                    const SceneMatrix *world_from_local);
 #endif

@@ -1,4 +1,5 @@
-/* Objects of one solid share their edges; each is looked at with the eye in the object's own space, and what is seen goes to the picture. */
+/* Objects of one solid share their edges; each is looked at with the eye in the object's own space,
+ * and what is seen goes to the picture. */
 #include "runtime/cache/edge_list.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
@@ -20,7 +21,10 @@ typedef struct {
     bool fine;
 } EdgeLister;
 
-static bool is_orthographic(const EdgeLister *l) { return l->scene->camera.kind == SCENE_Orthographic; }
+static bool is_orthographic(const EdgeLister *l)
+{
+    return l->scene->camera.kind == SCENE_Orthographic;
+}
 
 /* -- lines of the picture */
 
@@ -56,7 +60,8 @@ static bool clip(double from, double to, const double range[2], double st[2])
     const double step = to - from;
     if (step == 0)
         return from >= range[0] && from <= range[1];
-    const double u[2] = {(range[step > 0 ? 0 : 1] - from) / step, (range[step > 0 ? 1 : 0] - from) / step};
+    const double u[2] = {(range[step > 0 ? 0 : 1] - from) / step,
+                         (range[step > 0 ? 1 : 0] - from) / step};
     st[0] = fmax(st[0], u[0]);
     st[1] = fmin(st[1], u[1]);
     return st[0] < st[1];
@@ -73,7 +78,8 @@ static void add_line(EdgeLister *l, const double from[3], const double to[3])
     const double longer = fmax(fabs(part[1][0] - part[0][0]), fabs(part[1][1] - part[0][1]));
     const int pieces = (int)ceil(longer / EDGE_LIST_PIECE);
     for (int i = 0; i < pieces; i++) {
-        part_of(part[0], part[1], (const double[]){(double)i / pieces, (double)(i + 1) / pieces}, piece);
+        part_of(part[0], part[1], (const double[]){(double)i / pieces, (double)(i + 1) / pieces},
+                piece);
         push(l, piece[0], piece[1]);
     }
 }
@@ -94,7 +100,8 @@ static void add_edge(EdgeLister *l, double from[3], double to[3])
 {
     const SceneCamera *camera = &l->scene->camera;
     double st[2] = {0, 1}, part[2][3], seen[2][3];
-    const double near = is_orthographic(l) ? 0 : -camera->near, far = is_orthographic(l) ? -camera->depth : -INFINITY;
+    const double near = is_orthographic(l) ? 0 : -camera->near,
+                 far = is_orthographic(l) ? -camera->depth : -INFINITY;
     if (!clip(from[2], to[2], (const double[]){far, near}, st))
         return;
     part_of(from, to, st, part);
@@ -111,8 +118,8 @@ static void transform(const double m[16], const double v[3], double out[3])
         out[i] = m[i] * v[0] + m[4 + i] * v[1] + m[8 + i] * v[2] + m[12 + i];
 }
 
-/* The eye in the object's space, or the way to it where it is infinitely far; by Cramer's rule, up to the determinant's sign, which turns all faces
- * alike. */
+/* The eye in the object's space, or the way to it where it is infinitely far; by Cramer's rule, up
+ * to the determinant's sign, which turns all faces alike. */
 static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
 {
     const SceneCamera *camera = &l->scene->camera;
@@ -126,12 +133,14 @@ static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
     }
 }
 
-/* Of a solid all outlines that are concave are hidden from outside: the face that is turned away lies before the other, and something of the solid before that. */
+/* Of a solid all outlines that are concave are hidden from outside: the face that is turned away
+ * lies before the other, and something of the solid before that. */
 static bool is_concave(const MeshEdge *edge, int front)
 {
     double before = 0;
     for (int i = 0; i < 3; i++)
-        before += (double)edge->normals[front][i] * ((double)edge->apexes[!front][i] - (double)edge->ends[0][i]);
+        before += (double)edge->normals[front][i] *
+                  ((double)edge->apexes[!front][i] - (double)edge->ends[0][i]);
     return before > 0;
 }
 
@@ -150,7 +159,8 @@ static bool is_outline(const EdgeLister *l, const MeshEdge *edge, const double e
     double facing[2] = {0};
     for (int k = 0; k < 2; k++)
         for (int i = 0; i < 3; i++)
-            facing[k] += edge->normals[k][i] * (eye[i] - (is_orthographic(l) ? 0 : edge->ends[0][i]));
+            facing[k] +=
+                edge->normals[k][i] * (eye[i] - (is_orthographic(l) ? 0 : edge->ends[0][i]));
     return (facing[0] > 0) != (facing[1] > 0) && !(fronts && is_concave(edge, facing[1] > 0));
 }
 
@@ -167,14 +177,16 @@ static void add_solid(EdgeLister *l, const SceneObject *object, const EdgeMesh *
         l->crease = !outline;
         for (int k = 0; k < 2; k++) {
             transform(object->world_from_local.m,
-                      (const double[]){edge->ends[k][0], edge->ends[k][1], edge->ends[k][2]}, world);
+                      (const double[]){edge->ends[k][0], edge->ends[k][1], edge->ends[k][2]},
+                      world);
             transform(l->space->eye_from_world, world, ends[k]);
         }
         add_edge(l, ends[0], ends[1]);
     }
 }
 
-/* Where rays run along the plane: n.x X + n.y Y = n.z, with n its normal in the eye's space, for the ray (X, Y, -1). There the depth is 0. */
+/* Where rays run along the plane: n.x X + n.y Y = n.z, with n its normal in the eye's space, for
+ * the ray (X, Y, -1). There the depth is 0. */
 static void add_horizon(EdgeLister *l, const SceneObject *object)
 {
     const double *m = object->world_from_local.m, *e = l->space->eye_from_world;

@@ -1,5 +1,6 @@
-/* The lines of a picture along which its colour jumps: outlines of objects as the camera sees them, their creases, horizons of planes. In
- * double, on the scene's own numbers; no GL. What hides them is for who draws them to find out. */
+/* The lines of a picture along which its colour jumps: outlines of objects as the camera sees them,
+ * their creases, horizons of planes. In double, on the scene's own numbers; no GL. What hides them
+ * is for who draws them to find out. */
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
 #include "runtime/cache/view_space.h"
@@ -7,7 +8,8 @@
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
 
-/* One end: pixels from the picture's lower left corner, and the depth there, as the target of depth has it; it is linear along a line. */
+/* One end: pixels from the picture's lower left corner, and the depth there, as the target of depth
+ * has it; it is linear along a line. */
 typedef struct {
     float x, y, depth;
     float crease; /* 1: what is on both sides of the line is as far away; 0: it is an outline */

@@ -20,10 +20,14 @@ typedef struct {
     EdgeMesh *made;
 } EdgeMaker;
 
-/* Where a surface closes, its last vertices stand beside the first by a rounding: what lies within 1/2^18 of the mesh's size is one place. */
+/* Where a surface closes, its last vertices stand beside the first by a rounding: what lies within
+ * 1/2^18 of the mesh's size is one place. */
 static const double cells = 1 << 18;
 
-static const float *position(const EdgeMaker *m, int vertex) { return m->shape->vertices[vertex].position; }
+static const float *position(const EdgeMaker *m, int vertex)
+{
+    return m->shape->vertices[vertex].position;
+}
 
 static double greatest(const EdgeMaker *m)
 {
@@ -64,7 +68,8 @@ static bool face_normal(const EdgeMaker *m, const uint32_t *corner, float normal
     double side[2][3], cross[3];
     for (int i = 0; i < 3; i++)
         for (int k = 0; k < 2; k++)
-            side[k][i] = (double)position(m, (int)corner[k + 1])[i] - position(m, (int)corner[0])[i];
+            side[k][i] =
+                (double)position(m, (int)corner[k + 1])[i] - position(m, (int)corner[0])[i];
     vec3_cross(side[0], side[1], cross);
     const double length = vec3_length(cross);
     for (int i = 0; i < 3; i++)
@@ -105,7 +110,8 @@ static void meet(EdgeMaker *m, int number, const uint32_t vertices[2], const Edg
 {
     MeshEdge *edge = &m->made->edges[number];
     set_face(face, 1, edge);
-    edge->crease = shade_jumps(m, m->of[number][0], vertices[0]) && shade_jumps(m, m->of[number][1], vertices[1]);
+    edge->crease = shade_jumps(m, m->of[number][0], vertices[0]) &&
+                   shade_jumps(m, m->of[number][1], vertices[1]);
     edge->open = m->faces[number] > 1;
     m->faces[number] = 2;
 }
@@ -139,11 +145,13 @@ static void add_sides(EdgeMaker *m)
         const uint32_t *corner = m->shape->indices + i;
         float normal[3];
         for (int k = 0; face_normal(m, corner, normal) && k < 3; k++)
-            add_side(m, corner[k], corner[(k + 1) % 3], &(EdgeFace){normal, position(m, (int)corner[(k + 2) % 3])});
+            add_side(m, corner[k], corner[(k + 1) % 3],
+                     &(EdgeFace){normal, position(m, (int)corner[(k + 2) % 3])});
     }
 }
 
-/* The box, and by six times the volume, summed of what each triangle has with the origin, whether fronts are outside. */
+/* The box, and by six times the volume, summed of what each triangle has with the origin, whether
+ * fronts are outside. */
 static void set_extent(EdgeMaker *m)
 {
     EdgeMesh *made = m->made;
@@ -155,7 +163,8 @@ static void set_extent(EdgeMaker *m)
         made->high[i % 3] = fmax(made->high[i % 3], (double)position(m, i / 3)[i % 3]);
     }
     for (int i = 0; i + 2 < m->shape->index_count; i += 3) {
-        const float *a = position(m, (int)m->shape->indices[i]), *b = position(m, (int)m->shape->indices[i + 1]),
+        const float *a = position(m, (int)m->shape->indices[i]),
+                    *b = position(m, (int)m->shape->indices[i + 1]),
                     *c = position(m, (int)m->shape->indices[i + 2]);
         for (int k = 0; k < 3; k++)
             volume += (double)a[k] * ((double)b[(k + 1) % 3] * (double)c[(k + 2) % 3] -

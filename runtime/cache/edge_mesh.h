@@ -1,5 +1,5 @@
-/* Edges of a mesh where its outline may be, or where its shade may jump; by positions, so that vertices which differ in what they carry
- * meet. No GL. */
+/* Edges of a mesh where its outline may be, or where its shade may jump; by positions, so that
+ * vertices which differ in what they carry meet. No GL. */
 #ifndef MATC_RENDER_EDGE_MESH_H
 #define MATC_RENDER_EDGE_MESH_H
 #include "runtime/gl/shape.h"
@@ -8,8 +8,9 @@ typedef struct {
     float ends[2][3];
     float normals[2][3]; /* of the faces on both sides, of any length */
     float apexes[2][3];  /* their third corners */
-    bool open;           /* only one face is there, or more than two: it is seen whichever way they face */
-    bool crease;         /* the shade jumps all along it */
+    /* only one face is there, or more than two: it is seen whichever way they face */
+    bool open;
+    bool crease; /* the shade jumps all along it */
 } MeshEdge;
 
 typedef struct {

@@ -1,5 +1,6 @@
-/* GLSL around the programs of opaque surfaces: beside the G-buffer they write which triangle a pixel sees, where shadows are exact (exact_number.glsl), or how
- * steep it is, where silhouettes find them (facet_slopes.glsl). */
+/* GLSL around the programs of opaque surfaces: beside the G-buffer they write which triangle a
+ * pixel sees, where shadows are exact (exact_number.glsl), or how steep it is, where silhouettes
+ * find them (facet_slopes.glsl). */
 #ifndef MATC_CACHE_EXACT_NUMBER_H
 #define MATC_CACHE_EXACT_NUMBER_H
 #include "runtime/cache/set.h"
@@ -19,7 +20,9 @@ typedef struct {
     ExactNumberWhat what;
 } ExactNumberText;
 
-void exact_number_text(const GlContext *gl, const Set *set, ExactNumberWhat what, ExactNumberText *made);
-/* Puts a material's programs, each of one piece, between; the text is there until they are compiled. */
+void exact_number_text(const GlContext *gl, const Set *set, ExactNumberWhat what,
+                       ExactNumberText *made);
+/* Puts a material's programs, each of one piece, between; the text is there until they are
+ * compiled. */
 void exact_number_wrap(const ExactNumberText *text, ProgramText *program);
 #endif

@@ -1,5 +1,7 @@
-// The end of a surface's program where shadows are found by silhouettes: how steep the triangle is that is drawn, beside the G-buffer. A surface's normal is
-// the mean of its corners', and may look to the light where the triangle looks away. Slopes are those of depth from pixel to pixel, over depth: halves.
+// The end of a surface's program where shadows are found by silhouettes: how steep the triangle is
+// that is drawn, beside the G-buffer. A surface's normal is the mean of its corners', and may look
+// to the light where the triangle looks away. Slopes are those of depth from pixel to pixel, over
+// depth: halves.
 layout(location = EXACT_TARGET) out uint facet_slopes;
 
 void main()

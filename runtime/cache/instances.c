@@ -5,8 +5,8 @@
 bool instances_there(const GlContext *gl)
 {
     GLint vertex = 0, fragment = 0;
-    if (gl->major * 10 + gl->minor < 45 || !gl->DrawElementsInstancedBaseInstance || !gl->VertexAttribDivisor ||
-        !gl->VertexAttribIPointer || !gl->BindBufferBase)
+    if (gl->major * 10 + gl->minor < 45 || !gl->DrawElementsInstancedBaseInstance ||
+        !gl->VertexAttribDivisor || !gl->VertexAttribIPointer || !gl->BindBufferBase)
         return false;
     gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertex);
     gl->GetIntegerv(GL_MAX_FRAGMENT_SHADER_STORAGE_BLOCKS, &fragment);

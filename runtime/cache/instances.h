@@ -1,4 +1,5 @@
-/* What a program of matc's that draws instances reads from buffers (MatcOptions.instances), as it lies there: std140. */
+/* What a program of matc's that draws instances reads from buffers (MatcOptions.instances), as it
+ * lies there: std140. */
 #ifndef MATC_CACHE_INSTANCES_H
 #define MATC_CACHE_INSTANCES_H
 #include "runtime/draw/spaces.h"

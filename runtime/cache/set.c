@@ -19,7 +19,10 @@ typedef struct {
 } Maker;
 
 /* A surface's pass; NULL: it has none of its own. */
-static const char *pass_of(const SceneObject *object) { return object->kind == SCENE_Plane ? "plane" : "gbuffer"; }
+static const char *pass_of(const SceneObject *object)
+{
+    return object->kind == SCENE_Plane ? "plane" : "gbuffer";
+}
 
 bool set_fail(GlContext *gl, const Scene *scene, int material)
 {
@@ -27,7 +30,8 @@ bool set_fail(GlContext *gl, const Scene *scene, int material)
     char why[sizeof gl->error], place[SCENE_PLACE];
     snprintf(why, sizeof why, "%s", gl->error);
     scene_material_place(of, place);
-    return gl_fail(gl, "%s: the material '%s': %s", place, matc_material_name(of->document, of->index), why);
+    return gl_fail(gl, "%s: the material '%s': %s", place,
+                   matc_material_name(of->document, of->index), why);
 }
 
 static bool add_ranges(Maker *m, MatcRanges *ranges)
@@ -42,7 +46,8 @@ static bool add_ranges(Maker *m, MatcRanges *ranges)
             continue;
         added[material] = true;
         fine = matc_ranges_add(ranges, of->document, of->index, &m->options, &fault) ||
-               (gl_fail(m->gl, "%s", fault ? fault : "out of memory"), set_fail(m->gl, m->scene, material));
+               (gl_fail(m->gl, "%s", fault ? fault : "out of memory"),
+                set_fail(m->gl, m->scene, material));
         free(fault);
     }
     free(added);
@@ -106,7 +111,8 @@ static bool find_through(Maker *m, SetProgram *program)
     for (int i = 0; i < through.lanes; i++)
         program->through[i] = (float)through.lane[i];
     program->even = !through.fault;
-    return program->even || (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
+    return program->even ||
+           (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
 }
 
 /* Keys, shapes and numbers; no text yet. */
@@ -146,12 +152,14 @@ static bool has_images(const GlContext *gl)
     return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
 }
 
-/* What is the same everywhere casts shadows by numbers: a plane, and a surface where all shadows are exact. */
+/* What is the same everywhere casts shadows by numbers: a plane, and a surface where all shadows
+ * are exact. */
 static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
 {
     bool exact = surface->even;
     for (int i = 0; strcmp(surface->pass, "plane") != 0 && i < m->scene->light_count; i++)
-        exact &= m->scene->lights[i].shadows == WORD_Shadows_exact || !scene_light_casts(&m->scene->lights[i]);
+        exact &= m->scene->lights[i].shadows == WORD_Shadows_exact ||
+                 !scene_light_casts(&m->scene->lights[i]);
     return exact;
 }
 
@@ -161,12 +169,14 @@ static bool add_caster(Maker *m, int number)
     Set *set = m->set;
     SetProgram *surface = &set->programs[number];
     const bool plane = !strcmp(surface->pass, "plane");
-    if (!set->uses.casts || !surface->transparent || casts_by_numbers(m, surface) || (plane && !has_images(m->gl)))
+    if (!set->uses.casts || !surface->transparent || casts_by_numbers(m, surface) ||
+        (plane && !has_images(m->gl)))
         return true;
     surface->caster = set->count;
     if (plane)
         return make_sheet_layout(m) && add_program(m, surface->material, SET_SHEET);
-    return add_program(m, surface->material, set->uses.casts == SET_CASTS_colored ? "value" : "shadow");
+    return add_program(m, surface->material,
+                       set->uses.casts == SET_CASTS_colored ? "value" : "shadow");
 }
 
 /* What casts all or nothing has that program already. */
@@ -177,7 +187,8 @@ static bool add_cut(Maker *m, int number)
     const bool plane = !strcmp(surface->pass, "plane");
     if (!set->uses.cuts || !surface->transparent || surface->even || plane)
         return true;
-    surface->cut = set->uses.casts == SET_CASTS_cut && surface->caster >= 0 ? surface->caster : set->count;
+    surface->cut =
+        set->uses.casts == SET_CASTS_cut && surface->caster >= 0 ? surface->caster : set->count;
     return surface->cut < set->count || add_program(m, surface->material, "shadow");
 }
 
@@ -196,7 +207,8 @@ static bool add_programs(Maker *m)
         const SceneObject *object = &scene->objects[i];
         bool *known = &met[2 * object->material + (object->kind == SCENE_Plane)];
         if (!*known)
-            fine = add_program(m, object->material, pass_of(object)) && add_uses(m, m->set->count - 1);
+            fine =
+                add_program(m, object->material, pass_of(object)) && add_uses(m, m->set->count - 1);
         *known = true;
     }
     free(met);
@@ -205,7 +217,8 @@ static bool add_programs(Maker *m)
     return fine;
 }
 
-/* The numbers of a place in all programs of a group, as a hash: alike in every material, and which columns are the same. */
+/* The numbers of a place in all programs of a group, as a hash: alike in every material, and which
+ * columns are the same. */
 typedef struct {
     Key key;
     bool differs;
@@ -217,14 +230,17 @@ static Column column_of(const Set *set, int first, int place)
     Column column = {.key = key_of_bytes(head->type, strlen(head->type))};
     for (int i = first; i >= 0; i = set->programs[i].next) {
         const MatcConstant *number = matc_place(set->programs[i].program, place);
-        const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->lanes * sizeof *number->values)};
-        column.differs |= memcmp(number->values, head->values, (size_t)number->lanes * sizeof *number->values) != 0;
+        const Key parts[] = {column.key, key_of_bytes(number->values, (size_t)number->lanes *
+                                                                          sizeof *number->values)};
+        column.differs |= memcmp(number->values, head->values,
+                                 (size_t)number->lanes * sizeof *number->values) != 0;
         column.key = key_of_bytes(parts, sizeof parts);
     }
     return column;
 }
 
-/* Places at which the group differs become members of the buffer; equal columns are one. The number of members, -1: no memory. */
+/* Places at which the group differs become members of the buffer; equal columns are one. The number
+ * of members, -1: no memory. */
 static int find_members(const Set *set, int first, int *members, int count)
 {
     Column *columns = calloc((size_t)count + 1, sizeof *columns);
@@ -243,7 +259,8 @@ static int find_members(const Set *set, int first, int *members, int count)
     return found;
 }
 
-/* What programs that are drawn with one text have alike: pass and shape; alike in their numbers, too, keys. */
+/* What programs that are drawn with one text have alike: pass and shape; alike in their numbers,
+ * too, keys. */
 static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
 {
     return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&
@@ -257,9 +274,11 @@ static void part(Maker *m, int first, bool numbers)
     HashIndex heads = {0};
     for (int i = first, next; i >= 0; i = next) {
         SetProgram *program = &programs[i];
-        const Key key = key_read(numbers ? matc_key(program->program) : matc_shape(program->program));
+        const Key key =
+            key_read(numbers ? matc_key(program->program) : matc_shape(program->program));
         int head = -1;
-        for (HashProbe probe = hash_probe(&heads, (uint32_t)key.low); head < 0 && hash_probe_next(&probe);)
+        for (HashProbe probe = hash_probe(&heads, (uint32_t)key.low);
+             head < 0 && hash_probe_next(&probe);)
             if (is_alike(&programs[probe.number], program, numbers))
                 head = (int)probe.number;
         next = program->next;
@@ -295,7 +314,8 @@ static bool write_group(Maker *m, int first, const int *members, int count)
     m->options.member_count = count;
     bool fine = true;
     for (int i = first; fine && i >= 0; i = set->programs[i].next)
-        fine = compile(m, &set->programs[i], i == first ? MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK : MATC_KEY);
+        fine = compile(m, &set->programs[i],
+                       i == first ? MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK : MATC_KEY);
     m->options.members = NULL;
     m->options.member_count = 0;
     return fine;
@@ -320,7 +340,8 @@ static bool write_text(Maker *m, int first)
         found = 0;
     }
     number_rows(set, first);
-    const bool fine = found >= 0 ? write_group(m, first, members, found ? count : 0) : gl_fail(m->gl, "out of memory");
+    const bool fine = found >= 0 ? write_group(m, first, members, found ? count : 0)
+                                 : gl_fail(m->gl, "out of memory");
     free(members);
     set->texts++;
     return fine;
@@ -341,7 +362,8 @@ static bool make(Maker *m)
     return true;
 }
 
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetUses uses, Set *made)
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetUses uses,
+              Set *made)
 {
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
     *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .uses = uses};

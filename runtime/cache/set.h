@@ -1,5 +1,5 @@
-/* A scene's materials as one set: one layout, a program for each material and each pass that draws it; those that differ in numbers only
- * share a text, and take their numbers from a buffer. */
+/* A scene's materials as one set: one layout, a program for each material and each pass that draws
+ * it; those that differ in numbers only share a text, and take their numbers from a buffer. */
 #ifndef MATC_CACHE_SET_H
 #define MATC_CACHE_SET_H
 #include "grammar/layout_tables.h"
@@ -9,38 +9,48 @@
 #define SET_SHEET "sheet" /* the pass plane, of transparency alone */
 
 typedef struct {
-    int material;     /* in Scene.materials */
-    const char *pass; /* "gbuffer", "plane", "sky"; what casts shadows: "shadow", "value", and of planes SET_SHEET */
+    int material; /* in Scene.materials */
+    /* "gbuffer", "plane", "sky"; what casts shadows: "shadow", "value", and of planes SET_SHEET */
+    const char *pass;
     bool transparent; /* at least in places */
-    int caster; /* the program with which it casts shadows; -1: none of its own. Of a plane: where its transparency varies */
-    int cut; /* the program that leaves out where it lets more than half of the light through, the pass "shadow"; -1: none */
+    /* the program with which it casts shadows; -1: none of its own. Of a plane: where its
+     * transparency varies */
+    int caster;
+    /* the program that leaves out where it lets more than half of the light through, the pass
+     * "shadow"; -1: none */
+    int cut;
     MatcProgram *program; /* its numbers, textures and uniforms */
-    int text;             /* in Set.programs: whose text it is drawn with; itself, or one before it */
-    int next;             /* that is drawn with it; -1: none */
-    int row;              /* among those of that text */
-    int other;            /* program of the material, from 1; 0: none */
-    bool even;            /* it is transparent by the same everywhere, */
-    float through[3];     /* namely by so much */
+    /* in Set.programs: whose text it is drawn with; itself, or one before it */
+    int text;
+    int next;         /* that is drawn with it; -1: none */
+    int row;          /* among those of that text */
+    int other;        /* program of the material, from 1; 0: none */
+    bool even;        /* it is transparent by the same everywhere, */
+    float through[3]; /* namely by so much */
 } SetProgram;
 
 /* How what is transparent casts shadows. */
 typedef enum {
-    SET_CASTS_none,   /* nothing does */
-    SET_CASTS_cut,    /* as if it were opaque where it lets half of the light through, or less; elsewhere none */
+    SET_CASTS_none, /* nothing does */
+    /* as if it were opaque where it lets half of the light through, or less; elsewhere none */
+    SET_CASTS_cut,
     SET_CASTS_colored /* by what it lets through */
 } SetCasts;
 
 /* What programs there are beside those that draw what is seen. */
 typedef struct {
     SetCasts casts;
-    bool cuts; /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */
+    /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */
+    bool cuts;
 } SetUses;
 
 typedef struct {
     MatcLayout *layout; /* NULL: a named one */
-    MatcLayout *sheet;  /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
+    /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
+    MatcLayout *sheet;
     const char *target; /* of the GLSL */
-    const char *unpack; /* GLSL that reads back the cases that the materials take; NULL: there is no surface */
+    /* GLSL that reads back the cases that the materials take; NULL: there is no surface */
+    const char *unpack;
     SetProgram *programs;
     int *of_material; /* the last program of each, from 1; 0: none */
     int count;
@@ -49,9 +59,11 @@ typedef struct {
     bool instances; /* programs of surfaces draw instances (instances.h) */
 } Set;
 
-/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials. Transparent materials of surfaces have
- * programs for these uses. False: see gl->error. *made is empty then. */
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetUses uses, Set *made);
+/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials.
+ * Transparent materials of surfaces have programs for these uses. False: see gl->error. *made is
+ * empty then. */
+bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetUses uses,
+              Set *made);
 void set_free(Set *set);
 
 /* Puts the place and the name of a material before what gl->error says of it. False. */

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const attributes[] = {"position", "normal", "texcoord", "tangentU", "tangentV", "basePosition"};
+static const char *const attributes[] = {"position", "normal",   "texcoord",
+                                         "tangentU", "tangentV", "basePosition"};
 enum { ATTRIBUTES = sizeof attributes / sizeof *attributes, NAME = 64, VARYINGS = 16 };
 
 typedef struct {
@@ -79,7 +80,8 @@ static void put_varying(Writer *w, const Declared *of, const char *fragment)
     char asked[2][NAME + 8];
     for (int i = 0; i < 2; i++)
         snprintf(asked[i], sizeof asked[i], "dFd%c(%s)", "xy"[i], of -> name);
-    if ((!strstr(fragment, asked[0]) && !strstr(fragment, asked[1])) || w->varying_count == VARYINGS)
+    if ((!strstr(fragment, asked[0]) && !strstr(fragment, asked[1])) ||
+        w->varying_count == VARYINGS)
         return;
     fprintf(w->to, "%s traceX_%s, traceY_%s;\n", of->type, of->name, of->name);
     strcpy(w->varyings[w->varying_count++], of->name);
@@ -108,21 +110,24 @@ static void put_functions(Writer *w)
     for (int axis = 0; axis < 2; axis++) {
         fprintf(w->to, "void traceKeep%c()\n{\n", "XY"[axis]);
         for (int i = 0; i < w->varying_count; i++)
-            fprintf(w->to, "    trace%c_%s = %s;\n", "XY"[axis], w -> varyings[i], w -> varyings[i]);
+            fprintf(w->to, "    trace%c_%s = %s;\n", "XY"[axis], w -> varyings[i],
+                    w -> varyings[i]);
         fputs("}\n", w->to);
     }
     fputs("void traceSubtract()\n{\n", w->to);
     for (int i = 0; i < w->varying_count; i++)
-        fprintf(w->to, "    traceX_%s -= %s;\n    traceY_%s -= %s;\n", w->varyings[i], w->varyings[i], w->varyings[i],
-                w->varyings[i]);
+        fprintf(w->to, "    traceX_%s -= %s;\n    traceY_%s -= %s;\n", w->varyings[i],
+                w->varyings[i], w->varyings[i], w->varyings[i]);
     fputs("}\n", w->to);
 }
 
-/* Attributes have names of their own, since functions and variables of the fragment program may be called the same. */
+/* Attributes have names of their own, since functions and variables of the fragment program may be
+ * called the same. */
 static void put_attributes(FILE *to)
 {
     for (int i = 0; i < ATTRIBUTES; i++)
-        fprintf(to, "%s trace_%s;\n", strcmp(attributes[i], "texcoord") ? "vec3" : "vec2", attributes[i]);
+        fprintf(to, "%s trace_%s;\n", strcmp(attributes[i], "texcoord") ? "vec3" : "vec2",
+                attributes[i]);
 }
 
 /* What documents name of a mesh: rays know nothing of it, and it has its default. */
@@ -136,7 +141,8 @@ static void put_defaults(FILE *to, const MatcProgram *program)
     }
 }
 
-static void put_vertex(Writer *w, const MatcProgram *program, const char *vertex, const char *fragment)
+static void put_vertex(Writer *w, const MatcProgram *program, const char *vertex,
+                       const char *fragment)
 {
     for (int i = 0; i < ATTRIBUTES; i++)
         fprintf(w->to, "#define %s matc_%s\n", attributes[i], attributes[i]);
@@ -163,8 +169,8 @@ char *trace_text(const MatcProgram *program, const char *vertex, const char *fra
     put_vertex(&w, program, vertex, fragment);
     put_program(&w, fragment, fragment);
     put_functions(&w);
-    fprintf(w.to, "%s%s%s", w.varying_count ? "#define TRACE_CHANGES\n" : "", render_text_trace_patch,
-            render_text_trace_resolve);
+    fprintf(w.to, "%s%s%s", w.varying_count ? "#define TRACE_CHANGES\n" : "",
+            render_text_trace_patch, render_text_trace_resolve);
     const bool fine = !ferror(w.to);
     if (fclose(w.to) == 0 && fine)
         return text;

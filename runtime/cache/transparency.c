@@ -18,18 +18,21 @@
 #include <stdio.h>
 #include <string.h>
 
-/* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target, %2$d its first word. */
+/* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target,
+ * %2$d its first word. */
 static const struct {
     const char *format;
     int words;
     const char *pack, *unpack;
 } packings[] = {
     {"R32UI", 1, "fragment%1$d.x", "uvec4(LISTS_WORD(%2$d), 0u, 0u, 1u)"},
-    {"RG32UI", 2, "fragment%1$d.x, fragment%1$d.y", "uvec4(LISTS_WORD(%2$d), LISTS_WORD(%2$d + 1), 0u, 1u)"},
+    {"RG32UI", 2, "fragment%1$d.x, fragment%1$d.y",
+     "uvec4(LISTS_WORD(%2$d), LISTS_WORD(%2$d + 1), 0u, 1u)"},
     {"RGBA32UI", 4, "fragment%1$d.x, fragment%1$d.y, fragment%1$d.z, fragment%1$d.w",
      "uvec4(LISTS_WORD(%2$d), LISTS_WORD(%2$d + 1), LISTS_WORD(%2$d + 2), LISTS_WORD(%2$d + 3))"},
     {"RGBA16UI", 2, "fragment%1$d.x | fragment%1$d.y << 16, fragment%1$d.z | fragment%1$d.w << 16",
-     "uvec4(LISTS_WORD(%2$d) & 65535u, LISTS_WORD(%2$d) >> 16, LISTS_WORD(%2$d + 1) & 65535u, LISTS_WORD(%2$d + 1) >> "
+     "uvec4(LISTS_WORD(%2$d) & 65535u, LISTS_WORD(%2$d) >> 16, LISTS_WORD(%2$d + 1) & 65535u, "
+     "LISTS_WORD(%2$d + 1) >> "
      "16)"},
     {"RGBA8", 1, "packUnorm4x8(fragment%1$d)", "unpackUnorm4x8(LISTS_WORD(%2$d))"},
     {"RGBA16F", 2, "packHalf2x16(fragment%1$d.xy), packHalf2x16(fragment%1$d.zw)",
@@ -96,12 +99,14 @@ void transparency_reader(const Set *set, char text[TRANSPARENCY_TEXT])
     put(text, "\n");
 }
 
-void transparency_text(const GlContext *gl, const Set *set, Transparency way, TransparencyText *made)
+void transparency_text(const GlContext *gl, const Set *set, Transparency way,
+                       TransparencyText *made)
 {
     static const char *const depths[] = {"gl_FragCoord.z", "gl_FragDepth"};
     const bool lists = way == TRANSPARENCY_lists;
-    *made = (TransparencyText){
-        .way = way, .instances = set->instances, .body = lists ? render_text_lists_store : render_text_peel_layer};
+    *made = (TransparencyText){.way = way,
+                               .instances = set->instances,
+                               .body = lists ? render_text_lists_store : render_text_peel_layer};
     put(made->head,
         "#version %s core\n#define main surfaceMain\n"
         "bool surface_gone = false;\n#define discard surface_gone = true\n",
@@ -123,9 +128,9 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way, Tr
 }
 
 /* Where instances are peeled, the vertex program tells which one it is. */
-static const char vertex_tail[] =
-    "#undef main\nflat out uint peel_object;\nvoid main()\n{\n    surfaceMain();\n    peel_object = "
-    "matc_instance;\n}\n";
+static const char vertex_tail[] = "#undef main\nflat out uint peel_object;\nvoid main()\n{\n    "
+                                  "surfaceMain();\n    peel_object = "
+                                  "matc_instance;\n}\n";
 
 static const char *without_version(const char *text)
 {
@@ -136,7 +141,8 @@ static const char *without_version(const char *text)
 void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *program)
 {
     const char *vertex = program->vertex[0], *fragment = program->fragment[0];
-    const char *const pieces[] = {text->head, without_version(fragment), text->tail[plane], render_text_depth_hidden, text->body};
+    const char *const pieces[] = {text->head, without_version(fragment), text->tail[plane],
+                                  render_text_depth_hidden, text->body};
     memcpy(program->fragment, pieces, sizeof pieces);
     if (text->way != TRANSPARENCY_peeling || !text->instances || plane)
         return;
@@ -145,10 +151,12 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
 }
 
 /* What images and buffers are written by. */
-static void wrap_end(const GlContext *gl, const char *defined, const char *end, ProgramText *program)
+static void wrap_end(const GlContext *gl, const char *defined, const char *end,
+                     ProgramText *program)
 {
     const bool modern = gl->major * 10 + gl->minor >= 45;
-    const char *const pieces[] = {modern ? "#version 450 core\n" : "#version 430 core\n", "#define main surfaceMain\n",
+    const char *const pieces[] = {modern ? "#version 450 core\n" : "#version 430 core\n",
+                                  "#define main surfaceMain\n",
                                   without_version(program->fragment[0]), defined, end};
     memcpy(program->fragment, pieces, sizeof pieces);
 }

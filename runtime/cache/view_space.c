@@ -25,8 +25,9 @@ static void look(const SceneCamera *camera, double m[16])
     m[15] = 1;
 }
 
-/* Reversed: depth 1 is nearest. With perspective it is near / distance, and 0 infinitely far; z of clip space is that, or, from -1 to 1, twice
- * that less 1, times w. Orthographic: 1 - distance / depth. */
+/* Reversed: depth 1 is nearest. With perspective it is near / distance, and 0 infinitely far; z of
+ * clip space is that, or, from -1 to 1, twice that less 1, times w. Orthographic: 1 - distance /
+ * depth. */
 static void project(const SceneCamera *camera, const double half[2], bool zero_to_one, double m[16])
 {
     const double scale = zero_to_one ? 1 : 2;
@@ -44,7 +45,8 @@ static void project(const SceneCamera *camera, const double half[2], bool zero_t
     }
 }
 
-void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made)
+void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one,
+                     ViewSpace *made)
 {
     const double shorter = size[0] < size[1] ? size[0] : size[1];
     const double half[2] = {camera->half * size[0] / shorter, camera->half * size[1] / shorter};
@@ -65,7 +67,8 @@ void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_
         made->ray[i] = (float)(camera->half / shorter);
         made->ray[2 + i] = (float)size[i];
     }
-    memcpy(made->depth, (float[4]){(float)(orthographic ? camera->depth : camera->near), orthographic},
+    memcpy(made->depth,
+           (float[4]){(float)(orthographic ? camera->depth : camera->near), orthographic},
            sizeof made->depth);
 }
 
@@ -84,25 +87,29 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2])
 }
 
 /* The plane's point on the line through `at` along the view. */
-static void meet(const SceneCamera *camera, const double normal[3], const double origin[3], double at[3])
+static void meet(const SceneCamera *camera, const double normal[3], const double origin[3],
+                 double at[3])
 {
-    const double along =
-        (scene_vector_dot(normal, origin) - scene_vector_dot(normal, at)) / scene_vector_dot(normal, camera->back);
+    const double along = (scene_vector_dot(normal, origin) - scene_vector_dot(normal, at)) /
+                         scene_vector_dot(normal, camera->back);
     for (int i = 0; i < 3; i++)
         at[i] += along * camera->back[i];
 }
 
-void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces)
+void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane,
+                          Spaces *spaces)
 {
     const double edge_on = 1e-6, shorter = size[0] < size[1] ? size[0] : size[1], *m = plane->m;
     const double *axes[3] = {camera->back, camera->right, camera->up};
-    double normal[3], points[3][3]; /* the middle of the picture, of its right side, of its upper side */
+    /* the middle of the picture, of its right side, of its upper side */
+    double normal[3], points[3][3];
     scene_vector_cross(m, m + 4, normal);
     scene_vector_normalize(normal);
     const bool seen = fabs(scene_vector_dot(normal, camera->back)) > edge_on;
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++)
-            points[k][i] = camera->position[i] + (k ? axes[k][i] * camera->half * size[k - 1] / shorter : 0);
+            points[k][i] =
+                camera->position[i] + (k ? axes[k][i] * camera->half * size[k - 1] / shorter : 0);
         if (seen)
             meet(camera, normal, m + 12, points[k]);
     }
@@ -110,7 +117,8 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
     for (int i = 0; i < 3; i++) {
         const double back = seen ? camera->back[i] * camera->half : normal[i];
         spaces->rays[0][i] = (float)((seen ? points[0][i] : m[12 + i]) + back);
-        spaces->rays[1][i] = (float)(seen ? points[0][i] - spaces->rays[0][i] : back); /* edge-on: away from it */
+        /* edge-on: away from it */
+        spaces->rays[1][i] = (float)(seen ? points[0][i] - spaces->rays[0][i] : back);
         spaces->rays[2][i] = (float)(seen ? points[1][i] - points[0][i] : 0);
         spaces->rays[3][i] = (float)(seen ? points[2][i] - points[0][i] : 0);
     }
@@ -125,7 +133,8 @@ static void to_eye(const ViewSpace *space, const double from[3], double w, float
     out[3] = (float)w;
 }
 
-/* Linear in the cosine between the angles, as scale and shift: a cone whose angles are one has the steepest slope that its cosine can tell. */
+/* Linear in the cosine between the angles, as scale and shift: a cone whose angles are one has the
+ * steepest slope that its cosine can tell. */
 static void cone_of(const SceneLight *light, float out[4])
 {
     const double width = fmax(light->inner_cosine - light->outer_cosine, 1e-6);
@@ -134,7 +143,8 @@ static void cone_of(const SceneLight *light, float out[4])
 }
 
 /* `light` was cut, if it is an Area. */
-static void put_light(const ViewSpace *space, const SceneLight *light, float out[VIEW_SPACE_LIGHT_TEXELS][4])
+static void put_light(const ViewSpace *space, const SceneLight *light,
+                      float out[VIEW_SPACE_LIGHT_TEXELS][4])
 {
     const bool far = light->kind == SCENE_Directional;
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
@@ -158,10 +168,14 @@ ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
         return VIEW_SPACE_SECTIONS;
     if (light->kind == SCENE_Area)
         return VIEW_SPACE_AREAS;
-    return light->kind == SCENE_Point && !(scene_light_casts(light) && shadows) ? VIEW_SPACE_PLAIN : VIEW_SPACE_POINTS;
+    return light->kind == SCENE_Point && !(scene_light_casts(light) && shadows) ? VIEW_SPACE_PLAIN
+                                                                                : VIEW_SPACE_POINTS;
 }
 
-static int texels_of(int section) { return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS; }
+static int texels_of(int section)
+{
+    return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS;
+}
 
 int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section)
 {
@@ -201,7 +215,8 @@ void view_space_ambient(const Scene *scene, float ambient[4])
         ambient[lane] = lane < 3 ? (float)sum[lane] : 0;
 }
 
-bool view_space_hemisphere(const ViewSpace *space, const Scene *scene, float numbers[VIEW_SPACE_HEMISPHERE][4])
+bool view_space_hemisphere(const ViewSpace *space, const Scene *scene,
+                           float numbers[VIEW_SPACE_HEMISPHERE][4])
 {
     double above[3] = {0}, below[3] = {0};
     bool there = false;

@@ -1,4 +1,5 @@
-/* From a scene's camera and lights to what the passes are told: matrices, the rays of pixels, lights in the eye's space. */
+/* From a scene's camera and lights to what the passes are told: matrices, the rays of pixels,
+ * lights in the eye's space. */
 #ifndef MATC_CACHE_VIEW_SPACE_H
 #define MATC_CACHE_VIEW_SPACE_H
 #include "runtime/draw/spaces.h"
@@ -8,25 +9,29 @@ enum { VIEW_SPACE_LIGHT_TEXELS = 4 /* of a light, at most */ };
 
 typedef struct {
     Spaces spaces; /* world_from_local is the identity */
-    /* Of pixel p: (2 p + 1 - zw) * xy are the ray's x and y where z = -1; orthographic: the point's. zw: the picture's size, less twice
-     * the pixel from which p counts. */
+    /* Of pixel p: (2 p + 1 - zw) * xy are the ray's x and y where z = -1; orthographic: the
+     * point's. zw: the picture's size, less twice the pixel from which p counts. */
     float ray[4];
-    float depth[4]; /* x: near, or the depth of an orthographic view; y: 1 where it is orthographic */
+    /* x: near, or the depth of an orthographic view; y: 1 where it is orthographic */
+    float depth[4];
     double eye_from_world[16];
 } ViewSpace;
 
 /* `zero_to_one`: the driver has glClipControl. */
-void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one, ViewSpace *made);
+void view_space_make(const SceneCamera *camera, const int size[2], bool zero_to_one,
+                     ViewSpace *made);
 /* view_space_make()'s matrices for the sky's program, which derives the view direction from clip
  * space. An orthographic camera gets increasing instead of reversed depth: w is constant there, so
  * the program could not see that depth is reversed. */
 Spaces view_space_of_sky(const ViewSpace *space);
-/* Pixels count from that one of the picture from now on. Exact: the rays of a tile are those of the picture. */
+/* Pixels count from that one of the picture from now on. Exact: the rays of a tile are those of the
+ * picture. */
 void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 
 /* Lights come section by section, so that a loop has one kind of formula. */
 typedef enum {
-    VIEW_SPACE_PLAIN,  /* points that cast no shadow: they have the first two texels, which say all */
+    /* points that cast no shadow: they have the first two texels, which say all */
+    VIEW_SPACE_PLAIN,
     VIEW_SPACE_POINTS, /* other points, spots, directional lights */
     VIEW_SPACE_AREAS,
     VIEW_SPACE_SECTIONS /* the section of lights from all around, which have no texels */
@@ -34,13 +39,16 @@ typedef enum {
 /* `shadows`: lights cast them, where they are to. */
 ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
 
-/* Parallel rays meet a plane in points that are linear in the pixel; so they are seen as well along rays from one point, each of which ends where
- * its parallel does. Of a plane that is seen edge-on no ray meets it. */
-void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane, Spaces *spaces);
+/* Parallel rays meet a plane in points that are linear in the pixel; so they are seen as well along
+ * rays from one point, each of which ends where its parallel does. Of a plane that is seen edge-on
+ * no ray meets it. */
+void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane,
+                          Spaces *spaces);
 
 /* Lights but for those from all around, in texels of four floats, and how many each section has.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
- *   2  xyz: the direction in which it shines              3  x, y: the cone lets clamp(c x + y, 0, 1) through, c the cosine
+ *   2  xyz: the direction in which it shines 3 x, y: the cone lets clamp(c x + y, 0, 1) through, c
+ *      the cosine
  * Of an Area: 0 its corner; 1 radiance, w: it shines to both sides; 2, 3 its edges u, v. */
 void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
                        int counts[VIEW_SPACE_SECTIONS]);
@@ -48,7 +56,9 @@ void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows,
 int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section);
 /* The sum of the ambient ones. */
 void view_space_ambient(const Scene *scene, float ambient[4]);
-/* Up, in the eye's space; the sums of the hemispheres' light from above and from below. False: there are none. */
+/* Up, in the eye's space; the sums of the hemispheres' light from above and from below. False:
+ * there are none. */
 enum { VIEW_SPACE_HEMISPHERE = 3 };
-bool view_space_hemisphere(const ViewSpace *space, const Scene *scene, float numbers[VIEW_SPACE_HEMISPHERE][4]);
+bool view_space_hemisphere(const ViewSpace *space, const Scene *scene,
+                           float numbers[VIEW_SPACE_HEMISPHERE][4]);
 #endif

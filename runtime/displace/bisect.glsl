@@ -1,18 +1,25 @@
-// Bisectors: triangles that a triangle of the mesh, its base, is bisected into. What its compute stages share.
+// Bisectors: triangles that a triangle of the mesh, its base, is bisected into. What its compute
+// stages share.
 //
-// A triangle has corners a, b, c; the edge from a to b is bisected, at m = (a + b) / 2, into (c, a, m) and (b, c, m), which are its children 0 and 1. A number says which it is: 1 is a base,
-// and n has the children 2 n and 2 n + 1. So the leaves that there are need no pointers to each other:
+// A triangle has corners a, b, c; the edge from a to b is bisected, at m = (a + b) / 2, into (c, a,
+// m) and (b, c, m), which are its children 0 and 1. A number says which it is: 1 is a base, and n
+// has the children 2 n and 2 n + 1. So the leaves that there are need no pointers to each other:
 //
-//     a point that is (x, y, z) of the corners is in child 0 if x > y, and (z, x - y, 2 y) of its; else in child 1, and (y - x, z, 2 x) of its
-//     (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) -> child 1, (0, 1/2, 1/2): so the point is in triangle 1 -> 2 -> 5
+//     a point that is (x, y, z) of the corners is in child 0 if x > y, and (z, x - y, 2 y) of its;
+//     else in child 1, and (y - x, z, 2 x) of its (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) ->
+//     child 1, (0, 1/2, 1/2): so the point is in triangle 1 -> 2 -> 5
 //
-// Which leaf is beyond an edge is what such a walk ends at, from a point beyond it: an edge that is a triangle's edge from a to b at some depth is that of the one beyond as well,
-// or one of the other two of that one's parent.
+// Which leaf is beyond an edge is what such a walk ends at, from a point beyond it: an edge that is
+// a triangle's edge from a to b at some depth is that of the one beyond as well, or one of the
+// other two of that one's parent.
 //
-// A leaf is 7 bytes: 40 bits of its number and base, 8 of its own deviation, and 8 of the deviation of the triangle behind it, in order: the nearest of those it is in whose child 0 has it,
-// as its last leaf. There are as many as leaves, but one. So each triangle that was bisected has its deviation in the last leaf of its child 0, and nobody else's in the same place:
+// A leaf is 7 bytes: 40 bits of its number and base, 8 of its own deviation, and 8 of the deviation
+// of the triangle behind it, in order: the nearest of those it is in whose child 0 has it, as its
+// last leaf. There are as many as leaves, but one. So each triangle that was bisected has its
+// deviation in the last leaf of its child 0, and nobody else's in the same place:
 //
-//     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become 2, that has 2's, as its own, from 4, and keeps 1's, from 5
+//     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become
+//     2, that has 2's, as its own, from 4, and keeps 1's, from 5
 #ifdef BISECT_FEW
 const uint BISECT_THREADS = 512u;
 layout(local_size_x = 512) in;
@@ -21,16 +28,20 @@ const uint BISECT_THREADS = 64u;
 layout(local_size_x = 64) in;
 #endif
 
-// Of a base BISECT_BASE words: which corner is its a, and which of its edges run from the later place to the earlier one; by edge where its word is, which says where its members begin, as the
-// next word does where they end; corners and their normals in the world. A member is 4 base + edge. Edge k is opposite corner k.
+// Of a base BISECT_BASE words: which corner is its a, and which of its edges run from the later
+// place to the earlier one; by edge where its word is, which says where its members begin, as the
+// next word does where they end; corners and their normals in the world. A member is 4 base + edge.
+// Edge k is opposite corner k.
 layout(std430, binding = 0) readonly buffer BisectBases {
     uint bisect_bases[];
 };
-// Of four leaves seven words: the low 32 bits of each one's number and base, the high 8 of all four, and their deviations.
+// Of four leaves seven words: the low 32 bits of each one's number and base, the high 8 of all
+// four, and their deviations.
 layout(std430, binding = 1) coherent buffer BisectLeaves {
     uint bisect_leaves[];
 };
-// Places of leaves by a hash of their numbers, plus 1, below the stamp of the look that they are of: others are empty. An entry whose leaf has another number by now counts as one that is taken.
+// Places of leaves by a hash of their numbers, plus 1, below the stamp of the look that they are
+// of: others are empty. An entry whose leaf has another number by now counts as one that is taken.
 layout(std430, binding = 2) coherent buffer BisectTable {
     uint bisect_table[];
 };
@@ -67,7 +78,8 @@ const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u; // places of
 #else
 const uint BISECT_TILE = BISECT_TILE_FEW;
 #endif
-// How many leaves a group bisects at once. Each has nine heights at least, for a thread each where a device has many.
+// How many leaves a group bisects at once. Each has nine heights at least, for a thread each where
+// a device has many.
 #ifdef BISECT_FEW
 const uint BISECT_SPLITS = 128u;
 #elif defined(BISECT_WIDE)
@@ -75,10 +87,12 @@ const uint BISECT_SPLITS = BISECT_THREADS / 9u;
 #else
 const uint BISECT_SPLITS = BISECT_THREADS;
 #endif
-// Flags of a leaf: its parent need not be bisected, it was chosen in this round, it is to be bisected, it is in the list of those that are asked next. They stay from view to view.
+// Flags of a leaf: its parent need not be bisected, it was chosen in this round, it is to be
+// bisected, it is in the list of those that are asked next. They stay from view to view.
 const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_WANTED = 4u, FLAG_ASKED = 8u;
 
-// Others see what this thread has written before what it writes next: all, or those of its group, where there is one alone, and for which a device waits less.
+// Others see what this thread has written before what it writes next: all, or those of its group,
+// where there is one alone, and for which a device waits less.
 void bisectFence()
 {
 #ifdef BISECT_FEW
@@ -144,7 +158,8 @@ void bisectPutBits(uint word, uint shift, uint mask, uint value)
         atomicXor(bisect_leaves[word], (had ^ value) << shift);
 }
 
-// Whoever reads it meanwhile finds the leaf as it was, or as it is, or one of a base that there is not.
+// Whoever reads it meanwhile finds the leaf as it was, or as it is, or one of a base that there is
+// not.
 void bisectPut(uint slot, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number), had = bisectIdAt(slot);
@@ -216,7 +231,8 @@ uint bisectFind(uint base, uint number)
     }
 }
 
-// Where both children of a triangle are. What is read for one is not waited for before the other is asked for, as long as the first entries are theirs.
+// Where both children of a triangle are. What is read for one is not waited for before the other is
+// asked for, as long as the first entries are theirs.
 uvec2 bisectFindChildren(uint base, uint number)
 {
     uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);

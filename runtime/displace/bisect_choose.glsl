@@ -1,7 +1,9 @@
-// Which leaves are bisected now: all at an edge together, and only those of whom each has it as the edge that is bisected. Where one has not, that one comes first, and is wanted from now on: so it asks
-// for whom it needs itself, and what asked for it waits.
+// Which leaves are bisected now: all at an edge together, and only those of whom each has it as the
+// edge that is bisected. Where one has not, that one comes first, and is wanted from now on: so it
+// asks for whom it needs itself, and what asked for it waits.
 
-// Whether the leaf's whole ring is there; else who of it has to be bisected first, BISECT_NONE where that is nobody. `least` is the first place of all.
+// Whether the leaf's whole ring is there; else who of it has to be bisected first, BISECT_NONE
+// where that is nobody. `least` is the first place of all.
 bool bisectComplete(uint slot, Leaf leaf, Ring ring, out uint least, out uint before)
 {
     least = slot;

@@ -1,11 +1,14 @@
-// All rounds in one stage, as long as they have few triangles, by one group of threads: that it waits for itself takes a device a tenth of what a stage takes. Where there are more, it leaves them to others.
+// All rounds in one stage, as long as they have few triangles, by one group of threads: that it
+// waits for itself takes a device a tenth of what a stage takes. Where there are more, it leaves
+// them to others.
 void bisectWait()
 {
     bisectFence();
     barrier();
 }
 
-// By the first thread, between two waits: all have read what it changes, and read what it has changed.
+// By the first thread, between two waits: all have read what it changes, and read what it has
+// changed.
 void bisectNextWaiting(int step)
 {
     bisectWait();
@@ -14,7 +17,8 @@ void bisectNextWaiting(int step)
     bisectWait();
 }
 
-// Merges, or makes the children of who is bisected. Leaves are asked in one place, whatever for: a driver's compiler takes up to seconds for each.
+// Merges, or makes the children of who is bisected. Leaves are asked in one place, whatever for: a
+// driver's compiler takes up to seconds for each.
 void bisectChange(bool merging, uint group)
 {
     uint asked = merging ? bisect_head[CHOSEN] : bisectDivide(group);

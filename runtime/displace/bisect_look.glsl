@@ -1,4 +1,5 @@
-// Looks at leaves: each is to be bisected, or with its sibling to become its parent. A fresh look puts what there is into the table, and places that are free into their list; else both are there.
+// Looks at leaves: each is to be bisected, or with its sibling to become its parent. A fresh look
+// puts what there is into the table, and places that are free into their list; else both are there.
 void bisectLook(uint slot)
 {
     Leaf leaf = bisectLeaf(slot);
@@ -24,7 +25,8 @@ void bisectLook(uint slot)
 }
 
 #ifdef BISECT_WIDE
-// A group chooses of its own tiles, a stage less: an empty one takes a device as long as it takes to look at thousands.
+// A group chooses of its own tiles, a stage less: an empty one takes a device as long as it takes
+// to look at thousands.
 shared uint look_tiles[BISECT_LOOK_TILES], look_count;
 
 void bisectStage(uint group)

@@ -1,12 +1,14 @@
-// Leaves become their parents: all that have one middle of an edge as their newest corner, if none of these has other leaves, or has to be bisected. First stage: who can, of those that may.
-// Both children of it are leaves, and it need not be bisected.
+// Leaves become their parents: all that have one middle of an edge as their newest corner, if none
+// of these has other leaves, or has to be bisected. First stage: who can, of those that may. Both
+// children of it are leaves, and it need not be bisected.
 bool bisectMay(uint base, uint number, out uvec2 children)
 {
     children = bisectFindChildren(base, number);
     return children.x != BISECT_NONE && children.y != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, children.x)] & FLAG_LESS) != 0u;
 }
 
-// Once, whoever says so. Where the second child is stands in a list that is empty until something is bisected.
+// Once, whoever says so. Where the second child is stands in a list that is empty until something
+// is bisected.
 void bisectTake(uvec2 children)
 {
     if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
@@ -16,7 +18,8 @@ void bisectTake(uvec2 children)
     bisect_work[bisectWord(LIST_WANTED + 1u, i)] = children.y;
 }
 
-// Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and else never.
+// Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and
+// else never.
 void bisectMergeChoose(uint group)
 {
     uint i = bisectTask(group), swapped = bisect_head[SWAPPED];
@@ -46,13 +49,15 @@ void bisectMergeChoose(uint group)
     }
 }
 
-// Second stage, of each that can: its first child's place is its own from now on, and its second child's is free.
+// Second stage, of each that can: its first child's place is its own from now on, and its second
+// child's is free.
 void bisectAsk(uint slot)
 {
     bisect_work[bisectWord(LIST_MERGING + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[MERGING_NEXT], 1u))] = slot;
 }
 
-// That triangle's first child, where it is a leaf that waits for others, is asked next; once, whoever says so.
+// That triangle's first child, where it is a leaf that waits for others, is asked next; once,
+// whoever says so.
 void bisectAskAgain(uint base, uint number)
 {
     uint first = bisectFind(base, 2u * number);
@@ -62,7 +67,8 @@ void bisectAskAgain(uint base, uint number)
         bisectAsk(first);
 }
 
-// (c, a, m) and (b, c, m) to (a, b, c), and a place that has no area. All is read first: one after the other would wait for each.
+// (c, a, m) and (b, c, m) to (a, b, c), and a place that has no area. All is read first: one after
+// the other would wait for each.
 void bisectMergeRows(uint at, uint from)
 {
     float rows[3u * BISECT_ROW];

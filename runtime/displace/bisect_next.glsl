@@ -1,6 +1,9 @@
-// Between two stages, by one thread: lists that were written are read next, and how many groups of threads that takes. First leaves merge, as long as any can; then others are bisected.
-// Steps: 0: leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done; 5: tiles were chosen. The last thread of the stage does it,
-// since a dispatch takes a driver longer than a round of few triangles: whoever counts itself in as the last, after all that the others wrote.
+// Between two stages, by one thread: lists that were written are read next, and how many groups of
+// threads that takes. First leaves merge, as long as any can; then others are bisected. Steps: 0:
+// leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done;
+// 5: tiles were chosen. The last thread of the stage does it, since a dispatch takes a driver
+// longer than a round of few triangles: whoever counts itself in as the last, after all that the
+// others wrote.
 
 // Rounds of no more triangles are for bisect_few.glsl, where it is, and are not counted.
 #ifdef BISECT_WIDE
@@ -67,7 +70,8 @@ uint bisectGroups()
 void main()
 {
 #ifdef BISECT_WIDE
-    // As many groups as the device runs at once, whatever there is to do: it waits longer for their number than for those that have nothing to do.
+    // As many groups as the device runs at once, whatever there is to do: it waits longer for their
+    // number than for those that have nothing to do.
     uint groups = bisectGroups();
     for (uint group = gl_WorkGroupID.x; group < groups; group += gl_NumWorkGroups.x)
         BISECT_STAGE(group);

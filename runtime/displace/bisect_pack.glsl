@@ -1,4 +1,5 @@
-// Leaves that lie behind as many places as there are leaves go to free ones before that. First stage: which of these there are.
+// Leaves that lie behind as many places as there are leaves go to free ones before that. First
+// stage: which of these there are.
 void main()
 {
     uint i = gl_GlobalInvocationID.x, live = bisect_head[HIGH] - bisect_head[FREE];

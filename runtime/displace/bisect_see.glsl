@@ -1,12 +1,15 @@
-// What is seen of a triangle. A question's answer is a number: more than 0 is yes, and the camera has to move that far at least, either way, before the answer is another one. So both of two
+// What is seen of a triangle. A question's answer is a number: more than 0 is yes, and the camera
+// has to move that far at least, either way, before the answer is another one. So both of two
 // questions is the lesser of their numbers, one of them the greater, and not the negative.
 //
-//     in view by 2 from the nearest side, too coarse as it is unless it were 0.5 farther: both is 0.5, and nobody has to look again before the camera has gone by 0.5
+//     in view by 2 from the nearest side, too coarse as it is unless it were 0.5 farther: both is
+//     0.5, and nobody has to look again before the camera has gone by 0.5
 //
 // How far it moves: its place, plus what its sides turn by times how far away anything is.
 
-// How far points move, along the world's axes, at least and at most, in bytes of which 0 is -bisect_reach and 255 bisect_reach: of triangles of each depth up to bisect_ranged, of
-// a deeper one as of the one there that it is in.
+// How far points move, along the world's axes, at least and at most, in bytes of which 0 is
+// -bisect_reach and 255 bisect_reach: of triangles of each depth up to bisect_ranged, of a deeper
+// one as of the one there that it is in.
 layout(std430, binding = 5) buffer BisectRanges {
     uvec2 bisect_ranges[];
 };
@@ -68,7 +71,8 @@ float bisectBeyond(vec4 side, vec3 middle, vec3 extent)
     return -(dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent));
 }
 
-// Normals of all three corners look away from the eye, or a light, from wherever in the box, by so much that what rises there is not seen over the horizon.
+// Normals of all three corners look away from the eye, or a light, from wherever in the box, by so
+// much that what rises there is not seen over the horizon.
 const float BISECT_BEHIND = 0.6; // the sine of the angle: what rises by a quarter of a ball's radius is seen from no farther behind
 float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 {
@@ -103,7 +107,8 @@ BisectLight bisectLight(uint i)
     return BisectLight(bisectHeadFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
 }
 
-// How far rays by the box go on until no point of them is where shadows may fall: as a length, or as times what they have gone. It is farthest from the light's near side.
+// How far rays by the box go on until no point of them is where shadows may fall: as a length, or
+// as times what they have gone. It is farthest from the light's near side.
 float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
 {
     vec4 light = from.at;
@@ -120,14 +125,16 @@ float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
     return max(reach, light.w);
 }
 
-// The box, and all that its shadow may fall on, are beyond the side: from where the light is the farthest beyond it, a shadow comes the farthest in.
+// The box, and all that its shadow may fall on, are beyond the side: from where the light is the
+// farthest beyond it, a shadow comes the farthest in.
 float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, vec3 extent)
 {
     float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
     return min(-most, -(light.at.w != 0.0 ? from + reach * (most - from) : most - reach * from) / (2.0 * reach + 1.0));
 }
 
-// A light as a point of the line to it: at the eye it is the eye, from there it grows as what shines is seen. From it, to the nearest of the box around 0.
+// A light as a point of the line to it: at the eye it is the eye, from there it grows as what
+// shines is seen. From it, to the nearest of the box around 0.
 vec3 bisectGap(vec3 at, vec3 extent)
 {
     return at - clamp(at, -extent, extent);
@@ -140,8 +147,9 @@ float bisectGapSlope(vec3 from, vec3 way, vec3 extent, vec3 grows, float at)
     return dot(gap, way) - dot(abs(gap), grows);
 }
 
-// How far the box is from what lies between the eye and the light, as long as `last` says: the square grows along that line as a parabola between places where it passes a side of the box, so that its
-// slope is a line there. As the light has an extent, the sides move.
+// How far the box is from what lies between the eye and the light, as long as `last` says: the
+// square grows along that line as a parabola between places where it passes a side of the box, so
+// that its slope is a line there. As the light has an extent, the sides move.
 float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
 {
     vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w, grows = light.extent;
@@ -166,8 +174,11 @@ float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
     return length(bisectGap(from + nearest * way, extent + nearest * grows));
 }
 
-// It is too coarse for its shadow by one of the lights, as it would be up to `far`. A deviation e of p, at right angles to the light's ray, is t e in the shadow, where the ray has gone from l to l + t (p - l), and is seen
-// t e / |l + t (p - l) - eye| large: that is e / |p - (l + (eye - l) / t)|, and the latter between light and eye, wherever the shadow falls; no nearer to the light than where t is the most that a shadow can have.
+// It is too coarse for its shadow by one of the lights, as it would be up to `far`. A deviation e
+// of p, at right angles to the light's ray, is t e in the shadow, where the ray has gone from l to
+// l + t (p - l), and is seen t e / |l + t (p - l) - eye| large: that is e / |p - (l + (eye - l) /
+// t)|, and the latter between light and eye, wherever the shadow falls; no nearer to the light than
+// where t is the most that a shadow can have.
 float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 extent)
 {
     float wants = -BISECT_SURE;
@@ -186,8 +197,10 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
 }
 #endif
 
-// Its deviation is too large, as large as it can be seen from anywhere in a box around its points. A child's box is within that of its parent, and its deviation is at most its parent's: so who is not to be
-// bisected has no children that are. Out of view, or from behind, it counts as eight times as far, since it is seen in mirrors; but where its shadow may be in view, as that needs it.
+// Its deviation is too large, as large as it can be seen from anywhere in a box around its points.
+// A child's box is within that of its parent, and its deviation is at most its parent's: so who is
+// not to be bisected has no children that are. Out of view, or from behind, it counts as eight
+// times as far, since it is seen in mirrors; but where its shadow may be in view, as that needs it.
 float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
 {
     int depth = findMSB(number);
@@ -213,7 +226,8 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     return depth < bisect_coarse ? BISECT_SURE : depth >= bisect_deepest ? -BISECT_SURE : wants;
 }
 
-// A leaf that is asked: its place, what was there, and what is there from now on, whose corners are t; whether it is a child 0.
+// A leaf that is asked: its place, what was there, and what is there from now on, whose corners are
+// t; whether it is a child 0.
 struct Asked {
     uint slot;
     Leaf had, leaf;
@@ -221,7 +235,8 @@ struct Asked {
     bool even;
 };
 
-// Whether it is to be bisected; and, of a child 0, whether its parent would be: of others BISECT_SURE.
+// Whether it is to be bisected; and, of a child 0, whether its parent would be: of others
+// BISECT_SURE.
 struct Answers {
     float own, parent;
 };

@@ -1,4 +1,5 @@
-// Bisects what was chosen, or, at first, makes each base a leaf: new corners are displaced, and the deviations of new triangles found.
+// Bisects what was chosen, or, at first, makes each base a leaf: new corners are displaced, and the
+// deviations of new triangles found.
 uniform int bisect_even; // a deviation is that of the worst of its triangles at this depth, or its own
 
 // A point of the base, displaced; in the world.
@@ -13,17 +14,20 @@ vec3 bisectWeights(ivec3 weights)
     return vec3(weights) / float(BISECT_WHOLE);
 }
 
-// Of a triangle's points, the four that are asked how far they are from its plane: the middles of its grandchildren.
+// Of a triangle's points, the four that are asked how far they are from its plane: the middles of
+// its grandchildren.
 const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
-// How much deeper than the triangle its parts are: the worst of them counts; 0 where it is bisected whatever it is.
+// How much deeper than the triangle its parts are: the worst of them counts; 0 where it is bisected
+// whatever it is.
 int bisectDeeper(uint number)
 {
     int depth = findMSB(number);
     return depth < bisect_coarse ? 0 : max(bisect_even - depth, 0);
 }
 
-// The corners of a part, by the triangle's; which part it is is said as numbers of triangles say it, from 1 << deeper on.
+// The corners of a part, by the triangle's; which part it is is said as numbers of triangles say
+// it, from 1 << deeper on.
 mat3 bisectPartOf(uint part, int deeper)
 {
     vec3 a = vec3(1.0, 0.0, 0.0), b = vec3(0.0, 1.0, 0.0), c = vec3(0.0, 0.0, 1.0);
@@ -42,7 +46,8 @@ mat3 bisectWeightsOf(Corners t)
     return mat3(bisectWeights(t.a), bisectWeights(t.b), bisectWeights(t.c));
 }
 
-// The square of how far it is from the plane of a triangle, whose corners are `p`, at whose point it would be. Where that has no area, it is from the point.
+// The square of how far it is from the plane of a triangle, whose corners are `p`, at whose point
+// it would be. Where that has no area, it is from the point.
 float bisectSquare(vec3 moved, vec3 at, mat3 p)
 {
     vec3 across = cross(p[1] - p[0], p[2] - p[0]), off = moved - p * at;
@@ -50,7 +55,8 @@ float bisectSquare(vec3 moved, vec3 at, mat3 p)
     return away * away;
 }
 
-// A triangle's error, from the mean square of its worst part. Where the surface jumps, a plane that is as steep as the jump is near it: a triangle is off by no more than it is wide.
+// A triangle's error, from the mean square of its worst part. Where the surface jumps, a plane that
+// is as steep as the jump is near it: a triangle is off by no more than it is wide.
 uint bisectError(uint number, float square)
 {
     return findMSB(number) < bisect_coarse ? BISECT_ALWAYS : bisectCode(sqrt(square));
@@ -152,8 +158,9 @@ void main()
     bisectPut(base, Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
-// Of those that a group bisects: where they and their second children are, what they were, their corners, where these and the middle go to; and of each child the worst part's mean square, as a word: floats
-// that are not negative have the order of their words.
+// Of those that a group bisects: where they and their second children are, what they were, their
+// corners, where these and the middle go to; and of each child the worst part's mean square, as a
+// word: floats that are not negative have the order of their words.
 struct Split {
     uint slot, place;
     Leaf leaf;
@@ -200,7 +207,8 @@ void bisectCopyRows(uint local, uint k)
     bisect_rows[second] = y;
 }
 
-// Where one goes to: the middle, whose rows are written, or one of those that its children are asked at, four of each part of each child; `within` is where it lies in its child.
+// Where one goes to: the middle, whose rows are written, or one of those that its children are
+// asked at, four of each part of each child; `within` is where it lies in its child.
 vec3 bisectPoint(uint local, bool middle, uint at, out vec3 within)
 {
     int deeper = splits[local].deeper;
@@ -281,7 +289,8 @@ uint bisectOf(uint task, uint count)
     return low;
 }
 
-// All points that are asked for are tasks, whoever's they are: middles first, then, from a multiple of four on, what children are asked at. A driver has the height but once.
+// All points that are asked for are tasks, whoever's they are: middles first, then, from a multiple
+// of four on, what children are asked at. A driver has the height but once.
 void bisectDisplace(uint count)
 {
     uint asked = count + 3u & ~3u, tasks = asked + split_first[count];
@@ -335,7 +344,8 @@ void bisectSplit(uint group)
 }
 #endif
 #else
-// A thread has each to itself: where threads run one behind the other, to deal them out is no gain, and they would wait for each other.
+// A thread has each to itself: where threads run one behind the other, to deal them out is no gain,
+// and they would wait for each other.
 void bisectSplit(uint group)
 {
     uint i = bisectTask(group), local = gl_LocalInvocationIndex;

@@ -4,7 +4,8 @@
 #include "gen/bisection_layout.h"
 #include "runtime/displace/displaced_bisection.h"
 
-/* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what follows them is one farther. */
+/* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what
+ * follows them is one farther. */
 enum {
     BISECTION_BASES,
     BISECTION_LEAVES,
@@ -37,17 +38,23 @@ typedef struct {
 typedef struct {
     Material stages[BISECTION_STAGES]; /* splitting is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
-    int room, most, table_bits;             /* for leaves now, and ever; bits of a place in the table */
-    int ranged;                             /* ranges go so deep */
-    int tile;                               /* BISECTION_TILE_FEW or BISECTION_TILE_MANY */
-    int rounds[2];                          /* of merging and of splitting, that the last view took */
-    int stamp;                              /* of entries of the table; 0: it has to be cleared */
-    int coarser;                            /* fourths of an octave that an error may be larger */
-    double pixels;                          /* that an error could have when all leaves were looked at last; 0: they have to be */
-    double gone, entries;                   /* since then: how far the camera has moved, and what came into the table */
-    double box[2][3];                       /* around all points, wherever they may move; in the world */
-    GLuint head[BISECTION_STATE_WORDS], head_copy; /* the state block as last read; a buffer to read it */
-    int splits, merges, looks, looked;      /* of the last view; places that were looked at */
+    /* for leaves now, and ever; bits of a place in the table */
+    int room, most, table_bits;
+    int ranged; /* ranges go so deep */
+    int tile;   /* BISECTION_TILE_FEW or BISECTION_TILE_MANY */
+    /* of merging and of splitting, that the last view took */
+    int rounds[2];
+    int stamp;   /* of entries of the table; 0: it has to be cleared */
+    int coarser; /* fourths of an octave that an error may be larger */
+    /* that an error could have when all leaves were looked at last; 0: they have to be */
+    double pixels;
+    /* since then: how far the camera has moved, and what came into the table */
+    double gone, entries;
+    /* around all points, wherever they may move; in the world */
+    double box[2][3];
+    /* the state block as last read; a buffer to read it */
+    GLuint head[BISECTION_STATE_WORDS], head_copy;
+    int splits, merges, looks, looked; /* of the last view; places that were looked at */
     SceneCamera camera;
     int size[2];
     BisectionLights lights;
@@ -72,8 +79,10 @@ void bisection_set_number(Displaced *displaced, const char *name, double number)
 void bisection_view_set(Displaced *displaced, const DisplacedView *view, const Mesh *mesh);
 /* The first of those that cast shadows, as many as there is room for. */
 BisectionLights bisection_view_lights(const DisplacedView *view);
-/* How far the camera has moved from its last view, as bisect_see.glsl counts it; and what rounding may hide of that. What else has changed makes all anew. */
-void bisection_view_move(Displaced *displaced, const DisplacedView *view, const BisectionLights *lights);
+/* How far the camera has moved from its last view, as bisect_see.glsl counts it; and what rounding
+ * may hide of that. What else has changed makes all anew. */
+void bisection_view_move(Displaced *displaced, const DisplacedView *view,
+                         const BisectionLights *lights);
 /* That a base's number has. */
 int bisection_base_bits(const ScenePatches *patches);
 #endif

@@ -11,19 +11,22 @@ enum {
     ID_BITS = 40,
     DEEPEST = 28,
     SAMPLES_SHARE =
-        8,           /* deviations are those of parts of which one has as many triangles as so many have in the end, */
+        /* deviations are those of parts of which one has as many triangles as so many have in the
+         * end, */
+    8,
     PARTS_MOST = 6,  /* but at most 64 of a triangle: what is coarser is bisected */
     PLACE_BITS = 24, /* of a leaf, in the table */
     RANGE_PARTS = 4  /* ranges are kept of triangles that have 16 of these parts */
 };
 
-_Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float), "a row of the layout is a corner of the mesh");
+_Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float),
+               "a row of the layout is a corner of the mesh");
 
 bool bisection_there(const GlContext *gl)
 {
     GLint blocks = 0;
-    if (!gl->DispatchCompute || !gl->DispatchComputeIndirect || !gl->MemoryBarrier || !gl->ClearBufferSubData ||
-        !gl->CopyBufferSubData)
+    if (!gl->DispatchCompute || !gl->DispatchComputeIndirect || !gl->MemoryBarrier ||
+        !gl->ClearBufferSubData || !gl->CopyBufferSubData)
         return false;
     gl->GetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
     return blocks >= BISECTION_BUFFERS + DISPLACED_BUFFERS;
@@ -33,13 +36,15 @@ bool bisection_there(const GlContext *gl)
 
 bool bisection_casts(const SceneLight *light)
 {
-    return scene_light_casts(light) && (light->kind == SCENE_Directional || light->kind == SCENE_Point ||
-                                        light->kind == SCENE_Spot || light->kind == SCENE_Area);
+    return scene_light_casts(light) &&
+           (light->kind == SCENE_Directional || light->kind == SCENE_Point ||
+            light->kind == SCENE_Spot || light->kind == SCENE_Area);
 }
 
 static const char with_lights[] = "#define BISECT_LIGHTS\n";
 
-/* Programs of a scene without such lights have no loop over them: llvmpipe pays for what it does not enter. */
+/* Programs of a scene without such lights have no loop over them: llvmpipe pays for what it does
+ * not enter. */
 static const char *lights_of(const Scene *scene)
 {
     bool casts = false;
@@ -54,10 +59,12 @@ typedef struct {
     bool alone; /* nothing follows it */
 } Stage;
 
-static bool make_moving(const DisplacedMaking *making, const char *define, const ProgramText *rest, Material *made)
+static bool make_moving(const DisplacedMaking *making, const char *define, const ProgramText *rest,
+                        Material *made)
 {
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
-    ProgramText text = {.compute = {displaced_version, define, point, making->displace, render_text_displace_point}};
+    ProgramText text = {.compute = {displaced_version, define, point, making->displace,
+                                    render_text_displace_point}};
     int at = 0, from = 0;
     while (text.compute[at])
         at++;
@@ -66,8 +73,9 @@ static bool make_moving(const DisplacedMaking *making, const char *define, const
     return displaced_program(making, &text, made);
 }
 
-/* NVIDIA's compiler takes 13 s for the program that has all rounds where lights are, and 4 where its loops stay loops. Views are slower by it, by up to a ninth of a millisecond; so without lights, where it
- * takes 4 s anyway, they do not. Others know no such pragma, and pass over it. */
+/* NVIDIA's compiler takes 13 s for the program that has all rounds where lights are, and 4 where
+ * its loops stay loops. Views are slower by it, by up to a ninth of a millisecond; so without
+ * lights, where it takes 4 s anyway, they do not. Others know no such pragma, and pass over it. */
 static const char with_loops[] = "#pragma optionNV(unroll none)\n";
 enum { DEFINES = 64, FEW_DEFINES = DEFINES + sizeof with_loops };
 
@@ -77,14 +85,17 @@ static bool make_moving_stages(const DisplacedMaking *making, const char *define
     Bisection *b = made->own;
     const bool wide = store_context(making->store)->hardware;
     char few_defines[FEW_DEFINES];
-    snprintf(few_defines, sizeof few_defines, "%s%s", defines, strstr(defines, with_lights) ? with_loops : "");
+    snprintf(few_defines, sizeof few_defines, "%s%s", defines,
+             strstr(defines, with_lights) ? with_loops : "");
     static const char step[] = "#define BISECT_STEP 4\n#define BISECT_STAGE bisectSplit\n";
-    const ProgramText split = {.compute = {step, render_text_bisect, render_text_bisect_see, render_text_bisect_split,
-                                           render_text_bisect_next}},
-                      few = {.compute = {"#define BISECT_FEW\n", render_text_bisect, render_text_bisect_see,
-                                         render_text_bisect_merge, render_text_bisect_choose, render_text_bisect_split,
+    const ProgramText split = {.compute = {step, render_text_bisect, render_text_bisect_see,
+                                           render_text_bisect_split, render_text_bisect_next}},
+                      few = {.compute = {"#define BISECT_FEW\n", render_text_bisect,
+                                         render_text_bisect_see, render_text_bisect_merge,
+                                         render_text_bisect_choose, render_text_bisect_split,
                                          render_text_bisect_next, render_text_bisect_few}},
-                      begin = {.compute = {render_text_bisect, render_text_bisect_see, render_text_bisect_split}};
+                      begin = {.compute = {render_text_bisect, render_text_bisect_see,
+                                           render_text_bisect_split}};
     return make_moving(making, defines, &split, &made->material) &&
            (!wide || make_moving(making, few_defines, &few, &b->stages[BISECTION_FEW])) &&
            make_moving(making, "#define BISECT_BEGIN\n", &begin, &b->stages[BISECTION_BEGIN]);
@@ -93,15 +104,17 @@ static bool make_moving_stages(const DisplacedMaking *making, const char *define
 static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisection *b)
 {
     static const Stage stages[] = {
-        [BISECTION_SCAN] = {"#define BISECT_STEP 5\n#define BISECT_STAGE bisectStage\n#define BISECT_SCAN\n",
-                            {render_text_bisect_scan, ""},
-                            false},
+        [BISECTION_SCAN] =
+            {"#define BISECT_STEP 5\n#define BISECT_STAGE bisectStage\n#define BISECT_SCAN\n",
+             {render_text_bisect_scan, ""},
+             false},
         [BISECTION_LOOK] = {"#define BISECT_STEP 0\n#define BISECT_STAGE bisectStage\n",
                             {render_text_bisect_scan, render_text_bisect_look},
                             false},
-        [BISECTION_MERGE_CHOOSE] = {"#define BISECT_STEP 1\n#define BISECT_STAGE bisectMergeChoose\n",
-                                    {render_text_bisect_merge, ""},
-                                    false},
+        [BISECTION_MERGE_CHOOSE] =
+            {"#define BISECT_STEP 1\n#define BISECT_STAGE bisectMergeChoose\n",
+             {render_text_bisect_merge, ""},
+             false},
         [BISECTION_MERGE] = {"#define BISECT_STEP 2\n#define BISECT_STAGE bisectMerge\n",
                              {render_text_bisect_merge, ""},
                              false},
@@ -117,8 +130,9 @@ static bool make_stages(const DisplacedMaking *making, Displaced *made, Bisectio
     snprintf(defines, sizeof defines, "%s%s", lights, wide);
     bool fine = make_moving_stages(making, defines, made);
     for (int i = 0; fine && i < BISECTION_BEGIN; i++) {
-        const ProgramText text = {.compute = {displaced_version, defines, stages[i].define, render_text_bisect,
-                                              render_text_bisect_see, stages[i].text[0], stages[i].text[1],
+        const ProgramText text = {.compute = {displaced_version, defines, stages[i].define,
+                                              render_text_bisect, render_text_bisect_see,
+                                              stages[i].text[0], stages[i].text[1],
                                               stages[i].alone ? NULL : render_text_bisect_next}};
         fine = material_make(making->store, NULL, &text, &b->stages[i]);
     }
@@ -178,15 +192,18 @@ static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t b
 
 size_t bisection_work_bytes(const Bisection *b, size_t places)
 {
-    return sizeof(GLuint) * (BISECTION_STATE_WORDS + BISECTION_LIST_DUE * places + places / (size_t)b->tile + 1);
+    return sizeof(GLuint) *
+           (BISECTION_STATE_WORDS + BISECTION_LIST_DUE * places + places / (size_t)b->tile + 1);
 }
 
 size_t bisection_leaf_bytes(size_t places)
 {
-    return sizeof(GLuint) * BISECTION_BLOCK_WORDS * ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
+    return sizeof(GLuint) * BISECTION_BLOCK_WORDS *
+           ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
-/* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges and two of who is bisected: its views end where no more than these are free. */
+/* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges
+ * and two of who is bisected: its views end where no more than these are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
     Bisection *b = d->own;
@@ -196,9 +213,11 @@ bool bisection_room(Displaced *d, Mesh *mesh, int room)
     b->table_bits = bits_of(5 * places);
     b->stamp = 0;
     b->pixels = 0;
-    grow_buffer(gl, b->buffers[BISECTION_LEAVES], bisection_leaf_bytes(had), bisection_leaf_bytes(places));
+    grow_buffer(gl, b->buffers[BISECTION_LEAVES], bisection_leaf_bytes(had),
+                bisection_leaf_bytes(places));
     grow_buffer(gl, mesh->buffers[0], had * CORNER_BYTES, places * CORNER_BYTES);
-    new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint), NULL);
+    new_buffer(gl, b->buffers[BISECTION_TABLE], ((size_t)1 << b->table_bits) * sizeof(GLuint),
+               NULL);
     new_buffer(gl, b->buffers[BISECTION_WORK], bisection_work_bytes(b, places), NULL);
     bisection_set_number(d, "bisect_room", room);
     bisection_set_number(d, "bisect_tableBits", b->table_bits);
@@ -217,7 +236,8 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
 
 int bisection_base_bits(const ScenePatches *patches)
 {
-    enum { LEAST = 8 };                                   /* so that 32 bits hold a number of a bisector */
+    /* so that 32 bits hold a number of a bisector */
+    enum { LEAST = 8 };
     const int bits = bits_of((size_t)patches->count + 1); /* the last one is of no base */
     return bits > LEAST ? bits : LEAST;
 }
@@ -230,7 +250,8 @@ static void find_box(const ScenePatches *patches, const float reach[3], double b
         for (int row = 0; row < patches->row_count; row++) {
             double at = patches->world_from_local.m[12 + i];
             for (int lane = 0; lane < 3; lane++)
-                at += patches->world_from_local.m[4 * lane + i] * (double)patches->rows[row].position[lane];
+                at += patches->world_from_local.m[4 * lane + i] *
+                      (double)patches->rows[row].position[lane];
             box[0][i] = fmin(box[0][i], at - (double)reach[i]);
             box[1][i] = fmax(box[1][i], at + (double)reach[i]);
         }
@@ -242,14 +263,17 @@ static void set_constants(Displaced *d)
     const ScenePatches *patches = d->patches;
     const int base_bits = bisection_base_bits(patches);
     const int deepest = ID_BITS - base_bits - 4 < DEEPEST ? ID_BITS - base_bits - 4 : DEEPEST;
-    const int wanted = bits_of((size_t)patches->triangles / SAMPLES_SHARE) - bits_of((size_t)patches->count);
+    const int wanted =
+        bits_of((size_t)patches->triangles / SAMPLES_SHARE) - bits_of((size_t)patches->count);
     const int even = wanted < 0 ? 0 : wanted < deepest ? wanted : deepest;
     float reach[3] = {0};
     for (int i = 0; i < 9; i++)
-        reach[i % 3] += (float)(fabs(patches->world_from_local.m[4 * (i / 3) + i % 3]) * patches->reach[i / 3]);
+        reach[i % 3] +=
+            (float)(fabs(patches->world_from_local.m[4 * (i / 3) + i % 3]) * patches->reach[i / 3]);
     bisection_set_number(d, "bisect_baseBits", base_bits);
     bisection_set_number(d, "bisect_deepest", deepest);
-    const double reached = sqrt((double)(reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]));
+    const double reached =
+        sqrt((double)(reach[0] * reach[0] + reach[1] * reach[1] + reach[2] * reach[2]));
     bisection_set_number(d, "bisect_worst", reached > 0 ? exp2(ceil(log2(2 * reached))) : 1);
     bisection_set_number(d, "bisect_even", even);
     bisection_set_number(d, "bisect_coarse", even > PARTS_MOST ? even - PARTS_MOST : 0);
@@ -282,7 +306,8 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made)
     b->most = most_of(gl, making->patches);
     set_constants(made);
     return making->patches->count <= b->most ||
-           gl_fail(gl, "a mesh of %d triangles is too large to be bisected here", making->patches->count);
+           gl_fail(gl, "a mesh of %d triangles is too large to be bisected here",
+                   making->patches->count);
 }
 
 void bisection_forget(Displaced *d)

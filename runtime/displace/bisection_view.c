@@ -1,4 +1,5 @@
-/* What a view is to bisection: sides and places as uniforms, lights, and how far the camera has moved. */
+/* What a view is to bisection: sides and places as uniforms, lights, and how far the camera has
+ * moved. */
 #include "runtime/displace/bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -14,7 +15,8 @@ static void find_sides(const SceneCamera *camera, const int size[2], double norm
         const double length = sqrt(side == 4 ? 1 : 1 + back * back);
         for (int i = 0; i < 3; i++)
             normals[side][i] =
-                ((side == 4 ? 0 : way * (side / 2 ? camera->up[i] : camera->right[i])) - back * camera->back[i]) /
+                ((side == 4 ? 0 : way * (side / 2 ? camera->up[i] : camera->right[i])) -
+                 back * camera->back[i]) /
                 length;
     }
 }
@@ -37,8 +39,8 @@ void bisection_view_set(Displaced *d, const DisplacedView *view, const Mesh *mes
     double normals[5][3];
     find_sides(camera, view->size, normals);
     for (int side = 0; side < 4; side++)
-        set_plane(normals[side], camera->position, parallel ? camera->half * view->size[side / 2] / shorter : 0,
-                  &sides[4 * side]);
+        set_plane(normals[side], camera->position,
+                  parallel ? camera->half * view->size[side / 2] / shorter : 0, &sides[4 * side]);
     set_plane(normals[4], camera->position, 0, front);
     for (int i = 0; i < 3; i++)
         eye[i] = (float)(parallel ? camera->back[i] : camera->position[i]);
@@ -105,8 +107,9 @@ static double farthest(const Bisection *b, const double eye[3])
                                  (double)b->lights.each[i][2]};
         const double extent[3] = {(double)b->lights.extent[i][0], (double)b->lights.extent[i][1],
                                   (double)b->lights.extent[i][2]};
-        far =
-            b->lights.each[i][3] != 0 ? fmax(far, distance(eye, light) + sqrt(scene_vector_dot(extent, extent))) : far;
+        far = b->lights.each[i][3] != 0
+                  ? fmax(far, distance(eye, light) + sqrt(scene_vector_dot(extent, extent)))
+                  : far;
     }
     return far;
 }
@@ -127,7 +130,8 @@ void bisection_view_move(Displaced *d, const DisplacedView *view, const Bisectio
     b->gone += distance(was->position, is->position) * (1 + turned) + turned * far;
     for (int i = 0; i < 3; i++)
         most = fmax(most, fabs(is->position[i]));
-    if (b->gone > far) /* rounding is less than what is left for it, as long as numbers are no larger */
+    /* rounding is less than what is left for it, as long as numbers are no larger */
+    if (b->gone > far)
         b->pixels = 0;
     bisection_set_number(d, "bisect_slack", rounded * most);
 }

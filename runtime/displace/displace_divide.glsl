@@ -1,5 +1,7 @@
-// One pass of feedback: a triangle becomes four at the middles of its edges, while it is large and near; or it is final, and handed on by all passes to come. A vertex is a patch and weights
-// of its corners: middles of weights are exact, so that both sides of an edge have the same, and all else is mixed of the patch, tangents too.
+// One pass of feedback: a triangle becomes four at the middles of its edges, while it is large and
+// near; or it is final, and handed on by all passes to come. A vertex is a patch and weights of its
+// corners: middles of weights are exact, so that both sides of an edge have the same, and all else
+// is mixed of the patch, tangents too.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 22) out; // 8 of four triangles, 14 around six points
 flat in uvec2 divide_state[];

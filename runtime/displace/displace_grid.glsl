@@ -1,4 +1,5 @@
-// The vertex program of a grid: vertex by vertex the points of a patch in rows, as scene_divide has them, patch by patch as instances.
+// The vertex program of a grid: vertex by vertex the points of a patch in rows, as scene_divide has
+// them, patch by patch as instances.
 uniform int displace_first; // of displace_drawn
 uniform int displace_parts; // of an edge of the grid
 

@@ -1,6 +1,7 @@
-// The geometry program of a loop: rows of a part of a patch, and skirts. DISPLACE_VERTICES is how many points it writes at most. A patch that has displace_rowCount * displace_parts
-// parts along an edge is displace_parts^2 parts, in rows as well; strip i joins rows i and i + 1, point by point, the lower one first. The point is computed in two places alone: compilers
-// copy it to each.
+// The geometry program of a loop: rows of a part of a patch, and skirts. DISPLACE_VERTICES is how
+// many points it writes at most. A patch that has displace_rowCount * displace_parts parts along an
+// edge is displace_parts^2 parts, in rows as well; strip i joins rows i and i + 1, point by point,
+// the lower one first. The point is computed in two places alone: compilers copy it to each.
 layout(points) in;
 layout(triangle_strip, max_vertices = DISPLACE_VERTICES) out;
 flat in int displace_item[];

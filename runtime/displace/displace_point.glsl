@@ -1,7 +1,9 @@
-// A point of a patch, displaced: what stages share that make triangles of patches. matc_displaced() stands before it.
+// A point of a patch, displaced: what stages share that make triangles of patches. matc_displaced()
+// stands before it.
 
-// Rows of four: position and u, normal and v, dP/du, dP/dv; and patches of 12 numbers of rows: corners as they shade, corners as they move, and
-// the ends of edges 0, 1 and 2 as they move. What is drawn: a patch, and in bytes 0 to 2 the parts of its edges, in byte 3 those of its inside.
+// Rows of four: position and u, normal and v, dP/du, dP/dv; and patches of 12 numbers of rows:
+// corners as they shade, corners as they move, and the ends of edges 0, 1 and 2 as they move. What
+// is drawn: a patch, and in bytes 0 to 2 the parts of its edges, in byte 3 those of its inside.
 layout(std430, binding = 6) readonly buffer DisplaceRows {
     vec4 displace_rows[];
 };
@@ -27,7 +29,8 @@ ivec3 displaceRow(int point, int parts)
     return ivec3(parts - row, row - i, i);
 }
 
-// Points of an edge that has fewer parts go back to the last point that there is, so that triangles beside it have no width and its neighbour's points stand in the same places.
+// Points of an edge that has fewer parts go back to the last point that there is, so that triangles
+// beside it have no width and its neighbour's points stand in the same places.
 ivec3 displaceFitted(ivec3 w, uint drawn, int all)
 {
     for (int k = 0; k < 3; k++)
@@ -40,7 +43,8 @@ ivec3 displaceFitted(ivec3 w, uint drawn, int all)
     return w;
 }
 
-// Mixed of three rows. Where one weight is 0 it is the sum of two products, which is the same in either order.
+// Mixed of three rows. Where one weight is 0 it is the sum of two products, which is the same in
+// either order.
 vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
 {
     precise vec4 sum = displace_rows[4u * rows.x + part] * w.x + displace_rows[4u * rows.y + part] * w.y
@@ -82,8 +86,10 @@ uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
 
 uniform float displace_push, displace_bulge; // what rounds a hard body; 0: nothing
 
-// The mean of the corners' normals, each the unit sum of all around it; and how far it pushes and bulges the point at p. Along an edge both go by its two ends alone.
-//     A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
+// The mean of the corners' normals, each the unit sum of all around it; and how far it pushes and
+// bulges the point at p. Along an edge both go by its two ends alone.
+//     A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of
+//     sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
 vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
 {
     vec3 n[3], toward[3];
@@ -101,7 +107,8 @@ vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
 
 uniform float displace_depth; // no point of the world moves farther
 
-// Sets what is captured: the point of these weights, whose sum is 1; or, below it, the one as deep as the surface can be, where a skirt ends.
+// Sets what is captured: the point of these weights, whose sum is 1; or, below it, the one as deep
+// as the surface can be, where a skirt ends.
 void displaceAt(uint patchNumber, vec3 w, bool lower)
 {
     uint first = 12u * patchNumber;
@@ -134,7 +141,8 @@ void displacePoint(uint patchNumber, vec3 w)
 }
 
 #ifdef DISPLACE_VOLUME
-// Where one of a volume's four heights is over the point; `there` is false where its pair has nothing.
+// Where one of a volume's four heights is over the point; `there` is false where its pair has
+// nothing.
 vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
 {
     uvec3 own = displaceCorners(patchNumber), moving = displaceMoving(12u * patchNumber, own, w);
@@ -146,7 +154,8 @@ vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
     return position + displace_localFromWorld * (away * (solid[height] / max(length(away), 1e-30)));
 }
 
-// Sets what is captured for that height, if it is there. Its normal is across two ways to points beside it, on no edge, and leads away from what is solid.
+// Sets what is captured for that height, if it is there. Its normal is across two ways to points
+// beside it, on no edge, and leads away from what is solid.
 bool displaceHeight(uint patchNumber, vec3 w, int height, float step)
 {
     bool there, beside;

@@ -1,4 +1,5 @@
-// The geometry program of points: what stands for one is as wide as the grid's steps are long. All of it has the point's texture coordinates, and shades as the point does but for its normal.
+// The geometry program of points: what stands for one is as wide as the grid's steps are long. All
+// of it has the point's texture coordinates, and shades as the point does but for its normal.
 #ifdef DISPLACE_VOLUME
 layout(points, invocations = 4) in; // of its heights
 #else

@@ -1,5 +1,6 @@
-// Before the geometry program of points: those of a patch in rows, row i of which has i + 1; or three for each of its triangles, on their way from the corners to the middle, so that
-// points that would stand in one place fill the gaps around it.
+// Before the geometry program of points: those of a patch in rows, row i of which has i + 1; or
+// three for each of its triangles, on their way from the corners to the middle, so that points that
+// would stand in one place fill the gaps around it.
 uniform int displace_first; // of displace_drawn
 uniform int displace_parts;
 uniform float displace_spread; // so much of that way; 0: the corners once

@@ -1,13 +1,14 @@
-/* Patches to triangles, by whichever method: the table of these stands here, each in a file of its own. */
+/* Patches to triangles, by whichever method: the table of these stands here, each in a file of its
+ * own. */
 #include "runtime/displace/displaced.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 #include <string.h>
 
 /* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
-static const DisplacedMethod *const methods[] = {&displaced_grid,       &displaced_tessellation, &displaced_geometry,
-                                                 &displaced_points,     &displaced_feedback,     &displaced_bisection,
-                                                 &displaced_by_tracing, &displaced_by_parallax};
+static const DisplacedMethod *const methods[] = {
+    &displaced_grid,     &displaced_tessellation, &displaced_geometry,   &displaced_points,
+    &displaced_feedback, &displaced_bisection,    &displaced_by_tracing, &displaced_by_parallax};
 
 /* `auto` is the grid. */
 static const DisplacedMethod *method_of(Word word)
@@ -22,16 +23,18 @@ bool displaced_there(const GlContext *gl, Word method)
 {
     GLint vertex = 0, bindings = 0;
     if (gl->major * 10 + gl->minor < 45 || !gl->BindBufferBase || !gl->BindBufferRange ||
-        !gl->TransformFeedbackVaryings || !gl->BeginTransformFeedback || !gl->EndTransformFeedback ||
-        !gl->DrawArraysInstanced)
+        !gl->TransformFeedbackVaryings || !gl->BeginTransformFeedback ||
+        !gl->EndTransformFeedback || !gl->DrawArraysInstanced)
         return false;
     const DisplacedMethod *by = method_of(method);
     gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &vertex);
     gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
-    return vertex >= DISPLACED_BUFFERS && bindings >= DISPLACED_BINDINGS && (!by->there || by->there(gl));
+    return vertex >= DISPLACED_BUFFERS && bindings >= DISPLACED_BINDINGS &&
+           (!by->there || by->there(gl));
 }
 
-bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh, Displaced *made)
+bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile, int mesh,
+                    Displaced *made)
 {
     GlContext *gl = store_context(store);
     const ScenePatches *patches = scene->meshes[mesh].patches;
@@ -43,11 +46,14 @@ bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile
     *made = (Displaced){.patches = patches, .mesh = mesh, .method = method_of(patches->method)};
     made->volume = matc_has_volume(of->document, of->index);
     scene_displace_params(scene, patches->material);
-    MatcProgram *program = matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_DISPLACE, &options);
+    MatcProgram *program =
+        matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_DISPLACE, &options);
     scene_displace_params(scene, patches->material);
-    const DisplacedMaking making = {store, scene, patches, program, matc_output(program, MATC_DISPLACE, NULL)};
-    const bool fine = (matc_ok(program) || gl_fail(gl, "%s", matc_program_diagnostics(program, MATC_TEXT))) &&
-                      made->method->make(&making, made) && displaced_buffers(gl, made);
+    const DisplacedMaking making = {store, scene, patches, program,
+                                    matc_output(program, MATC_DISPLACE, NULL)};
+    const bool fine =
+        (matc_ok(program) || gl_fail(gl, "%s", matc_program_diagnostics(program, MATC_TEXT))) &&
+        made->method->make(&making, made) && displaced_buffers(gl, made);
     matc_program_free(program);
     if (!fine)
         displaced_delete(made);
@@ -77,7 +83,8 @@ bool displaced_by_view(const Displaced *d)
 
 bool displaced_by_lights(const Displaced *d)
 {
-    return d->material.store && (d->method == &displaced_bisection || scene_patches_hide(d->patches));
+    return d->material.store &&
+           (d->method == &displaced_bisection || scene_patches_hide(d->patches));
 }
 
 bool displaced_write(Displaced *d, const DisplacedView *view, Mesh *mesh)
@@ -117,12 +124,15 @@ bool displaced_read(const Displaced *d, const Mesh *mesh, Shape *made)
                     .base = calloc((size_t)d->points + 1, sizeof *made->base),
                     .vertex_count = d->points,
                     .index_count = mesh->index_count};
-    bool fine = (points && made->vertices && made->indices && made->base) || gl_fail(gl, "out of memory");
+    bool fine =
+        (points && made->vertices && made->indices && made->base) || gl_fail(gl, "out of memory");
     if (fine) {
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
-        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)d->points * sizeof *points), points);
+        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)d->points * sizeof *points),
+                             points);
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[1]);
-        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)((size_t)mesh->index_count * sizeof *made->indices),
+        gl->GetBufferSubData(GL_ARRAY_BUFFER, 0,
+                             (GLsizeiptr)((size_t)mesh->index_count * sizeof *made->indices),
                              made->indices);
         gl->BindBuffer(GL_ARRAY_BUFFER, 0);
         fine = gl_check(gl, "reading a displaced mesh");

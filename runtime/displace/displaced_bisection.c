@@ -1,16 +1,26 @@
-/* Bisection by compute stages, in place: from frame to frame 7 bytes are kept of each triangle, its number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at
- * all of them once. Those that are finer than they need be merge with their siblings, until none can; then others are bisected, until none has to. What there is at the end goes by the view
- * alone, and not by those before: whoever is to be bisected has parents that are (bisectWants), and all else there is only so that the mesh conforms.
+/* Bisection by compute stages, in place: from frame to frame 7 bytes are kept of each triangle, its
+ * number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at all
+ * of them once. Those that are finer than they need be merge with their siblings, until none can;
+ * then others are bisected, until none has to. What there is at the end goes by the view alone, and
+ * not by those before: whoever is to be bisected has parents that are (bisectWants), and all else
+ * there is only so that the mesh conforms.
  *
- *     a view that comes nearer: 1,000 leaves, 5 want to; one waits for its neighbour, one for two: rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
+ *     a view that comes nearer: 1,000 leaves, 5 want to; one waits for its neighbour, one for two:
+ *     rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
  *
- * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on; the least of these that is enough. */
+ * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on;
+ * the least of these that is enough. */
 #include "runtime/displace/bisection.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS, GROUP = 64, WIDE_GROUPS = 256, LEAST_ROOM = 1 << 12 };
+enum {
+    ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS,
+    GROUP = 64,
+    WIDE_GROUPS = 256,
+    LEAST_ROOM = 1 << 12
+};
 
 /* -- stages */
 
@@ -19,14 +29,16 @@ static void bind(const Displaced *d, const Mesh *mesh)
     const GlContext *gl = displaced_context(d);
     const Bisection *b = d->own;
     for (GLuint i = 0; i < BISECTION_BUFFERS; i++)
-        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, i < BISECTION_CORNERS ? i : i + 1, b->buffers[i]);
+        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, i < BISECTION_CORNERS ? i : i + 1,
+                           b->buffers[i]);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, BISECTION_CORNERS, mesh->buffers[0]);
     for (GLuint i = 0; i < DISPLACED_BUFFERS; i++)
         gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, ROWS_BINDING + i, d->buffers[i]);
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
 }
 
-/* What a stage wrote is read by the next; on a device counts are as well, and a barrier for what commands read would take it longer than a stage. */
+/* What a stage wrote is read by the next; on a device counts are as well, and a barrier for what
+ * commands read would take it longer than a stage. */
 static void finish(const GlContext *gl)
 {
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (gl->hardware ? 0 : GL_COMMAND_BARRIER_BIT));
@@ -40,7 +52,8 @@ static void dispatch(const Displaced *d, Material *stage, GLuint count)
     finish(gl);
 }
 
-/* As many groups as stand in the head; or as many as a device runs at once, each of which does what is left. */
+/* As many groups as stand in the head; or as many as a device runs at once, each of which does what
+ * is left. */
 static void dispatch_counted(const Displaced *d, Material *stage, int groups)
 {
     const GlContext *gl = displaced_context(d);
@@ -52,13 +65,15 @@ static void dispatch_counted(const Displaced *d, Material *stage, int groups)
     finish(gl);
 }
 
-/* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver may move to the processor's memory. */
+/* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver
+ * may move to the processor's memory. */
 static void copy_head(const Displaced *d, GLuint from, GLuint to)
 {
     const GlContext *gl = displaced_context(d);
     gl->BindBuffer(GL_COPY_READ_BUFFER, from);
     gl->BindBuffer(GL_COPY_WRITE_BUFFER, to);
-    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0, BISECTION_STATE_WORDS * sizeof(GLuint));
+    gl->CopyBufferSubData(GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER, 0, 0,
+                          BISECTION_STATE_WORDS * sizeof(GLuint));
 }
 
 static void read_head(const Displaced *d)
@@ -115,7 +130,8 @@ static void run_rounds(Displaced *d, int merging, int splitting)
         run_few(d);
 }
 
-/* Entries of looks before this one are empty by their stamps; after 255 of them they are cleared, which takes a driver longer than all the rest of a look. */
+/* Entries of looks before this one are empty by their stamps; after 255 of them they are cleared,
+ * which takes a driver longer than all the rest of a look. */
 static void stamp_table(Displaced *d)
 {
     enum { STAMPS = 255 };
@@ -125,8 +141,8 @@ static void stamp_table(Displaced *d)
     if (!b->stamp) {
         gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, b->buffers[BISECTION_TABLE]);
         gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0,
-                               (GLsizeiptr)(((size_t)1 << b->table_bits) * sizeof none), GL_RED_INTEGER,
-                               GL_UNSIGNED_INT, &none);
+                               (GLsizeiptr)(((size_t)1 << b->table_bits) * sizeof none),
+                               GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
     }
     bisection_set_number(d, "bisect_stamp", b->stamp + 1);
     b->stamp = (b->stamp + 1) % STAMPS;
@@ -141,7 +157,8 @@ static void begin_anew(Displaced *d, double pixels)
     b->gone = b->entries = 0;
 }
 
-/* Where a device has many threads, groups of the stage that looks find for themselves at which tiles; else a stage before does. */
+/* Where a device has many threads, groups of the stage that looks find for themselves at which
+ * tiles; else a stage before does. */
 static void look(const Displaced *d, GLuint high)
 {
     enum { LOOK_TILES = 16 /* of a group */ };
@@ -173,11 +190,16 @@ static void pack(Displaced *d)
 /* Leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
 static bool update(Displaced *d)
 {
-    enum { MORE = 4, MOST = 16, ENTRIES = 4 /* for each place, that a view's rounds may put into the table */ };
+    enum {
+        MORE = 4,
+        MOST = 16,
+        ENTRIES = 4 /* for each place, that a view's rounds may put into the table */
+    };
     Bisection *b = d->own;
     const GLuint high = b->head[BISECTION_HIGH];
     const double pixels = d->patches->pixels * exp2(b->coarser / 4.);
-    const bool fresh = b->pixels != pixels || b->entries > ldexp(1, b->table_bits) - (double)ENTRIES * b->room;
+    const bool fresh =
+        b->pixels != pixels || b->entries > ldexp(1, b->table_bits) - (double)ENTRIES * b->room;
     if (fresh)
         begin_anew(d, pixels);
     write_head(d, high, fresh ? 0 : b->head[BISECTION_FREE]);
@@ -187,7 +209,8 @@ static bool update(Displaced *d)
     look(d, high);
     b->looks++;
     const int one_more =
-        displaced_context(d)->hardware ? 0 : 1; /* there rounds that are many are counted, and a stage does the rest */
+        /* there rounds that are many are counted, and a stage does the rest */
+        displaced_context(d)->hardware ? 0 : 1;
     int merging = b->rounds[0] + one_more, splitting = b->rounds[1] + one_more;
     do {
         run_rounds(d, merging, splitting);
@@ -197,7 +220,9 @@ static bool update(Displaced *d)
     } while (!b->head[BISECTION_FULL] && !b->head[BISECTION_LOST] &&
              (!b->head[BISECTION_MERGED_ALL] || b->head[BISECTION_WANTED]));
     for (int i = 0; i < 2; i++)
-        b->rounds[i] = (int)b->head[BISECTION_MERGE_ROUNDS + i] < MOST ? (int)b->head[BISECTION_MERGE_ROUNDS + i] : MOST;
+        b->rounds[i] = (int)b->head[BISECTION_MERGE_ROUNDS + i] < MOST
+                           ? (int)b->head[BISECTION_MERGE_ROUNDS + i]
+                           : MOST;
     b->splits += (int)b->head[BISECTION_SPLITS];
     b->merges += (int)b->head[BISECTION_MERGES];
     b->looked += b->tile * (int)b->head[BISECTION_LOOKED];
@@ -268,7 +293,8 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     bind(d, mesh);
     const bool fine = settle(d, mesh);
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
-    gl->MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    gl->MemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_ELEMENT_ARRAY_BARRIER_BIT |
+                      GL_BUFFER_UPDATE_BARRIER_BIT);
     d->anew = first || b->splits || b->merges;
     d->points = 3 * (int)b->head[BISECTION_HIGH];
     mesh->index_count = d->points;
@@ -278,16 +304,16 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 DisplacedBisectionCost displaced_bisection_cost(const Displaced *d)
 {
     const Bisection *b = d->own;
-    return (DisplacedBisectionCost){.leaves = (int)(b->head[BISECTION_HIGH] - b->head[BISECTION_FREE]),
-                                    .splits = b->splits,
-                                    .merges = b->merges,
-                                    .kept = bisection_leaf_bytes(b->head[BISECTION_HIGH]) +
-                                            2 * sizeof(GLuint) * ((size_t)d->patches->count << (b->ranged + 1)),
-                                    .scratch =
-                                        (sizeof(GLuint) << b->table_bits) + bisection_work_bytes(b, (size_t)b->room),
-                                    .looks = b->looks,
-                                    .looked = b->looked,
-                                    .pixels = d->patches->pixels * exp2(b->coarser / 4.)};
+    return (DisplacedBisectionCost){
+        .leaves = (int)(b->head[BISECTION_HIGH] - b->head[BISECTION_FREE]),
+        .splits = b->splits,
+        .merges = b->merges,
+        .kept = bisection_leaf_bytes(b->head[BISECTION_HIGH]) +
+                2 * sizeof(GLuint) * ((size_t)d->patches->count << (b->ranged + 1)),
+        .scratch = (sizeof(GLuint) << b->table_bits) + bisection_work_bytes(b, (size_t)b->room),
+        .looks = b->looks,
+        .looked = b->looked,
+        .pixels = d->patches->pixels * exp2(b->coarser / 4.)};
 }
 
 uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
@@ -308,7 +334,8 @@ uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
             const uint32_t *block = words + i / 4 * 7;
             const uint64_t id = block[i % 4] | (uint64_t)(block[4] >> 8 * (i % 4) & 255) << 32;
             if (id)
-                leaves[(*count)++] = (id & (((uint64_t)1 << base_bits) - 1)) << 32 | id >> base_bits;
+                leaves[(*count)++] =
+                    (id & (((uint64_t)1 << base_bits) - 1)) << 32 | id >> base_bits;
         }
     } else {
         gl_fail(displaced_context(d), "out of memory");
@@ -319,5 +346,5 @@ uint64_t *displaced_bisection_leaves(const Displaced *d, int *count)
     return leaves;
 }
 
-const DisplacedMethod displaced_bisection = {WORD_Displacing_bisection, true, bisection_there, bisection_make, write,
-                                             bisection_forget};
+const DisplacedMethod displaced_bisection = {
+    WORD_Displacing_bisection, true, bisection_there, bisection_make, write, bisection_forget};

@@ -1,7 +1,9 @@
-/* Triangles of a mesh as bases of bisectors: which of their edges is bisected first, who shares edges, and where they are in the world.
+/* Triangles of a mesh as bases of bisectors: which of their edges is bisected first, who shares
+ * edges, and where they are in the world.
  *
- * The longest edge comes first, of equally long ones that of the earlier places, as in scene_bisection.c: so who waits for a neighbour waits for one that is larger, and nobody waits in a
- * circle. */
+ * The longest edge comes first, of equally long ones that of the earlier places, as in
+ * scene_bisection.c: so who waits for a neighbour waits for one that is larger, and nobody waits in
+ * a circle. */
 #include "gen/bisection_layout.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/displace/displaced_bisection.h"
@@ -31,7 +33,8 @@ static double square_length(const ScenePatches *patches, const uint32_t ends[2])
 {
     double sum = 0;
     for (int i = 0; i < 3; i++) {
-        const double way = (double)patches->rows[ends[0]].position[i] - (double)patches->rows[ends[1]].position[i];
+        const double way =
+            (double)patches->rows[ends[0]].position[i] - (double)patches->rows[ends[1]].position[i];
         sum += way * way;
     }
     return sum;
@@ -42,7 +45,8 @@ static bool is_longer(const Maker *m, const uint32_t x[2], const uint32_t y[2])
     const double by_x = square_length(m->patches, x), by_y = square_length(m->patches, y);
     if (by_x != by_y)
         return by_x > by_y;
-    return m->first[x[0]] != m->first[y[0]] ? m->first[x[0]] < m->first[y[0]] : m->first[x[1]] < m->first[y[1]];
+    return m->first[x[0]] != m->first[y[0]] ? m->first[x[0]] < m->first[y[0]]
+                                            : m->first[x[1]] < m->first[y[1]];
 }
 
 /* The corner at which its longest edge begins. */
@@ -87,7 +91,8 @@ static void put_base(Maker *m, int patch, uint32_t *words)
     words[0] = first_corner(m, patch);
     for (int k = 0; k < 3; k++) {
         uint32_t ends[2];
-        words[0] |= (uint32_t)scene_patch_ends(&m->patches->at[patch], m->first, k, ends) << (2 + k);
+        words[0] |= (uint32_t)scene_patch_ends(&m->patches->at[patch], m->first, k, ends)
+                    << (2 + k);
         words[1 + k] = edge_of(m, ends);
         m->edges[words[1 + k]].count++;
         const ShapeVertex *row = &m->patches->rows[m->patches->at[patch].own[k]];
@@ -131,8 +136,8 @@ uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count)
                .starts = calloc(3 * bases + 1, sizeof *m.starts),
                .words = calloc(bases * (BISECTION_BASE + 6) + 1, sizeof *m.words),
                .base_words = (uint32_t)(bases * BISECTION_BASE)};
-    const bool fine =
-        first && m.edges && m.starts && m.words && scene_matrix_invert(&patches->world_from_local, &m.local_from_world);
+    const bool fine = first && m.edges && m.starts && m.words &&
+                      scene_matrix_invert(&patches->world_from_local, &m.local_from_world);
     for (int i = 0; fine && i < patches->count; i++)
         put_base(&m, i, &m.words[(size_t)i * BISECTION_BASE]);
     if (fine)

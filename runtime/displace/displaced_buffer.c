@@ -1,4 +1,5 @@
-/* What all methods share: buffers of patches, a program that writes rows of MeshCaptured, and the mesh that gets them. */
+/* What all methods share: buffers of patches, a program that writes rows of MeshCaptured, and the
+ * mesh that gets them. */
 #include "runtime/displace/displaced_method.h"
 #include "runtime/draw/spaces.h"
 #include "runtime/scene/scene_matrix.h"
@@ -14,7 +15,9 @@ GlContext *displaced_context(const Displaced *d) { return store_context(d->mater
 static void set_spaces(const Scene *scene, const ScenePatches *patches, Material *made)
 {
     const SceneMatrix *world = &patches->world_from_local;
-    Spaces spaces = {.eye_from_world = mat4_identity(), .clip_from_eye = mat4_identity(), .time = (float)scene->time};
+    Spaces spaces = {.eye_from_world = mat4_identity(),
+                     .clip_from_eye = mat4_identity(),
+                     .time = (float)scene->time};
     SceneMatrix inverse;
     float local[9];
     for (int i = 0; i < 16; i++)
@@ -30,8 +33,9 @@ static void set_spaces(const Scene *scene, const ScenePatches *patches, Material
 
 bool displaced_program(const DisplacedMaking *making, ProgramText *text, Material *made)
 {
-    static const char *const captured[] = {"displaced_position", "displaced_normal",   "displaced_texcoord",
-                                           "displaced_tangentU", "displaced_tangentV", "displaced_base"};
+    static const char *const captured[] = {"displaced_position", "displaced_normal",
+                                           "displaced_texcoord", "displaced_tangentU",
+                                           "displaced_tangentV", "displaced_base"};
     if (!text->compute[0] && !text->fragment[0]) {
         text->fragment[0] = displaced_version;
         text->fragment[1] = "void main() {}\n";
@@ -78,18 +82,20 @@ bool displaced_buffers(GlContext *gl, Displaced *made)
 {
     const ScenePatches *patches = made->patches;
     float(*rows)[ROW_FLOATS] = calloc((size_t)patches->row_count + 1, sizeof *rows);
-    _Static_assert(sizeof(ScenePatch) == PATCH_WORDS * sizeof(uint32_t), "a patch lies in a buffer as it stands");
+    _Static_assert(sizeof(ScenePatch) == PATCH_WORDS * sizeof(uint32_t),
+                   "a patch lies in a buffer as it stands");
     made->parts = calloc((size_t)patches->count + 1, sizeof *made->parts);
     for (int i = 0; rows && i < patches->row_count; i++)
         put_row(&patches->rows[i], rows[i]);
     gl->GenBuffers(DISPLACED_BUFFERS, made->buffers);
     gl->GenVertexArrays(1, &made->array);
     make_framebuffer(gl, made);
-    const bool fine =
-        rows && made->parts
-            ? displaced_fill(gl, made->buffers[0], rows, (size_t)patches->row_count * sizeof *rows) &&
-                  displaced_fill(gl, made->buffers[1], patches->at, (size_t)patches->count * sizeof *patches->at)
-            : gl_fail(gl, "out of memory");
+    const bool fine = rows && made->parts
+                          ? displaced_fill(gl, made->buffers[0], rows,
+                                           (size_t)patches->row_count * sizeof *rows) &&
+                                displaced_fill(gl, made->buffers[1], patches->at,
+                                               (size_t)patches->count * sizeof *patches->at)
+                          : gl_fail(gl, "out of memory");
     free(rows);
     return fine;
 }
@@ -149,7 +155,8 @@ void displaced_capture(Displaced *d, const Mesh *mesh, size_t first, size_t poin
 {
     const GlContext *gl = displaced_context(d);
     material_use(&d->material);
-    gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0], (GLintptr)(first * sizeof(MeshCaptured)),
+    gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0],
+                        (GLintptr)(first * sizeof(MeshCaptured)),
                         (GLsizeiptr)(points * sizeof(MeshCaptured)));
     gl->BeginTransformFeedback(GL_TRIANGLES);
 }

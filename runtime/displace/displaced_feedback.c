@@ -1,5 +1,7 @@
-/* By feedback, in two programs: one divides triangles, pass after pass, from one of two buffers into the other; the other moves what came out. displace_divide.glsl says which are
- * divided. Buffers are as large as what is in them asks for: a pass for which one is too small is made again.
+/* By feedback, in two programs: one divides triangles, pass after pass, from one of two buffers
+ * into the other; the other moves what came out. displace_divide.glsl says which are divided.
+ * Buffers are as large as what is in them asks for: a pass for which one is too small is made
+ * again.
  *
  *     Two triangles of a square, three passes, all near: 2, 8, 32, 128. */
 #include "gen/render_text.h"
@@ -8,8 +10,9 @@
 #include <string.h>
 
 enum {
-    TRIANGLES = 1 << 24,                 /* at most */
-    SOFTWARE_TRIANGLES = (1 << 15) / 48, /* of which one becomes 16 at most: displaced_tessellation.c */
+    TRIANGLES = 1 << 24, /* at most */
+    /* of which one becomes 16 at most: displaced_tessellation.c */
+    SOFTWARE_TRIANGLES = (1 << 15) / 48,
     FINAL = 1,
     LOWER = 2 /* displace_divide.glsl */
 };
@@ -28,7 +31,10 @@ typedef struct {
     double eye[3];  /* that triangles were divided for */
 } Feedback;
 
-static bool there(const GlContext *gl) { return displaced_geometry_there(gl) && gl->VertexAttribIPointer; }
+static bool there(const GlContext *gl)
+{
+    return displaced_geometry_there(gl) && gl->VertexAttribIPointer;
+}
 
 /* -- programs and buffers */
 
@@ -55,17 +61,20 @@ static double area_of(const ScenePatches *patches, int patch)
         const float *a = patches->rows[patches->at[patch].own[0]].position,
                     *b = patches->rows[patches->at[patch].own[k + 1]].position;
         for (int i = 0; i < 3; i++)
-            way[k][i] = m[i] * ((double)b[0] - (double)a[0]) + m[4 + i] * ((double)b[1] - (double)a[1]) +
+            way[k][i] = m[i] * ((double)b[0] - (double)a[0]) +
+                        m[4 + i] * ((double)b[1] - (double)a[1]) +
                         m[8 + i] * ((double)b[2] - (double)a[2]);
     }
     for (int i = 0; i < 3; i++) {
-        const double lane = way[0][(i + 1) % 3] * way[1][(i + 2) % 3] - way[0][(i + 2) % 3] * way[1][(i + 1) % 3];
+        const double lane =
+            way[0][(i + 1) % 3] * way[1][(i + 2) % 3] - way[0][(i + 2) % 3] * way[1][(i + 1) % 3];
         square += lane * lane;
     }
     return square / 4; /* its square */
 }
 
-/* By more than a hundredth: then neighbours are divided at other distances, even if both are final. */
+/* By more than a hundredth: then neighbours are divided at other distances, even if both are
+ * final. */
 static bool uneven(const ScenePatches *patches)
 {
     const double first = area_of(patches, 0), part = .02;
@@ -99,7 +108,8 @@ static void make_arrays(const GlContext *gl, Feedback *own)
         gl->EnableVertexAttribArray(0);
         gl->EnableVertexAttribArray(1);
         gl->VertexAttribIPointer(0, 2, GL_UNSIGNED_INT, sizeof(Divided), NULL);
-        gl->VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Divided), (const void *)offsetof(Divided, weights));
+        gl->VertexAttribPointer(1, 2, GL_FLOAT, GL_FALSE, sizeof(Divided),
+                                (const void *)offsetof(Divided, weights));
     }
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
@@ -148,27 +158,32 @@ static void reserve(const GlContext *gl, Feedback *own, int buffer, size_t trian
 {
     own->room[buffer] = triangles;
     gl->BindBuffer(GL_ARRAY_BUFFER, own->buffers[buffer]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * triangles * sizeof(Divided)), NULL, GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(3 * triangles * sizeof(Divided)), NULL,
+                   GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-/* Patches as they are; and of the copy, which is final, all once more. How many; -1: memory ran out. */
+/* Patches as they are; and of the copy, which is final, all once more. How many; -1: memory ran
+ * out. */
 static int begin_with_patches(const Displaced *d, Feedback *own)
 {
     static const float corner[3][2] = {{1, 0}, {0, 1}, {0, 0}};
     const GlContext *gl = displaced_context(d);
-    const int patches = d->patches->count, count = patches * (d->patches->dividing.skirts == WORD_Skirts_copy ? 2 : 1);
+    const int patches = d->patches->count,
+              count = patches * (d->patches->dividing.skirts == WORD_Skirts_copy ? 2 : 1);
     Divided *vertices = calloc(3 * (size_t)count + 1, sizeof *vertices);
     for (int i = 0; vertices && i < 3 * count; i++)
-        vertices[i] = (Divided){
-            (uint32_t)(i / 3 % patches), i / 3 < patches ? 0 : FINAL | LOWER, {corner[i % 3][0], corner[i % 3][1]}};
+        vertices[i] = (Divided){(uint32_t)(i / 3 % patches),
+                                i / 3 < patches ? 0 : FINAL | LOWER,
+                                {corner[i % 3][0], corner[i % 3][1]}};
     if (!vertices)
         return -1;
     own->from = 0;
     if (own->room[0] < (size_t)count)
         reserve(gl, own, 0, (size_t)count);
     gl->BindBuffer(GL_ARRAY_BUFFER, own->buffers[0]);
-    gl->BufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(3 * (size_t)count * sizeof *vertices), vertices);
+    gl->BufferSubData(GL_ARRAY_BUFFER, 0, (GLsizeiptr)(3 * (size_t)count * sizeof *vertices),
+                      vertices);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(vertices);
     return count;
@@ -211,7 +226,8 @@ static int divide_all(Displaced *d, Feedback *own, int count)
         const size_t four = 4 * (size_t)count < TRIANGLES ? 4 * (size_t)count : TRIANGLES;
         if (own->room[!own->from] < four)
             reserve(gl, own, !own->from, four);
-        while ((made = divide_once(gl, own, count)) > TRIANGLES || (size_t)made > own->room[!own->from]) {
+        while ((made = divide_once(gl, own, count)) > TRIANGLES ||
+               (size_t)made > own->room[!own->from]) {
             if (made > TRIANGLES)
                 return -1;
             reserve(gl, own, !own->from, (size_t)made);
@@ -255,10 +271,11 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     if (count >= 0)
         return move(d, own, count, mesh);
     displaced_end(d);
-    return gl_fail(
-        displaced_context(d),
-        "displacement by feedback makes more than %d triangles: fewer `steps`, or less `detail`, makes fewer",
-        TRIANGLES);
+    return gl_fail(displaced_context(d),
+                   "displacement by feedback makes more than %d triangles: fewer `steps`, or less "
+                   "`detail`, makes fewer",
+                   TRIANGLES);
 }
 
-const DisplacedMethod displaced_feedback = {WORD_Displacing_feedback, true, there, make, write, forget};
+const DisplacedMethod displaced_feedback = {
+    WORD_Displacing_feedback, true, there, make, write, forget};

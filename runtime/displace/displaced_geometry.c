@@ -1,9 +1,11 @@
-/* By a geometry program in loops: patches of n parts are one draw, in which each part of a patch that is within what the driver writes at a time is a point. */
+/* By a geometry program in loops: patches of n parts are one draw, in which each part of a patch
+ * that is within what the driver writes at a time is a point. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdio.h>
 
-/* Numbers that are captured of a point; and how many points Mesa's software renderers may get of one draw: displaced_tessellation.c. */
+/* Numbers that are captured of a point; and how many points Mesa's software renderers may get of
+ * one draw: displaced_tessellation.c. */
 enum { COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
 
 bool displaced_geometry_there(const GlContext *gl)
@@ -21,7 +23,8 @@ int displaced_geometry_points(const GlContext *gl)
     return components / COMPONENTS < points ? components / COMPONENTS : points;
 }
 
-/* -- what rows take: n of them are n^2 triangles in strips of n^2 + 2 n points; a band has two points for each of its edge, and two triangles for each part */
+/* -- what rows take: n of them are n^2 triangles in strips of n^2 + 2 n points; a band has two
+ * points for each of its edge, and two triangles for each part */
 
 static int points_of(int rows, Word skirts)
 {
@@ -59,8 +62,9 @@ static bool make(const DisplacedMaking *making, Displaced *made)
     snprintf(most, sizeof most, "#define DISPLACE_VERTICES %d\n",
              displaced_geometry_points(store_context(making->store)));
     ProgramText text = {.vertex = {displaced_version, render_text_displace_item},
-                        .geometry = {displaced_version, "#define DISPLACE_POINT\n", most, making->displace,
-                                     render_text_displace_point, render_text_displace_loop}};
+                        .geometry = {displaced_version, "#define DISPLACE_POINT\n", most,
+                                     making->displace, render_text_displace_point,
+                                     render_text_displace_loop}};
     if (!displaced_program(making, &text, &made->material))
         return false;
     const Word skirts = making->patches->dividing.skirts;
@@ -74,14 +78,17 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 /* -- triangles */
 
-/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a time, where it is Mesa's software. */
+/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a
+ * time, where it is Mesa's software. */
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);
     const Word skirts = d->patches->dividing.skirts;
     const int rows = rows_of(n, skirts, displaced_geometry_points(gl)), parts = n / rows;
     const size_t points = 3 * triangles_of(n, skirts);
-    const int most = gl->hardware ? first[1] - first[0] : points > SOFTWARE_POINTS ? 1 : SOFTWARE_POINTS / (int)points;
+    const int most = gl->hardware               ? first[1] - first[0]
+                     : points > SOFTWARE_POINTS ? 1
+                                                : SOFTWARE_POINTS / (int)points;
     material_set_number(&d->material, "displace_rowCount", (float)rows);
     material_set_number(&d->material, "displace_parts", (float)parts);
     for (int from = first[0]; from < first[1];) {
@@ -96,13 +103,17 @@ static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *
     return at;
 }
 
-static size_t patch_triangles(const Displaced *d, int n) { return triangles_of(n, d->patches->dividing.skirts); }
+static size_t patch_triangles(const Displaced *d, int n)
+{
+    return triangles_of(n, d->patches->dividing.skirts);
+}
 static const DisplacedByParts by_parts = {patch_triangles, draw_patches};
 
 static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
     int first[SCENE_PATCH_PARTS + 2];
-    return displaced_parts(d, view, first) && (!d->anew || displaced_by_parts(d, first, &by_parts, mesh));
+    return displaced_parts(d, view, first) &&
+           (!d->anew || displaced_by_parts(d, first, &by_parts, mesh));
 }
 
 const DisplacedMethod displaced_geometry = {

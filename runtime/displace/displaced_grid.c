@@ -1,4 +1,5 @@
-/* By grids: patches whose edges have at most n parts are the instances of one draw of (n + 1)(n + 2) / 2 points, in n^2 triangles. */
+/* By grids: patches whose edges have at most n parts are the instances of one draw of (n + 1)(n +
+ * 2) / 2 points, in n^2 triangles. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/scene/scene_divide.h"
@@ -43,13 +44,15 @@ static bool write_grids(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Me
     displaced_reserve(d, mesh, 0, points * sizeof(MeshCaptured));
     displaced_begin(d);
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++) {
-        const size_t patches = (size_t)(first[n + 1] - first[n]), bytes = patches * points_of(n) * sizeof(MeshCaptured);
+        const size_t patches = (size_t)(first[n + 1] - first[n]),
+                     bytes = patches * points_of(n) * sizeof(MeshCaptured);
         if (!patches)
             continue;
         material_set_number(&d->material, "displace_first", (float)first[n]);
         material_set_number(&d->material, "displace_parts", (float)n);
         material_use(&d->material);
-        gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0], (GLintptr)at, (GLsizeiptr)bytes);
+        gl->BindBufferRange(GL_TRANSFORM_FEEDBACK_BUFFER, 0, mesh->buffers[0], (GLintptr)at,
+                            (GLsizeiptr)bytes);
         gl->BeginTransformFeedback(GL_POINTS);
         gl->DrawArraysInstanced(GL_POINTS, 0, (GLsizei)points_of(n), (GLsizei)patches);
         gl->EndTransformFeedback();

@@ -1,9 +1,11 @@
-/* Into how many parts a view has edges of patches divided, and patches in order of these: for methods whose patches are drawn by number of parts. */
+/* Into how many parts a view has edges of patches divided, and patches in order of these: for
+ * methods whose patches are drawn by number of parts. */
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Patches by the parts of their insides: `first` of each number of parts, and behind the last. Those of none come first, and are not drawn. */
+/* Patches by the parts of their insides: `first` of each number of parts, and behind the last.
+ * Those of none come first, and are not drawn. */
 static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
 {
     const int count = d->patches->count;
@@ -21,14 +23,17 @@ static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
         const int inside = scene_patch_parts(parts);
         uint32_t *row = drawn[next[inside]++];
         row[0] = (uint32_t)t;
-        row[1] = parts[0] | (uint32_t)parts[1] << 8 | (uint32_t)parts[2] << 16 | (uint32_t)inside << 24;
+        row[1] =
+            parts[0] | (uint32_t)parts[1] << 8 | (uint32_t)parts[2] << 16 | (uint32_t)inside << 24;
     }
-    const bool fine = displaced_fill(displaced_context(d), d->buffers[2], drawn, (size_t)count * sizeof *drawn);
+    const bool fine =
+        displaced_fill(displaced_context(d), d->buffers[2], drawn, (size_t)count * sizeof *drawn);
     free(drawn);
     return fine;
 }
 
-/* What was written has all that is seen, divided as it shall be; what is beside the view may be there as well. */
+/* What was written has all that is seen, divided as it shall be; what is beside the view may be
+ * there as well. */
 static bool stands(const Displaced *d, uint8_t (*parts)[3])
 {
     bool same = d->written;
@@ -43,7 +48,8 @@ bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PA
     uint8_t(*parts)[3] = malloc(bytes + 1);
     if (!parts)
         return gl_fail(displaced_context(d), "out of memory");
-    scene_patches_levels(d->patches, &view->scene->camera, view->size, view->sight.count ? &view->sight : NULL, parts);
+    scene_patches_levels(d->patches, &view->scene->camera, view->size,
+                         view->sight.count ? &view->sight : NULL, parts);
     d->anew = !stands(d, parts);
     if (d->anew)
         memcpy(d->parts, parts, bytes);
@@ -51,7 +57,8 @@ bool displaced_parts(Displaced *d, const DisplacedView *view, int first[SCENE_PA
     return !d->anew || write_drawn(d, first);
 }
 
-bool displaced_by_parts(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const DisplacedByParts *by, Mesh *mesh)
+bool displaced_by_parts(Displaced *d, const int first[SCENE_PATCH_PARTS + 2],
+                        const DisplacedByParts *by, Mesh *mesh)
 {
     size_t triangles = 0, at = 0;
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)

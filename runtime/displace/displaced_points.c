@@ -9,8 +9,10 @@ enum { SOFTWARE_POINTS = 1 << 15 /* displaced_tessellation.c */ };
 static const struct {
     Word word;
     int triangles;
-} symbols[] = {
-    {WORD_Symbol_square, 2}, {WORD_Symbol_billboard, 2}, {WORD_Symbol_cylinder, 22}, {WORD_Symbol_sphere, 36}};
+} symbols[] = {{WORD_Symbol_square, 2},
+               {WORD_Symbol_billboard, 2},
+               {WORD_Symbol_cylinder, 22},
+               {WORD_Symbol_sphere, 36}};
 enum { BILLBOARD = 1, HEIGHTS = 4 /* of a volume */, SYMBOLS = sizeof symbols / sizeof *symbols };
 
 static int symbol_of(const Displaced *d)
@@ -24,9 +26,11 @@ static int symbol_of(const Displaced *d)
 static bool make(const DisplacedMaking *making, Displaced *made)
 {
     ProgramText text = {
-        .vertex = {displaced_version, render_text_displace_point, render_text_displace_symbol_vertex},
+        .vertex = {displaced_version, render_text_displace_point,
+                   render_text_displace_symbol_vertex},
         .geometry = {displaced_version,
-                     made->volume ? "#define DISPLACE_POINT\n#define DISPLACE_VOLUME\n" : "#define DISPLACE_POINT\n",
+                     made->volume ? "#define DISPLACE_POINT\n#define DISPLACE_VOLUME\n"
+                                  : "#define DISPLACE_POINT\n",
                      making->displace, render_text_displace_point, render_text_displace_symbol}};
     if (!displaced_program(making, &text, &made->material))
         return false;
@@ -39,7 +43,8 @@ static void set_eye(Displaced *d, const DisplacedView *view)
 {
     SceneMatrix inverse;
     float eye[3];
-    scene_matrix_invert(&d->patches->world_from_local, &inverse); /* scene_displaced_mesh has seen to that */
+    /* scene_displaced_mesh has seen to that */
+    scene_matrix_invert(&d->patches->world_from_local, &inverse);
     for (int i = 0; i < 3; i++) {
         double sum = inverse.m[12 + i];
         for (int k = 0; k < 3; k++)
@@ -61,12 +66,15 @@ static int triangles_of(const Displaced *d, int n)
     return points_of(d, n) * symbols[symbol_of(d)].triangles * (d->volume ? HEIGHTS : 1);
 }
 
-/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a time, where it is Mesa's software. */
+/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a
+ * time, where it is Mesa's software. */
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);
     const int points = 3 * triangles_of(d, n);
-    const int most = gl->hardware ? first[1] - first[0] : points > SOFTWARE_POINTS ? 1 : SOFTWARE_POINTS / points;
+    const int most = gl->hardware               ? first[1] - first[0]
+                     : points > SOFTWARE_POINTS ? 1
+                                                : SOFTWARE_POINTS / points;
     material_set_number(&d->material, "displace_parts", (float)n);
     for (int from = first[0]; from < first[1];) {
         const int count = first[1] - from < most ? first[1] - from : most;
@@ -94,4 +102,5 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     return !d->anew || displaced_by_parts(d, first, &by_parts, mesh);
 }
 
-const DisplacedMethod displaced_points = {WORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};
+const DisplacedMethod displaced_points = {
+    WORD_Displacing_points, true, displaced_geometry_there, make, write, NULL};

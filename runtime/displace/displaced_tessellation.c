@@ -13,16 +13,18 @@ static bool there(const GlContext *gl)
 
 static bool make(const DisplacedMaking *making, Displaced *made)
 {
-    ProgramText text = {.vertex = {displaced_version, render_text_displace_vertex},
-                        .control = {displaced_version, render_text_displace_point, render_text_displace_control},
-                        .evaluation = {displaced_version, "#define DISPLACE_POINT\n", making->displace,
-                                       render_text_displace_point, render_text_displace_evaluation}};
+    ProgramText text = {
+        .vertex = {displaced_version, render_text_displace_vertex},
+        .control = {displaced_version, render_text_displace_point, render_text_displace_control},
+        .evaluation = {displaced_version, "#define DISPLACE_POINT\n", making->displace,
+                       render_text_displace_point, render_text_displace_evaluation}};
     return displaced_program(making, &text, &made->material);
 }
 
 static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
 
-/* Mesa's software renderers number what comes out of a part of a draw in 16 bits, and lose what is beyond: there, few patches are drawn at a time. */
+/* Mesa's software renderers number what comes out of a part of a draw in 16 bits, and lose what is
+ * beyond: there, few patches are drawn at a time. */
 static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS + 2])
 {
     enum { POINTS = 1 << 15 };
@@ -78,4 +80,5 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
     return displaced_parts(d, view, first) && (!d->anew || write_tessellated(d, first, mesh));
 }
 
-const DisplacedMethod displaced_tessellation = {WORD_Displacing_tessellation, false, there, make, write, NULL};
+const DisplacedMethod displaced_tessellation = {
+    WORD_Displacing_tessellation, false, there, make, write, NULL};

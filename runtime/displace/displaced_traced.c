@@ -1,11 +1,17 @@
-/* A grid, and over it what rays are traced through: nodes of a pyramid, hulls of patches; or, of parallax, base triangles. */
+/* A grid, and over it what rays are traced through: nodes of a pyramid, hulls of patches; or, of
+ * parallax, base triangles. */
 #include "runtime/displace/displaced_traced.h"
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 
 /* Binding points of the GLSL. */
-enum { HULLS_BINDING = 3, GRID_BINDING = 4, NODES_BINDING = 5, ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS };
+enum {
+    HULLS_BINDING = 3,
+    GRID_BINDING = 4,
+    NODES_BINDING = 5,
+    ROWS_BINDING = DISPLACED_BINDINGS - DISPLACED_BUFFERS
+};
 enum { GROUP = 64, HULL_POINTS = 6, HULL_TRIANGLES = 8, NODE_FLOATS = 8, CORNERS = 3 };
 
 static bool there(const GlContext *gl)
@@ -23,11 +29,13 @@ static bool make_programs(const DisplacedMaking *making, DisplacedTrace *trace)
     static const char point[] = "#define DISPLACE_POINT\n#define DISPLACE_OUT\n";
     const ProgramText text = {
         .vertex = {displaced_version, render_text_trace_vertex},
-        .fragment = {displaced_version, point, making->displace, render_text_displace_point, render_text_trace_patch,
-                     render_text_trace_given,
+        .fragment = {displaced_version, point, making->displace, render_text_displace_point,
+                     render_text_trace_patch, render_text_trace_given,
                      trace->parallax ? render_text_parallax_fragment : render_text_trace_fragment}};
-    const ProgramText levels = {.compute = {displaced_version, render_text_trace_patch, render_text_trace_nodes}},
-                      hull = {.compute = {displaced_version, render_text_trace_patch, render_text_trace_hull}};
+    const ProgramText levels = {.compute = {displaced_version, render_text_trace_patch,
+                                            render_text_trace_nodes}},
+                      hull = {.compute = {displaced_version, render_text_trace_patch,
+                                          render_text_trace_hull}};
     ProgramText own = text;
     return displaced_program(making, &own, &trace->trace) &&
            material_make(making->store, NULL, &levels, &trace->levels) &&
@@ -57,10 +65,11 @@ static bool make_hulls(GlContext *gl, DisplacedTrace *trace, int patches)
     for (int i = 0; i < patches * each; i++)
         indices[i] = hull[i % each] + (uint32_t)(i / each * points);
     gl->BindBuffer(GL_ARRAY_BUFFER, trace->hulls.buffers[1]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)(patches * each) * sizeof *indices), indices, GL_STATIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)(patches * each) * sizeof *indices),
+                   indices, GL_STATIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, trace->hulls.buffers[0]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)(patches * points) * sizeof(MeshCaptured)), NULL,
-                   GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)(patches * points) * sizeof(MeshCaptured)),
+                   NULL, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     trace->hulls.index_count = patches * each;
     free(indices);
@@ -78,13 +87,15 @@ static bool make(const DisplacedMaking *making, Displaced *made)
     trace->parts = patches->level;
     trace->parallax = patches->method == WORD_Displacing_parallax;
     trace->triangles = trace->parallax ? 1 : HULL_TRIANGLES;
-    if (!displaced_grid.make(making, made) || !make_programs(making, trace) || !make_hulls(gl, trace, patches->count))
+    if (!displaced_grid.make(making, made) || !make_programs(making, trace) ||
+        !make_hulls(gl, trace, patches->count))
         return false;
     set_numbers(trace, "trace_parts", trace->parts);
     set_numbers(trace, "trace_patches", patches->count);
     set_numbers(trace, "trace_hull", trace->triangles);
     gl->GenBuffers(1, &trace->nodes);
-    return displaced_fill(gl, trace->nodes, NULL, (size_t)patches->count * nodes * NODE_FLOATS * sizeof(float));
+    return displaced_fill(gl, trace->nodes, NULL,
+                          (size_t)patches->count * nodes * NODE_FLOATS * sizeof(float));
 }
 
 void displaced_traced_bind(const Displaced *d, const Mesh *mesh)
@@ -148,5 +159,7 @@ DisplacedTrace *displaced_traced(const Displaced *d)
     return d->material.store && traced ? d->own : NULL;
 }
 
-const DisplacedMethod displaced_by_tracing = {WORD_Displacing_traced, false, there, make, write, forget};
-const DisplacedMethod displaced_by_parallax = {WORD_Displacing_parallax, false, there, make, write, forget};
+const DisplacedMethod displaced_by_tracing = {
+    WORD_Displacing_traced, false, there, make, write, forget};
+const DisplacedMethod displaced_by_parallax = {
+    WORD_Displacing_parallax, false, there, make, write, forget};

@@ -1,7 +1,11 @@
-// Parallax occlusion: a ray goes in even steps along the tangent plane of the triangle that it meets, from where the surface is highest to where it is lowest, and by secants to where it first comes below the surface.
-// A step is a part of an edge of the patch long, as far as there are steps: straight on there are four, aslant 32.
-// Beyond the triangle its map goes on as within. Only z counts (trace_patch.glsl): there is no outline but the triangle's, and what leans is as if it stood.
-//     At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the plane, of a patch with an edge of 1 in 32 parts in 12 steps.
+// Parallax occlusion: a ray goes in even steps along the tangent plane of the triangle that it
+// meets, from where the surface is highest to where it is lowest, and by secants to where it first
+// comes below the surface. A step is a part of an edge of the patch long, as far as there are
+// steps: straight on there are four, aslant 32. Beyond the triangle its map goes on as within. Only
+// z counts (trace_patch.glsl): there is no outline but the triangle's, and what leans is as if it
+// stood.
+//     At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the
+//     plane, of a patch with an edge of 1 in 32 parts in 12 steps.
 // How far the ray is above the surface at t: where that has another sign, it is on the other side.
 float parallaxOver(int number, TraceSpace space, vec3 at)
 {

@@ -1,5 +1,7 @@
-// Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
-//     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the triangle, two steps later a point of the surface that is off by less than 1e-7.
+// Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the
+// nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
+//     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the
+//     triangle, two steps later a point of the surface that is off by less than 1e-7.
 uniform vec2 trace_offset; // of depth, as glPolygonOffset has it: by the slope, and by the least step
 
 const int TRACE_STACK = 24; // three of each of at most six levels, and one
@@ -43,7 +45,8 @@ vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
     return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)), min(min(leave.x, leave.y), min(leave.z, leave.w)));
 }
 
-// A triangle that no ray meets, but passes by: where it is nearest to the middle, and how far from the triangle there, of its size.
+// A triangle that no ray meets, but passes by: where it is nearest to the middle, and how far from
+// the triangle there, of its size.
 void tracePass(TracePart part, vec3 p, mat2x3 edges, TraceRay ray, inout TraceNear near)
 {
     vec3 n = cross(edges[0], edges[1]), middle = p + (edges[0] + edges[1]) / 3.0;
@@ -144,8 +147,10 @@ void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
     byB = float(trace_parts) * (part.between ? p[2] - p[0] : p[2] - p[1]);
 }
 
-// From a triangle to the surface, no farther than its neighbours: Broyden's method on what the surface at (a, b) is off the ray at t, begun with the triangle's slopes, which each step corrects by what it finds.
-// Where that leads no nearer, as where the height jumps, the triangle is it. Gives how far it is off.
+// From a triangle to the surface, no farther than its neighbours: Broyden's method on what the
+// surface at (a, b) is off the ray at t, begun with the triangle's slopes, which each step corrects
+// by what it finds. Where that leads no nearer, as where the height jumps, the triangle is it.
+// Gives how far it is off.
 float traceSurface(int number, TraceRay ray, inout TraceHit hit)
 {
     const int STEPS = 8;
@@ -183,7 +188,8 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
     return sqrt(least);
 }
 
-// Whether the surface is met beside a triangle that is passed by: beyond an outline of the grid, where the surface bulges.
+// Whether the surface is met beside a triangle that is passed by: beyond an outline of the grid,
+// where the surface bulges.
 bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
 {
     vec3 byA, byB;

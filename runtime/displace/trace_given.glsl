@@ -1,4 +1,5 @@
-// What programs of rays are given, and what they tell: the depth, and what finds the place again, a and b (trace_patch.glsl), the patch and the instance.
+// What programs of rays are given, and what they tell: the depth, and what finds the place again, a
+// and b (trace_patch.glsl), the patch and the instance.
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };
@@ -10,9 +11,12 @@ flat in mat4 trace_clipFromLocal;
 flat in uint trace_place;
 layout(location = 0) out uvec4 trace_seen;
 
-// The point of the pixel's own ray that is nearest to trace_leaves. A GPU's rasteriser moves corners by up to 1/256 of a pixel, and what it interpolates with them:
-// a point goes with its place on the screen to where two planes through the middle of the pixel cross, those of x and of y.
-//     The middle is x = 0.5 and y = 0; clip space is the object's, w = 1: the point (0.501, 0.001, 7) becomes (0.5, 0, 7).
+// The point of the pixel's own ray that is nearest to trace_leaves. A GPU's rasteriser moves
+// corners by up to 1/256 of a pixel, and what it interpolates with them: a point goes with its
+// place on the screen to where two planes through the middle of the pixel cross, those of x and of
+// y.
+//     The middle is x = 0.5 and y = 0; clip space is the object's, w = 1: the point (0.501, 0.001,
+//     7) becomes (0.5, 0, 7).
 vec3 traceLeaves()
 {
     vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;

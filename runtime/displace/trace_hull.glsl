@@ -1,4 +1,5 @@
-// Around a patch that is traced: a prism of six points, whose sides are where its first node ends. Rays that meet the patch go through it. Or, of parallax, the base triangle.
+// Around a patch that is traced: a prism of six points, whose sides are where its first node ends.
+// Rays that meet the patch go through it. Or, of parallax, the base triangle.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];

@@ -1,4 +1,6 @@
-// The pyramid of what is traced: a node has the least and the greatest a, b, a - b and z of all triangles in it (trace_patch.glsl), and of how far the surface bulges from them. The finest level asks its four triangles, the others four nodes each.
+// The pyramid of what is traced: a node has the least and the greatest a, b, a - b and z of all
+// triangles in it (trace_patch.glsl), and of how far the surface bulges from them. The finest level
+// asks its four triangles, the others four nodes each.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) buffer TraceNodes {
     vec4 trace_nodes[];
@@ -13,7 +15,8 @@ void traceInclude(TraceSpace space, int row, inout vec4 low, inout vec4 high)
     high = max(high, slabs);
 }
 
-// How far the surface may be from the four triangles: half of what the middles of the three edges around them are off these. A parabola is a quarter.
+// How far the surface may be from the four triangles: half of what the middles of the three edges
+// around them are off these. A parabola is a quarter.
 vec4 traceBulge(int number, TraceSpace space, TracePart part)
 {
     ivec2 corners[3];

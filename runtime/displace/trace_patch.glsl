@@ -1,5 +1,7 @@
-// A patch that is traced: its triangles as grids have them (displaced_grid.c), and the space in which rays go through it.
-// In that space a point is (a, b, z): corner 0 + a (corner 1 - corner 0) + b (corner 2 - corner 1) + z n, with n the unit normal of the base triangle, 0 <= b <= a <= 1 within it.
+// A patch that is traced: its triangles as grids have them (displaced_grid.c), and the space in
+// which rays go through it. In that space a point is (a, b, z): corner 0 + a (corner 1 - corner 0)
+// + b (corner 2 - corner 1) + z n, with n the unit normal of the base triangle, 0 <= b <= a <= 1
+// within it.
 //     Row i of a grid of 4 parts, place j in it: the base is at a = i / 4, b = j / 4.
 layout(std430, binding = 4) readonly buffer TraceRows {
     float trace_rows[]; // of MeshCaptured
@@ -39,8 +41,10 @@ TraceSpace traceSpace(int number)
     return space;
 }
 
-// A triangle of a level: row i, place j in it, and whether it lies between two others of its row: then it has its tip at the top.
-//     Of the corners below, (i, j), (i + 1, j), (i + 1, j + 1) are those of a triangle, (i, j), (i + 1, j + 1), (i, j + 1) of one between.
+// A triangle of a level: row i, place j in it, and whether it lies between two others of its row:
+// then it has its tip at the top.
+//     Of the corners below, (i, j), (i + 1, j), (i + 1, j + 1) are those of a triangle, (i, j), (i
+//     + 1, j + 1), (i, j + 1) of one between.
 struct TracePart {
     int level;
     ivec2 at;

@@ -1,5 +1,6 @@
-// The end of the program of a surface that is traced (trace_text.h): attributes where the ray met it, as its triangle has them; what its vertex program makes of them, here and at both neighbours of the pixel on
-// the tangent plane, which is what changes are; then its own main.
+// The end of the program of a surface that is traced (trace_text.h): attributes where the ray met
+// it, as its triangle has them; what its vertex program makes of them, here and at both neighbours
+// of the pixel on the tangent plane, which is what changes are; then its own main.
 uniform usampler2D trace_met;
 uniform vec2 trace_pixel; // of a picture, in clip space
 uniform int trace_hull;   // triangles of a hull

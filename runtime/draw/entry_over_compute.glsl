@@ -1,5 +1,6 @@
 
-// The entry of a pass that lays something over all pixels. The target's size may be no multiple of the group's.
+// The entry of a pass that lays something over all pixels. The target's size may be no multiple of
+// the group's.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(ENTRY_FORMAT) uniform image2D entry_target;
 void main()

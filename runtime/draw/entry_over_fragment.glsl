@@ -1,5 +1,6 @@
 
-// The entry of a pass that lays something over all pixels, where there is no compute: color + through * what is there, by blending.
+// The entry of a pass that lays something over all pixels, where there is no compute: color +
+// through * what is there, by blending.
 layout(location = 0, index = 0) out vec4 entry_color;
 layout(location = 0, index = 1) out vec4 entry_through;
 void main()

@@ -19,10 +19,13 @@ bool field_make(GlContext *gl, const FieldVertex *vertices, int count, GLenum mo
     gl->GenBuffers(1, &made->buffer);
     gl->BindVertexArray(made->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, made->buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *vertices), vertices, GL_STATIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)((size_t)count * sizeof *vertices), vertices,
+                   GL_STATIC_DRAW);
     for (int i = 0; i <= FIELD_VARYINGS; i++) {
-        size_t offset = i ? offsetof(FieldVertex, input) + (size_t)(i - 1) * sizeof vertices->input[0] : 0;
-        gl->VertexAttribPointer((GLuint)i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof *vertices, (void *)offset);
+        size_t offset =
+            i ? offsetof(FieldVertex, input) + (size_t)(i - 1) * sizeof vertices->input[0] : 0;
+        gl->VertexAttribPointer((GLuint)i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof *vertices,
+                                (void *)offset);
         gl->EnableVertexAttribArray((GLuint)i);
     }
     gl->BindVertexArray(0);
@@ -74,10 +77,12 @@ void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]
 }
 
 /* Appends like snprintf. */
-#define PUT(...) (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
+#define PUT(...)                                                                                   \
+    (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
 
 /* Attributes that the document names have their defaults: what is drawn has no mesh. */
-static void write_vertex(Target target, const MatcProgram *program, const char *fragment, char text[TEXT_ROOM])
+static void write_vertex(Target target, const MatcProgram *program, const char *fragment,
+                         char text[TEXT_ROOM])
 {
     const bool old = !target_table[target].in_out, located = target_table[target].locations;
     const char *in = old ? "attribute" : "in", *out = old ? "varying" : "out";
@@ -96,7 +101,8 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
     for (int i = 0; i < named; i++) {
         const MatcAttribute *attribute = matc_attribute(program, i);
         if (located)
-            PUT("layout(location = %d) ", location(INPUT_COUNT) + 2 + attribute->location - MESH_ATTRIBUTE_end);
+            PUT("layout(location = %d) ",
+                location(INPUT_COUNT) + 2 + attribute->location - MESH_ATTRIBUTE_end);
         PUT("%s %s %s;\n", out, types[attribute->lanes], attribute->varying);
     }
     PUT("void main() {\n");
@@ -116,7 +122,8 @@ static void write_vertex(Target target, const MatcProgram *program, const char *
 bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made)
 {
     char vertex[TEXT_ROOM];
-    const char *fragment = text->fragment ? text->fragment : matc_output(program, MATC_FRAGMENT, NULL);
+    const char *fragment =
+        text->fragment ? text->fragment : matc_output(program, MATC_FRAGMENT, NULL);
     write_vertex(text->target, program, fragment, vertex);
     return material_make(store, program,
                          &(ProgramText){.vertex = {vertex},

@@ -1,5 +1,6 @@
-/* Vertices that carry all that a fragment program may ask for, so that any can be drawn with them: points, a fragment each, whose
- * inputs are the very floats that were given; or triangles, over which they change evenly. */
+/* Vertices that carry all that a fragment program may ask for, so that any can be drawn with them:
+ * points, a fragment each, whose inputs are the very floats that were given; or triangles, over
+ * which they change evenly. */
 #ifndef MATC_DRAW_FIELD_H
 #define MATC_DRAW_FIELD_H
 #include "grammar/tables.h"
@@ -34,7 +35,7 @@ enum { FIELD_DEFAULT_ROOM = 128 };
 /* The default of an attribute that a document names, in GLSL: vec2(0.5, 1). */
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]);
 
-/* A material whose vertex program hands over what the vertices carry; its uniform vec2 field_jitter moves the picture, in clip
- * space. The rest is as material_make has it. */
+/* A material whose vertex program hands over what the vertices carry; its uniform vec2 field_jitter
+ * moves the picture, in clip space. The rest is as material_make has it. */
 bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made);
 #endif

@@ -50,7 +50,10 @@ bool material_set_number(Material *m, const char *name, float number)
     return material_set(m, &(MaterialValue){name, 1, &number});
 }
 
-bool material_has(const Material *m, const char *name) { return uniforms_find(uniforms_of(m), name) >= 0; }
+bool material_has(const Material *m, const char *name)
+{
+    return uniforms_find(uniforms_of(m), name) >= 0;
+}
 
 static int most_textures(const Material *m)
 {
@@ -164,7 +167,8 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
     if (program && !material_feed_make(m, program, names, &whole))
         return false;
     if (program && matc_texture_count(program) > most_textures(m))
-        return gl_fail(context(m), "it has %d textures, and the driver room for %d", matc_texture_count(program),
+        return gl_fail(context(m), "it has %d textures, and the driver room for %d",
+                       matc_texture_count(program),
                        most_textures(m)); /* a driver would say so in words of its own */
     m->program = store_program(m->store, &whole);
     if (!m->program || !make_room(m))
@@ -175,7 +179,8 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
     if (!program)
         return true;
     set_uniforms(m, program);
-    return material_set_numbers(m, program) && set_textures(m, program) && gl_check(context(m), "making a material");
+    return material_set_numbers(m, program) && set_textures(m, program) &&
+           gl_check(context(m), "making a material");
 }
 
 bool material_make(Store *store, MatcProgram *program, const ProgramText *text, Material *made)
@@ -208,7 +213,8 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     const bool made = block->buffer != 0;
     if (!made)
         gl->GenBuffers(1, &block->buffer);
-    gl->BindBufferBase(GL_UNIFORM_BUFFER, (GLuint)index, block->buffer); /* and to what the calls below write */
+    /* and to what the calls below write */
+    gl->BindBufferBase(GL_UNIFORM_BUFFER, (GLuint)index, block->buffer);
     if (!made)
         gl->BufferData(GL_UNIFORM_BUFFER, size, block->bytes, GL_DYNAMIC_DRAW);
     else if (block->changed)
@@ -216,8 +222,10 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     block->changed = false;
 }
 
-/* Others who share the program may have handed it theirs; what it holds already is not handed over again. */
-static void use_uniform(const GlContext *gl, const GlUniform *uniform, const float *values, StoreHeld *held)
+/* Others who share the program may have handed it theirs; what it holds already is not handed over
+ * again. */
+static void use_uniform(const GlContext *gl, const GlUniform *uniform, const float *values,
+                        StoreHeld *held)
 {
     const size_t size = (size_t)uniform->lanes * sizeof *values;
     if (held->known && !memcmp(held->values, values, size))

@@ -6,7 +6,8 @@
 
 _Static_assert((int)MESH_ATTRIBUTE_end <= (int)MATERIAL_FEED_NAMES, "names of all attributes");
 
-bool material_feed_make(Material *m, const MatcProgram *program, const char **names, ProgramText *text)
+bool material_feed_make(Material *m, const MatcProgram *program, const char **names,
+                        ProgramText *text)
 {
     int count = MESH_ATTRIBUTE_end;
     memcpy(names, mesh_attribute_names, sizeof mesh_attribute_names);
@@ -17,7 +18,8 @@ bool material_feed_make(Material *m, const MatcProgram *program, const char **na
         const MatcAttribute *attribute = matc_attribute(program, i);
         MeshFeed *feed = &m->feeds[m->feed_count];
         *feed = (MeshFeed){.location = (GLuint)attribute->location};
-        snprintf(feed->name, sizeof feed->name, "%s", attribute->name); /* a document's are shorter */
+        /* a document's are shorter */
+        snprintf(feed->name, sizeof feed->name, "%s", attribute->name);
         for (int lane = 0; lane < 4; lane++)
             feed->initial[lane] = (float)attribute->initial[lane];
         if (attribute->location >= MATERIAL_FEED_NAMES)

@@ -3,7 +3,8 @@
 #include "gen/render_text.h"
 #include <math.h>
 
-static bool make_step(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made)
+static bool make_step(Store *store, const int size[2], bool compute, const char *const *texts,
+                      Measure *made)
 {
     const int step = made->count;
     const FramebufferSpec spec = {.width = 3 * ((size[0] + MEASURE_BLOCK - 1) / MEASURE_BLOCK),
@@ -28,7 +29,8 @@ static bool make_step(Store *store, const int size[2], bool compute, const char 
     return true;
 }
 
-bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made)
+bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts,
+                  Measure *made)
 {
     int left[2] = {size[0], size[1]};
     *made = (Measure){0};
@@ -76,7 +78,10 @@ void measure_merge(float texels[MEASURE_TEXELS][4], const float other[MEASURE_TE
     }
 }
 
-GLuint measure_result(const Measure *measure) { return measure->targets[measure->count - 1].colors[0]; }
+GLuint measure_result(const Measure *measure)
+{
+    return measure->targets[measure->count - 1].colors[0];
+}
 
 void measure_delete(GlContext *gl, Measure *measure)
 {

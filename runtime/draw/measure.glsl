@@ -1,5 +1,5 @@
-// A step of a reduction: blocks of texels become one each. Of a picture, a pixel becomes the three texels of tone.glsl side by side, and
-// of these again three.
+// A step of a reduction: blocks of texels become one each. Of a picture, a pixel becomes the three
+// texels of tone.glsl side by side, and of these again three.
 layout(std140) uniform Measure {
     int measure_width, measure_height; // pixels, or groups of three texels
     int measure_first;                 // they are pixels

@@ -1,9 +1,14 @@
-/* What tone mapping asks of a whole picture: greatest lanes, sums, logarithms; reduced by the driver, sixteenth by sixteenth. */
+/* What tone mapping asks of a whole picture: greatest lanes, sums, logarithms; reduced by the
+ * driver, sixteenth by sixteenth. */
 #ifndef MATC_RENDER_MEASURE_H
 #define MATC_RENDER_MEASURE_H
 #include "runtime/draw/screen_pass.h"
 
-enum { MEASURE_BLOCK = 16, MEASURE_STEPS = 4 /* to one from a side of 16384 */, MEASURE_TEXELS = 3 };
+enum {
+    MEASURE_BLOCK = 16,
+    MEASURE_STEPS = 4 /* to one from a side of 16384 */,
+    MEASURE_TEXELS = 3
+};
 
 #define MEASURE_GREATEST 1e18f /* as tone.glsl has it */
 
@@ -14,7 +19,8 @@ typedef struct {
 } Measure;
 
 /* `texts` come before measure.glsl: tone.glsl and what it is told; NULL ends the list. */
-bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts, Measure *made);
+bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts,
+                  Measure *made);
 /* Of a texture of that size. What else the first step reads is bound by the caller. */
 void measure_run(Measure *measure, GLuint picture, const Screen *screen);
 /* Of a picture, pixels from the first of `part` up to the other one count alone; they lie in it. */

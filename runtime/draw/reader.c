@@ -1,4 +1,5 @@
-/* One program for all slots: it draws the one whose number it is told. For a layout of two slots, in GLSL 3.30:
+/* One program for all slots: it draws the one whose number it is told. For a layout of two slots,
+ * in GLSL 3.30:
  *
  *     uniform int reader_slot;
  *     layout(location = 0) out vec4 value;
@@ -19,7 +20,9 @@ static void write_head(const ReaderSource *source, char text[HEAD_ROOM])
 {
     const TargetRow *row = &target_table[source->target];
     snprintf(text, HEAD_ROOM, "#version %s\n%s", row->version,
-             row->precision ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n" : "");
+             row->precision
+                 ? "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n"
+                 : "");
 }
 
 static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
@@ -27,22 +30,26 @@ static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
     static const char *const fill[] = {"", ", 0.0, 0.0, 0.0", ", 0.0, 0.0", ", 0.0", ""};
     const char *value = is_old(source) ? "gl_FragColor" : "value";
     size_t size = 0;
-#define PUT(...) (size += (size_t)snprintf(text + size, size < MAIN_ROOM ? MAIN_ROOM - size : 0, __VA_ARGS__))
+#define PUT(...)                                                                                   \
+    (size += (size_t)snprintf(text + size, size < MAIN_ROOM ? MAIN_ROOM - size : 0, __VA_ARGS__))
     PUT("\nuniform int reader_slot;\n%svoid main() {\n",
         is_old(source) ? "" : "layout(location = 0) out vec4 value;\n");
     if (is_old(source))
-        PUT("    Surface s = unpackSurface(gl_FragCoord.xy / vec2(%d.0, %d.0));\n", source->width, source->height);
+        PUT("    Surface s = unpackSurface(gl_FragCoord.xy / vec2(%d.0, %d.0));\n", source->width,
+            source->height);
     else
         PUT("    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n");
     PUT("    %s = vec4(0.0);\n", value);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(source->layout, (Slot)slot)) { /* of cases that nothing takes, it is absent */
+        /* of cases that nothing takes, it is absent */
+        if (layout_has_slot(source->layout, (Slot)slot)) {
             const int lanes = type_table[slot_table[slot].type].lanes;
             const int none = (int)slot_table[slot].absent; /* all are whole */
-            PUT("#ifdef SURFACE_HAS_%s\n    if (reader_slot == %d) %s = vec4(s.%s%s);\n#else\n", slot_table[slot].name, slot,
-                value, slot_table[slot].name, fill[lanes]);
-            PUT("    if (reader_slot == %d) %s = vec4(%d.0, vec3(%d.0) * vec3(%d, %d, %d));\n#endif\n", slot, value, none,
-                none, lanes > 1, lanes > 2, lanes > 3);
+            PUT("#ifdef SURFACE_HAS_%s\n    if (reader_slot == %d) %s = vec4(s.%s%s);\n#else\n",
+                slot_table[slot].name, slot, value, slot_table[slot].name, fill[lanes]);
+            PUT("    if (reader_slot == %d) %s = vec4(%d.0, vec3(%d.0) * vec3(%d, %d, "
+                "%d));\n#endif\n",
+                slot, value, none, none, lanes > 1, lanes > 2, lanes > 3);
         }
     PUT("}\n");
 #undef PUT
@@ -58,7 +65,8 @@ static bool make(Store *store, const ReaderSource *source, Reader *r)
     const FramebufferSpec spec = {source->width, source->height, 1, GL_RGBA32F, false};
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         r->holds[slot] = layout_has_slot(source->layout, (Slot)slot);
-    return material_make(store, NULL, &text, &r->program) && screen_make(store_context(store), &r->screen) &&
+    return material_make(store, NULL, &text, &r->program) &&
+           screen_make(store_context(store), &r->screen) &&
            framebuffer_make(store_context(store), &spec, &r->values);
 }
 

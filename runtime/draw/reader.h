@@ -23,6 +23,7 @@ bool reader_make(Store *store, const ReaderSource *source, Reader *made);
 /* Safe on an empty one, which it leaves behind. */
 void reader_delete(Reader *reader);
 
-/* Four floats a pixel, row 0 is the bottom row; lanes that the slot lacks are 0, and so is a slot that the layout lacks. */
+/* Four floats a pixel, row 0 is the bottom row; lanes that the slot lacks are 0, and so is a slot
+ * that the layout lacks. */
 bool reader_read(Reader *reader, const Framebuffer *gbuffer, Slot slot, float *rgba);
 #endif

@@ -95,7 +95,9 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
     if (pass->over) {
         gl->Disable(GL_BLEND);
         gl->BlendFunc(GL_ONE,
-                      GL_ZERO); /* Mesa holds a second source against several targets also while nothing blends */
+                      /* Mesa holds a second source against several targets also while nothing
+                       * blends */
+                      GL_ZERO);
     }
 }
 
@@ -118,8 +120,8 @@ void screen_pass_run(ScreenPass *pass, const Framebuffer *target, const Screen *
         return;
     }
     material_use(&pass->material);
-    gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0, pass->over ? GL_READ_WRITE : GL_WRITE_ONLY,
-                         pass->format);
+    gl->BindImageTexture(0, target->colors[0], 0, GL_FALSE, 0,
+                         pass->over ? GL_READ_WRITE : GL_WRITE_ONLY, pass->format);
     gl->DispatchCompute(((GLuint)target->spec.width + block - 1) / block,
                         ((GLuint)target->spec.height + block - 1) / block, (GLuint)pass->layers);
     settle(gl);

@@ -1,5 +1,5 @@
-/* A pass over all pixels of a target: one body of GLSL, passPixel() or passOver(), with two entries: compute, where there is GL 4.3, or a
- * fragment program. */
+/* A pass over all pixels of a target: one body of GLSL, passPixel() or passOver(), with two
+ * entries: compute, where there is GL 4.3, or a fragment program. */
 #ifndef MATC_DRAW_SCREEN_PASS_H
 #define MATC_DRAW_SCREEN_PASS_H
 #include "runtime/draw/material.h"
@@ -7,13 +7,15 @@
 #include "runtime/gl/screen.h"
 
 enum { SCREEN_PASS_PIECES = 35 };
-_Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES, "a head before them, an entry behind");
+_Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES,
+               "a head before them, an entry behind");
 
 typedef struct {
     const char *body[SCREEN_PASS_PIECES]; /* GLSL, read one after the other; NULL ends the list */
     const char *format;                   /* of the target: "RGBA16F", ... */
     bool compute;                         /* wanted; there must be GL 4.3 then */
-    bool over;                            /* the body is passOver(): what it gives is laid over what is in the target */
+    /* the body is passOver(): what it gives is laid over what is in the target */
+    bool over;
     int block; /* 0, or the body has a compute entry of its own, for squares of so many pixels */
 } ScreenPassText;
 /* Behind the body that is there; of NULL and "" nothing is added. There must be room. */

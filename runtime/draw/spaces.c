@@ -6,8 +6,9 @@ static void set(Material *material, const char *name, int lanes, const float *va
     material_set(material, &(MaterialValue){name, lanes, values});
 }
 
-/* Clip space whose depth is that of the depth buffer, from 0 to 1. Where it begins at -1, its rows are added before the view is multiplied to
- * them: these sums are exact. After that, near would have been rounded together with the camera's distance from the origin. */
+/* Clip space whose depth is that of the depth buffer, from 0 to 1. Where it begins at -1, its rows
+ * are added before the view is multiplied to them: these sums are exact. After that, near would
+ * have been rounded together with the camera's distance from the origin. */
 static Mat4 find_depth_from_world(const Spaces *spaces)
 {
     Mat4 clip = spaces->clip_from_eye;
@@ -30,8 +31,9 @@ static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Materi
     set(material, "matc_clipW", 4, w);
 }
 
-/* What the vertex programs of planes and skies make rays of. By the depth from 0 to 1, whichever clip space has: a ray is then a point at depth 0,
- * which is infinitely far, and not a difference of points that lie as far from the origin as the camera. Parallel rays are no longer than to the
+/* What the vertex programs of planes and skies make rays of. By the depth from 0 to 1, whichever
+ * clip space has: a ray is then a point at depth 0, which is infinitely far, and not a difference
+ * of points that lie as far from the origin as the camera. Parallel rays are no longer than to the
  * plane. */
 static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_world)
 {
@@ -60,7 +62,8 @@ void spaces_set(const Spaces *spaces, Material *material)
     const Mat4 clip_from_world = mat4_multiply(&spaces->clip_from_eye, &spaces->eye_from_world);
     const Mat3 eye_from_world = mat3_from_mat4(&spaces->eye_from_world);
     const Mat3 normal = mat3_normal(&spaces->world_from_local);
-    const Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal); /* a rotation is its own inverse transpose */
+    /* a rotation is its own inverse transpose */
+    const Mat3 eye_normal = mat3_multiply(&eye_from_world, &normal);
     const Mat4 depth_from_world = find_depth_from_world(spaces);
     const Mat4 world_from_clip = find_world_from_clip(spaces, &depth_from_world);
     set(material, "matc_worldFromLocal", 16, spaces->world_from_local.m);

@@ -1,4 +1,5 @@
-/* Where a draw stands and is seen from: all that matc's vertex programs, and the passes plane and sky, are told by uniforms. */
+/* Where a draw stands and is seen from: all that matc's vertex programs, and the passes plane and
+ * sky, are told by uniforms. */
 #ifndef MATC_DRAW_SPACES_H
 #define MATC_DRAW_SPACES_H
 #include "runtime/draw/material.h"
@@ -12,9 +13,12 @@ typedef struct {
     float time;        /* seconds */
     float object;      /* the object's random number, in [0, 1) */
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
-    bool parallel;     /* rays are parallel: `rays` says from where to where they are drawn instead */
-    float rays[4][3];  /* an eye; from there to the plane at the picture's middle; its step to the right, and upwards */
-    bool zero_to_one;  /* depth in clip space is from 0 to 1: glClipControl; else from -1 */
+    /* rays are parallel: `rays` says from where to where they are drawn instead */
+    bool parallel;
+    /* an eye; from there to the plane at the picture's middle; its step to the right, and
+     * upwards */
+    float rays[4][3];
+    bool zero_to_one; /* depth in clip space is from 0 to 1: glClipControl; else from -1 */
 } Spaces;
 
 /* Sets those that the material's program has. */

@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { BUCKETS = 1024, LONGEST_LIST = 32 /* names of attributes, of outputs, or of what is captured */ };
+enum {
+    BUCKETS = 1024,
+    LONGEST_LIST = 32 /* names of attributes, of outputs, or of what is captured */
+};
 
 typedef struct {
     struct Entry *bucket[BUCKETS];
@@ -111,13 +114,16 @@ void store_free(Store *store)
     free(store);
 }
 
-static Key key_of_text(const char *text) { return text ? key_of_bytes(text, strlen(text)) : (Key){0, 0}; }
+static Key key_of_text(const char *text)
+{
+    return text ? key_of_bytes(text, strlen(text)) : (Key){0, 0};
+}
 
 /* The key of the keys of all parts, so that none runs into the next. */
 static Key key_of_program(const ProgramText *text)
 {
-    const char *const *const stages[] = {text->vertex, text->fragment, text->compute, text->control, text->evaluation,
-                                         text->geometry};
+    const char *const *const stages[] = {text->vertex,  text->fragment,   text->compute,
+                                         text->control, text->evaluation, text->geometry};
     enum { STAGES = sizeof stages / sizeof *stages, LISTS = STAGES * PROGRAM_PIECES };
     const struct {
         const char *const *names;
@@ -165,8 +171,9 @@ const StoreItem *store_program(Store *store, const ProgramText *text)
 static Key key_of_texture(const TextureSpec *spec)
 {
     const size_t lanes = (size_t)spec->width * (size_t)spec->height * (size_t)spec->lanes;
-    const int numbers[] = {spec->width,  spec->height, spec->lanes,   spec->bytes != NULL, spec->words != NULL,
-                           spec->linear, spec->wrap,   spec->mipmaps, spec->format,        spec->anisotropy};
+    const int numbers[] = {spec->width,         spec->height,    spec->lanes, spec->bytes != NULL,
+                           spec->words != NULL, spec->linear,    spec->wrap,  spec->mipmaps,
+                           spec->format,        spec->anisotropy};
     const Key parts[] = {key_of_bytes(numbers, sizeof numbers),
                          spec->bytes   ? key_of_bytes(spec->bytes, lanes)
                          : spec->words ? key_of_bytes(spec->words, lanes * sizeof *spec->words)

@@ -1,5 +1,5 @@
-/* What materials share on the driver's side: a program with one text, a picture with the same texels is there once for all its
- * users, and goes with the last of them. */
+/* What materials share on the driver's side: a program with one text, a picture with the same
+ * texels is there once for all its users, and goes with the last of them. */
 #ifndef MATC_DRAW_STORE_H
 #define MATC_DRAW_STORE_H
 #include "runtime/gl/program.h"
@@ -30,7 +30,8 @@ GlContext *store_context(const Store *store);
 
 /* Compiles and links, or gives what there is of these texts. NULL: see gl->error. */
 const StoreItem *store_program(Store *store, const ProgramText *text);
-/* Makes a texture, or gives the one there is of these texels and this filter. NULL: see gl->error. */
+/* Makes a texture, or gives the one there is of these texels and this filter. NULL: see
+ * gl->error. */
 const StoreItem *store_texture(Store *store, const TextureSpec *spec);
 /* One user less. NULL is nothing. */
 void store_drop(Store *store, const StoreItem *item);

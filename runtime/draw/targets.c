@@ -2,7 +2,8 @@
 #include "runtime/draw/targets.h"
 #include <stdio.h>
 
-bool targets_make(GlContext *gl, const MatcProgram *program, const FramebufferSpec *spec, Framebuffer *made)
+bool targets_make(GlContext *gl, const MatcProgram *program, const FramebufferSpec *spec,
+                  Framebuffer *made)
 {
     const char *names[FRAMEBUFFER_COLORS];
     FramebufferSpec whole = *spec;
@@ -12,7 +13,8 @@ bool targets_make(GlContext *gl, const MatcProgram *program, const FramebufferSp
     return framebuffer_make_named(gl, &whole, names, made);
 }
 
-bool targets_make_layout(GlContext *gl, const LayoutRow *layout, const FramebufferSpec *spec, Framebuffer *made)
+bool targets_make_layout(GlContext *gl, const LayoutRow *layout, const FramebufferSpec *spec,
+                         Framebuffer *made)
 {
     const char *names[FRAMEBUFFER_COLORS];
     FramebufferSpec whole = *spec;

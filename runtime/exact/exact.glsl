@@ -1,14 +1,18 @@
-// Exact shadows: which share of a light reaches a point, by the triangles that stand between. exact_lists.h has what the lists hold; corners and points are counted from
-// the middle of all triangles, along the world's axes.
+// Exact shadows: which share of a light reaches a point, by the triangles that stand between.
+// exact_lists.h has what the lists hold; corners and points are counted from the middle of all
+// triangles, along the world's axes.
 //
-// Two triangles that share an edge leave no gap. All corners are taken relative to the point and sheared so that the way to the light is the
-// axis z; which side of an edge the axis is on is the sign of x y' - y x' of its two ends. Of the other triangle, which has them in the other order,
+// Two triangles that share an edge leave no gap. All corners are taken relative to the point and
+// sheared so that the way to the light is the axis z; which side of an edge the axis is on is the
+// sign of x y' - y x' of its two ends. Of the other triangle, which has them in the other order,
 // that number is the same with the other sign, bit for bit. A ray that meets an edge meets both.
 //
-//     the way (0, 0, 1) from 0, corners (-1, -1), (1, -1), (0, 2): 2 x 1 + 1 x 0 = 2, 2 x -1 ... all three are positive: it is met
+//     the way (0, 0, 1) from 0, corners (-1, -1), (1, -1), (0, 2): 2 x 1 + 1 x 0 = 2, 2 x -1 ...
+//     all three are positive: it is met
 //
-// A point is on its own triangle, and on those beside it, but for rounding. So a triangle counts only if the point is off its plane by more than
-// EXACT_OFF times the greatest coordinate: 16 steps of a float's last place. What stands closer is not told from what touches.
+// A point is on its own triangle, and on those beside it, but for rounding. So a triangle counts
+// only if the point is off its plane by more than EXACT_OFF times the greatest coordinate: 16 steps
+// of a float's last place. What stands closer is not told from what touches.
 #include "exact_lists.layout.def"
 const float EXACT_OFF = 9.5367e-7; // 2^-20
 
@@ -53,7 +57,8 @@ vec3 exactSeen(ExactRay ray, vec3 corner)
     return vec3(across, ray.shear.z * v.z);
 }
 
-// Of the three edges, each opposite to its corner: on which side of it the ray is, as areas that sum to the triangle's.
+// Of the three edges, each opposite to its corner: on which side of it the ray is, as areas that
+// sum to the triangle's.
 vec3 exactAreas(vec3 a, vec3 b, vec3 c)
 {
     precise vec3 areas = vec3(b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x);
@@ -131,6 +136,7 @@ vec3 exactShare(int light, vec3 point)
 vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz; }
 
 #ifndef EXACT_SEEN
-// The point of something transparent is known from its depth. It is lifted to the light's side by what that may be off.
+// The point of something transparent is known from its depth. It is lifted to the light's side by
+// what that may be off.
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
 #endif

@@ -1,7 +1,9 @@
-// Lists of exact shadows: from the number of entries of each cell to where its list begins. Lists lie behind each other in an order of no meaning: a group of
-// 256 cells takes room for all of its own at once.
+// Lists of exact shadows: from the number of entries of each cell to where its list begins. Lists
+// lie behind each other in an order of no meaning: a group of 256 cells takes room for all of its
+// own at once.
 //
-//     cells with 2, 0, 3 entries, room from word 40 on: they begin at 40, 42, 42, and the next group at 45
+//     cells with 2, 0, 3 entries, room from word 40 on: they begin at 40, 42, 42, and the next
+//     group at 45
 layout(local_size_x = 256) in;
 
 #include "exact_lists.layout.def"

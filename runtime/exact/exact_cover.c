@@ -1,4 +1,5 @@
-/* Room is found by trying: for heads and cells at first, then for as many blocks and entries as were counted. */
+/* Room is found by trying: for heads and cells at first, then for as many blocks and entries as
+ * were counted. */
 #include "runtime/exact/exact_cover.h"
 #include "gen/exact_work_layout.h"
 #include "gen/render_text.h"
@@ -36,14 +37,18 @@ static void fail_room(const ExactCover *cover, size_t words)
 }
 
 /* A quarter more than is asked for, if there may be so much: what moves takes more and less. */
-static size_t generous(size_t asked, size_t most) { return asked + asked / 4 < most ? asked + asked / 4 : most; }
+static size_t generous(size_t asked, size_t most)
+{
+    return asked + asked / 4 < most ? asked + asked / 4 : most;
+}
 
 static void make_buffer(const GlContext *gl, size_t words, GLuint *buffer)
 {
     if (!*buffer)
         gl->GenBuffers(1, buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(words * sizeof(GLuint)), NULL, GL_DYNAMIC_COPY);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(words * sizeof(GLuint)), NULL,
+                   GL_DYNAMIC_COPY);
 }
 
 /* Room for so many words of lists. */
@@ -108,16 +113,18 @@ static void begin(Maker *m)
     const GlContext *gl = m->gl;
     const size_t heads = (size_t)m->heads.light_count * EXACT_LISTS_HEAD * sizeof(GLuint);
     const GLuint words[EXACT_WORK_HEAD] = {[EXACT_WORK_TRIANGLES] = (GLuint)m->triangles->count,
-                                      [EXACT_WORK_CELLS] = (GLuint)m->heads.cells,
-                                      [EXACT_WORK_MOST] = (GLuint)(m->cover->most - first_list(m)),
-                                      [EXACT_WORK_ROOM] = (GLuint)m->cover->blocks,
-                                      [EXACT_WORK_NEXT] = (GLuint)first_list(m)};
+                                           [EXACT_WORK_CELLS] = (GLuint)m->heads.cells,
+                                           [EXACT_WORK_MOST] =
+                                               (GLuint)(m->cover->most - first_list(m)),
+                                           [EXACT_WORK_ROOM] = (GLuint)m->cover->blocks,
+                                           [EXACT_WORK_NEXT] = (GLuint)first_list(m)};
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, m->cover->work);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof words, words);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, m->cover->lists);
     gl->BufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)heads, m->heads.heads);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)heads,
-                           (GLsizeiptr)(first_list(m) * sizeof(GLuint) - heads), GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
+                           (GLsizeiptr)(first_list(m) * sizeof(GLuint) - heads), GL_RED_INTEGER,
+                           GL_UNSIGNED_INT, NULL);
 }
 
 static bool read_counts(Maker *m)
@@ -132,7 +139,8 @@ static bool read_counts(Maker *m)
 /* Whether what was counted has room now. */
 static Outcome find_room(Maker *m)
 {
-    const size_t words = first_list(m) + m->counted[EXACT_WORK_ENTRIES], blocks = m->counted[EXACT_WORK_BLOCKS];
+    const size_t words = first_list(m) + m->counted[EXACT_WORK_ENTRIES],
+                 blocks = m->counted[EXACT_WORK_BLOCKS];
     if (words > m->cover->most || blocks > MANY_BLOCKS)
         return COARSER;
     if (words <= m->cover->room && blocks <= m->cover->blocks)
@@ -174,15 +182,16 @@ static Outcome try(Maker *m, const Scene *scene, int coarser)
     if (!exact_lists_make(scene, m->triangles, coarser, &m->heads))
         return gl_fail(context(m->cover), "out of memory"), FAILED;
     if (m->heads.light_count > EXACT_LISTS_LIGHTS_MOST)
-        return gl_fail(context(m->cover), "%d lights have exact shadows, and %d may", m->heads.light_count,
-                       EXACT_LISTS_LIGHTS_MOST),
+        return gl_fail(context(m->cover), "%d lights have exact shadows, and %d may",
+                       m->heads.light_count, EXACT_LISTS_LIGHTS_MOST),
                FAILED;
     while (outcome == AGAIN)
         outcome = count(m);
     return outcome;
 }
 
-bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangles *triangles, GLuint corners)
+bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangles *triangles,
+                      GLuint corners)
 {
     Maker m = {.cover = cover, .gl = context(cover), .triangles = triangles, .corners = corners};
     Outcome outcome = COARSER;
@@ -200,7 +209,8 @@ int exact_cover_longest(const ExactCover *cover)
     GLuint longest = 0;
     const GlContext *gl = context(cover);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, cover->work);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, EXACT_WORK_LONGEST * sizeof longest, sizeof longest, &longest);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, EXACT_WORK_LONGEST * sizeof longest,
+                         sizeof longest, &longest);
     return (int)longest;
 }
 
@@ -209,11 +219,14 @@ int exact_cover_longest(const ExactCover *cover)
 bool exact_cover_open(Store *store, size_t most, ExactCover *made)
 {
     const GlContext *gl = store_context(store);
-    const char *head = gl->major * 10 + gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
+    const char *head =
+        gl->major * 10 + gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
     *made = (ExactCover){.most = most};
     const bool done =
-        material_make(store, NULL, &(ProgramText){.compute = {head, render_text_exact_cover}}, &made->cover) &&
-        material_make(store, NULL, &(ProgramText){.compute = {head, render_text_exact_begins}}, &made->begins);
+        material_make(store, NULL, &(ProgramText){.compute = {head, render_text_exact_cover}},
+                      &made->cover) &&
+        material_make(store, NULL, &(ProgramText){.compute = {head, render_text_exact_begins}},
+                      &made->begins);
     if (!done)
         exact_cover_close(made);
     return done;

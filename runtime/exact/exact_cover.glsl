@@ -1,19 +1,24 @@
 // Lists of exact shadows: which cells of what a light sees a triangle covers, counted, then listed.
 //
-// Seen from the light, a triangle and a cell are cones with three and four sides. They are apart if, and only if, the plane of a side of one has all of the other
-// beyond it. So nothing is clipped, and it does not matter whether corners are behind the light. Of a row of cells each side of the triangle leaves
-// those from one on, or up to one.
+// Seen from the light, a triangle and a cell are cones with three and four sides. They are apart
+// if, and only if, the plane of a side of one has all of the other beyond it. So nothing is
+// clipped, and it does not matter whether corners are behind the light. Of a row of cells each side
+// of the triangle leaves those from one on, or up to one.
 //
-//     a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, whose side x + 2 y <= 3.5: of row 0, whose lowest y is 0, it leaves x <= 3.5, and the
-//     corners x <= 2.5: cells 0, 1, 2; of row 1 x <= 1.5: cells 0 and 1. Five entries
+//     a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, whose side x + 2 y <= 3.5: of row 0,
+//     whose lowest y is 0, it leaves x <= 3.5, and the corners x <= 2.5: cells 0, 1, 2; of row 1 x
+//     <= 1.5: cells 0 and 1. Five entries
 //
-// All is in double, from corners and heads in floats. A corner's place is then off by 1e-9 of a cell at most. A side is the product of two corners, whose
-// terms are below the product of what they have at most, for which 2^-44 is room: sums and products of doubles round by 2^-53. What counts is that
-// exact.glsl finds a point's cell in floats, off by 1e-4 of a cell: its place is a sum of three products, or a quotient of such, times half as many cells as a
-// view's edge has, 512 at most. So cells are taken 1/64 wider on all sides.
+// All is in double, from corners and heads in floats. A corner's place is then off by 1e-9 of a
+// cell at most. A side is the product of two corners, whose terms are below the product of what
+// they have at most, for which 2^-44 is room: sums and products of doubles round by 2^-53. What
+// counts is that exact.glsl finds a point's cell in floats, off by 1e-4 of a cell: its place is a
+// sum of three products, or a quotient of such, times half as many cells as a view's edge has, 512
+// at most. So cells are taken 1/64 wider on all sides.
 //
-// A thread for each triangle, then a group for each block of rows of those triangles that cover many cells: no thread walks over more
-// than 256 cells. Counting and listing are one program, so that both find the same.
+// A thread for each triangle, then a group for each block of rows of those triangles that cover
+// many cells: no thread walks over more than 256 cells. Counting and listing are one program, so
+// that both find the same.
 layout(local_size_x = 64) in;
 
 #include "exact_lists.layout.def"
@@ -64,8 +69,9 @@ View viewOf(uint light)
 
 // -- triangles, as the light sees them
 
-// Corners, x and y in cells times z; sides, each opposite to its corner, a corner being on it where the product is 0, and what that is off at most;
-// which of their signs is inside: 0 is not known, as the light is in the triangle's plane.
+// Corners, x and y in cells times z; sides, each opposite to its corner, a corner being on it where
+// the product is 0, and what that is off at most; which of their signs is inside: 0 is not known,
+// as the light is in the triangle's plane.
 struct Facet {
     dvec3 corners[3], sides[3];
     double off[3];
@@ -141,7 +147,8 @@ Facet facetOf(View view, dvec3 places[3], int face)
 
 // -- cells of a row
 
-// What a side leaves of a range of x, in a row from y = heights.x to heights.y; a turn of -1 has its inside on the other side.
+// What a side leaves of a range of x, in a row from y = heights.x to heights.y; a turn of -1 has
+// its inside on the other side.
 void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 range)
 {
     dvec3 inward = turn * side;
@@ -177,7 +184,8 @@ ivec2 cellsOf(Facet facet, int row, int size)
 
 // -- lists
 
-// Each cell has two words: where its list begins and ends. While entries are counted, the second is their number.
+// Each cell has two words: where its list begins and ends. While entries are counted, the second is
+// their number.
 void addCell(uint cell, uint triangle)
 {
     uint at = atomicAdd(exact_words[cell + 1u], 1u);

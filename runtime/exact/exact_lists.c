@@ -23,7 +23,8 @@ static void add_row(const double axis[3], double scale, double shift, float row[
 }
 
 /* What a box reaches along an axis, from the triangles' origin. */
-static void reach_along(const ExactTriangles *triangles, const ExactBox *box, const double axis[3], double range[2])
+static void reach_along(const ExactTriangles *triangles, const ExactBox *box, const double axis[3],
+                        double range[2])
 {
     double middle = 0, half = 0;
     for (int i = 0; i < 3; i++) {
@@ -42,7 +43,8 @@ static void fit_row(const ExactTriangles *triangles, const double axis[3], float
     for (int i = 0; i < triangles->object_count; i++)
         if (triangles->objects[i].count)
             reach_along(triangles, &triangles->objects[i].box, axis, range);
-    const double half = fmax((range[1] - range[0]) / 2 * room, fmax(triangles->reach * 1e-6, 1e-30));
+    const double half =
+        fmax((range[1] - range[0]) / 2 * room, fmax(triangles->reach * 1e-6, 1e-30));
     add_row(axis, 1 / half, triangles->count ? -(range[0] + range[1]) / 2 / half : 0, row);
 }
 
@@ -59,8 +61,10 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
     View view = {.placed = light->kind != SCENE_Directional, .faces = 1};
     double x[3], y[3];
     for (int i = 0; i < 3; i++)
-        view.from[i] = view.placed ? (float)(light->position[i] - triangles->origin[i]) : (float)-light->direction[i];
-    if (light->kind == SCENE_Point || (light->kind == SCENE_Spot && light->outer_cosine <= widest)) {
+        view.from[i] = view.placed ? (float)(light->position[i] - triangles->origin[i])
+                                   : (float)-light->direction[i];
+    if (light->kind == SCENE_Point ||
+        (light->kind == SCENE_Spot && light->outer_cosine <= widest)) {
         fit_cube(&view);
         return view;
     }
@@ -78,8 +82,8 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
     return view;
 }
 
-/* As many cells as triangles, or up to four times as many: a triangle is then about a cell wide. Of what a light with a place sees, most may be
- * far away and in few cells: four times as many. */
+/* As many cells as triangles, or up to four times as many: a triangle is then about a cell wide. Of
+ * what a light with a place sees, most may be far away and in few cells: four times as many. */
 static int size_for(const ExactTriangles *triangles, const View *view, int coarser)
 {
     const double wanted = (view->placed ? 4.0 : 1.0) * triangles->count;
@@ -100,7 +104,8 @@ static void put_head(const View *view, size_t cells, uint32_t *head)
     head[EXACT_LISTS_CELLS] = (uint32_t)cells;
 }
 
-bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser, ExactLists *made)
+bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser,
+                      ExactLists *made)
 {
     *made = (ExactLists){.cells = 0};
     for (int i = 0; i < scene->light_count; i++)

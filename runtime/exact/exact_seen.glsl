@@ -1,10 +1,11 @@
-// The point of the opaque surface that a pixel sees, as exactly as its triangle's corners are. Depth would not do: a rasteriser rounds corners to
-// 1/256 of a pixel.
+// The point of the opaque surface that a pixel sees, as exactly as its triangle's corners are.
+// Depth would not do: a rasteriser rounds corners to 1/256 of a pixel.
 uniform usampler2D exact_seen; // the number of the triangle that is seen, counted from 1; 0: none
 
 vec3 exact_point; // of the pixel that is lit
 
-// Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly it is seen.
+// Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly
+// it is seen.
 bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 {
     vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
@@ -16,8 +17,8 @@ bool exactOn(uint triangle, ExactRay ray, out vec3 point)
     return area > 0.0;
 }
 
-// `start` and `way` are the pixel's ray in the eye's space, z of the way -1; `seen` is the point by depth. Planes nearer than the triangle are
-// met as exactly; those before `near` are not seen.
+// `start` and `way` are the pixel's ray in the eye's space, z of the way -1; `seen` is the point by
+// depth. Planes nearer than the triangle are met as exactly; those before `near` are not seen.
 void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 {
     vec3 from = exact_eye.xyz + exactDirection(start), along = exactDirection(way), on;

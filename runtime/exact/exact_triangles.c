@@ -1,4 +1,5 @@
-/* Corners go to the world in double. Their middle is known after a first turn over all objects; a second writes what they are from there. */
+/* Corners go to the world in double. Their middle is known after a first turn over all objects; a
+ * second writes what they are from there. */
 #include "runtime/exact/exact_triangles.h"
 #include <limits.h>
 #include <math.h>
@@ -15,7 +16,8 @@ typedef struct {
 static bool shapes_open(const Scene *scene, const Cache *cache, Shapes *shapes)
 {
     const size_t count = (size_t)cache->mesh_count + 1;
-    *shapes = (Shapes){scene, cache, calloc(count, sizeof *shapes->shapes), calloc(count, sizeof *shapes->made)};
+    *shapes = (Shapes){scene, cache, calloc(count, sizeof *shapes->shapes),
+                       calloc(count, sizeof *shapes->made)};
     return shapes->shapes && shapes->made;
 }
 
@@ -47,7 +49,8 @@ static void to_world(const SceneMatrix *matrix, const float local[3], double wor
         world[i] = m[i] * local[0] + m[4 + i] * local[1] + m[8 + i] * local[2] + m[12 + i];
 }
 
-static const double grid = 1.0 / 32; /* of the reach, as a power of two: what the middle is rounded to */
+/* of the reach, as a power of two: what the middle is rounded to */
+static const double grid = 1.0 / 32;
 
 /* False: memory ran out. */
 static bool measure(Shapes *shapes, ExactObject *object)
@@ -67,7 +70,8 @@ static bool measure(Shapes *shapes, ExactObject *object)
     return shape;
 }
 
-/* Boxes of 0 to 2 and of 0 to 4: their middle is 2, their reach 2, steps of the grid 1/16. Where the second grows to 4.01, the middle stays 2. */
+/* Boxes of 0 to 2 and of 0 to 4: their middle is 2, their reach 2, steps of the grid 1/16. Where
+ * the second grows to 4.01, the middle stays 2. */
 static void set_origin(ExactTriangles *made)
 {
     ExactBox all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -84,7 +88,8 @@ static void set_origin(ExactTriangles *made)
     for (int k = 0; k < 3; k++) {
         made->origin[k] = made->count ? round((all.low[k] + all.high[k]) / 2 / step) * step : 0;
         if (made->count)
-            made->reach = fmax(made->reach, fmax(all.high[k] - made->origin[k], made->origin[k] - all.low[k]));
+            made->reach = fmax(made->reach,
+                               fmax(all.high[k] - made->origin[k], made->origin[k] - all.low[k]));
     }
 }
 
@@ -123,7 +128,8 @@ bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles
     return done;
 }
 
-bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2], ExactTriangles *triangles)
+bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
+                          ExactTriangles *triangles)
 {
     Shapes shapes;
     bool done = shapes_open(scene, cache, &shapes);
@@ -144,13 +150,15 @@ static float share_of(const Scene *scene, const CachePlace *place, int lane)
     return scene->shadow_colored ? fminf(fmaxf(t[lane], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
 }
 
-static void put_shares(const Scene *scene, const CachePlace *place, int count, ExactCorners *corners)
+static void put_shares(const Scene *scene, const CachePlace *place, int count,
+                       ExactCorners *corners)
 {
     for (int i = 0; i < 3 * count; i++)
         corners[i / 3][i % 3][3] = share_of(scene, place, i % 3);
 }
 
-static void put_corners(const Shape *shape, const SceneMatrix *matrix, const double origin[3], ExactCorners *corners)
+static void put_corners(const Shape *shape, const SceneMatrix *matrix, const double origin[3],
+                        ExactCorners *corners)
 {
     double world[3];
     for (int i = 0; i < shape->index_count; i++) {
@@ -160,8 +168,9 @@ static void put_corners(const Shape *shape, const SceneMatrix *matrix, const dou
     }
 }
 
-bool exact_triangles_corners(const Scene *scene, const Cache *cache, const ExactTriangles *triangles,
-                             const int range[2], ExactCorners *corners)
+bool exact_triangles_corners(const Scene *scene, const Cache *cache,
+                             const ExactTriangles *triangles, const int range[2],
+                             ExactCorners *corners)
 {
     Shapes shapes;
     bool done = shapes_open(scene, cache, &shapes);
@@ -171,7 +180,8 @@ bool exact_triangles_corners(const Scene *scene, const Cache *cache, const Exact
         ExactCorners *to = corners + object->first - triangles->objects[range[0]].first;
         done = shape != NULL;
         if (done) {
-            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin, to);
+            put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin,
+                        to);
             put_shares(scene, &cache->places[cache->place_of[object->object]], object->count, to);
         }
     }

@@ -1,4 +1,5 @@
-/* The triangles of all that is opaque, or transparent by the same everywhere, as shadows: exact take them: every object's one behind the other, in floats, once rounded. No GL. */
+/* The triangles of all that is opaque, or transparent by the same everywhere, as shadows: exact
+ * take them: every object's one behind the other, in floats, once rounded. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
 #include "runtime/cache/cache.h"
@@ -16,25 +17,32 @@ typedef struct {
 
 typedef struct {
     double origin
-        [3]; /* what corners are counted from, in the world: near the middle of them all, on a grid, so that it rarely moves */
+        /* what corners are counted from, in the world: near the middle of them all, on a grid, so
+         * that it rarely moves */
+        [3];
     double reach; /* the greatest coordinate from there, whatever its sign */
     int count;
     ExactObject *objects; /* in the order of cache->places: opaque ones first */
     int object_count, opaque_count;
 } ExactTriangles;
 
-/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lanes are what the triangle lets through: red, green, blue. */
+/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lanes are what
+ * the triangle lets through: red, green, blue. */
 typedef float ExactCorners[3][4];
 
 /* The place's object is one of them. */
 bool exact_triangles_have(const CachePlace *place);
-/* Measures all objects. False: memory ran out, or there are more triangles than an int counts; *made is empty then. */
+/* Measures all objects. False: memory ran out, or there are more triangles than an int counts;
+ * *made is empty then. */
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);
 /* Measures some of its objects again, which stand elsewhere. False: memory ran out. */
-bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2], ExactTriangles *triangles);
-/* Corners of its objects range[0] to range[1] - 1, from the first one's on. False: memory ran out. */
-bool exact_triangles_corners(const Scene *scene, const Cache *cache, const ExactTriangles *triangles,
-                             const int range[2], ExactCorners *corners);
+bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
+                          ExactTriangles *triangles);
+/* Corners of its objects range[0] to range[1] - 1, from the first one's on. False: memory ran
+ * out. */
+bool exact_triangles_corners(const Scene *scene, const Cache *cache,
+                             const ExactTriangles *triangles, const int range[2],
+                             ExactCorners *corners);
 /* Safe on an empty one. */
 void exact_triangles_free(ExactTriangles *triangles);
 #endif

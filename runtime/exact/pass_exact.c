@@ -1,5 +1,5 @@
-/* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the lists of exact_cover.h. exact.glsl says what becomes
- * of them. */
+/* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the
+ * lists of exact_cover.h. exact.glsl says what becomes of them. */
 #include "gen/render_text.h"
 #include "runtime/cache/exact_number.h"
 #include "runtime/frame/frame.h"
@@ -20,17 +20,19 @@ static bool write_corners(Render *render, const int range[2])
     const GlContext *gl = render->gl;
     ExactShadows *exact = render->exact;
     const ExactTriangles *triangles = &exact->triangles;
-    const ExactObject *first = &triangles->objects[range[0]], *last = &triangles->objects[range[1] - 1];
+    const ExactObject *first = &triangles->objects[range[0]],
+                      *last = &triangles->objects[range[1] - 1];
     const int count = last->first + last->count - first->first;
     ExactCorners *corners = malloc(corner_bytes(count) + 1);
-    if (!corners || !exact_triangles_corners(render->scene, &render->cache, triangles, range, corners))
+    if (!corners ||
+        !exact_triangles_corners(render->scene, &render->cache, triangles, range, corners))
         return free(corners), gl_fail(render->gl, "out of memory");
     gl->BindBuffer(GL_ARRAY_BUFFER, exact->corners);
     if (count == triangles->count)
         gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)corner_bytes(count), corners, GL_DYNAMIC_DRAW);
     else
-        gl->BufferSubData(GL_ARRAY_BUFFER, (GLintptr)corner_bytes(first->first), (GLsizeiptr)corner_bytes(count),
-                          corners);
+        gl->BufferSubData(GL_ARRAY_BUFFER, (GLintptr)corner_bytes(first->first),
+                          (GLsizeiptr)corner_bytes(count), corners);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(corners);
     return gl_check(render->gl, "making room for exact shadows");
@@ -60,7 +62,8 @@ static bool write_firsts(Render *render)
     for (int i = 0; i < triangles->opaque_count; i++) {
         firsts[i] = (GLuint)triangles->objects[i].first + 1;
         if (!render->cache.instances)
-            material_set_number(&render->cache.kinds[render->cache.places[i].kind].material, "exact_place", (float)i);
+            material_set_number(&render->cache.kinds[render->cache.places[i].kind].material,
+                                "exact_place", (float)i);
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, render->exact->firsts);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, firsts, GL_DYNAMIC_DRAW);
@@ -95,7 +98,8 @@ static bool has_target(const Render *render)
 static bool open_cover(Render *render)
 {
     const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
-    return render->exact->cover.cover.store || exact_cover_open(render->store, most, &render->exact->cover);
+    return render->exact->cover.cover.store ||
+           exact_cover_open(render->store, most, &render->exact->cover);
 }
 
 bool pass_exact_make(Render *render)
@@ -105,9 +109,12 @@ bool pass_exact_make(Render *render)
     if (!exact_lights_cast(render))
         return true;
     if (!transparency_has_lists(gl))
-        return gl_fail(gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", gl->major, gl->minor);
+        return gl_fail(gl, "shadows: exact takes OpenGL 4.3, and the driver has %d.%d", gl->major,
+                       gl->minor);
     if (!has_target(render))
-        return gl_fail(gl, "shadows: exact takes one more target than the layout has, and the driver has no more");
+        return gl_fail(
+            gl,
+            "shadows: exact takes one more target than the layout has, and the driver has no more");
     gl->GenBuffers(1, &exact->corners);
     gl->GenBuffers(1, &exact->firsts);
     return write_triangles(render) && open_cover(render) && pass_exact_list(render) &&
@@ -122,29 +129,34 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     for (int i = 0; i < 4; i++) {
         float lanes[4] = {0, 0, 0, i == 3 ? (float)render->exact->triangles.reach : 0};
         for (int k = 0; k < 3; k++)
-            lanes[k] = (float)(i < 3 ? axes[i][k] : camera->position[k] - render->exact->triangles.origin[k]);
+            lanes[k] = (float)(i < 3 ? axes[i][k]
+                                     : camera->position[k] - render->exact->triangles.origin[k]);
         material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
     }
 }
 
 bool pass_exact_change(Render *render, unsigned what)
 {
-    const bool there = render->exact->corners, needed = exact_lights_cast(render), lights = what & RENDER_LIGHTS;
+    const bool there = render->exact->corners, needed = exact_lights_cast(render),
+               lights = what & RENDER_LIGHTS;
     render->exact->seen &= !(what & RENDER_CAMERA);
     if (!there && lights && needed && frame_has(render, FRAME_TARGET_light))
-        return gl_fail(render->gl, "shadows are exact where none were otherwise: this is another scene");
+        return gl_fail(render->gl,
+                       "shadows are exact where none were otherwise: this is another scene");
     if (there && !needed)
         return gl_fail(render->gl, "no shadows are exact where some were: this is another scene");
     return !there || !lights || pass_exact_list(render);
 }
 
-/* Of the triangles' objects, the first and the one behind the last that stand elsewhere. None: range[0] >= range[1]. */
+/* Of the triangles' objects, the first and the one behind the last that stand elsewhere. None:
+ * range[0] >= range[1]. */
 static void find_range(const ExactTriangles *triangles, const int objects[2], int range[2])
 {
     range[0] = triangles->object_count;
     range[1] = 0;
     for (int i = 0; i < triangles->object_count; i++)
-        if (triangles->objects[i].object >= objects[0] && triangles->objects[i].object < objects[1]) {
+        if (triangles->objects[i].object >= objects[0] &&
+            triangles->objects[i].object < objects[1]) {
             range[0] = i < range[0] ? i : range[0];
             range[1] = i + 1;
         }
@@ -193,7 +205,8 @@ bool pass_exact_move(Render *render, int first, int count)
 void pass_exact_begin(const Render *render)
 {
     if (render->exact->corners)
-        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXACT_NUMBER_FIRSTS, render->exact->firsts);
+        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXACT_NUMBER_FIRSTS,
+                                   render->exact->firsts);
 }
 
 void pass_exact_delete(Render *render)

@@ -85,7 +85,8 @@ struct Render {
     FramePositions *positions;
     FramePicture *picture;
     FrameGlass *glass;
-    bool uncounted;                        /* the scene has changed since passes counted: see FrameCount */
+    /* the scene has changed since passes counted: see FrameCount */
+    bool uncounted;
     ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */
     int retired_count;
     Reader reader; /* of a slot that is viewed */

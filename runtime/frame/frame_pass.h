@@ -21,11 +21,17 @@ typedef enum {
  *   tile    counts one tile, in which the earlier passes have been drawn
  *   again   whether all tiles have to be drawn once more
  *   end */
-typedef enum { FRAME_COUNT_wanted, FRAME_COUNT_begin, FRAME_COUNT_tile, FRAME_COUNT_again, FRAME_COUNT_end } FrameCount;
+typedef enum {
+    FRAME_COUNT_wanted,
+    FRAME_COUNT_begin,
+    FRAME_COUNT_tile,
+    FRAME_COUNT_again,
+    FRAME_COUNT_end
+} FrameCount;
 
-/* A function may be NULL if there is nothing to do. Every function but make, count and draw is called
- * whether the pass runs or not, in the order of the passes. make, recount, changed and moved return
- * false on failure, with a reason in the context's error. */
+/* A function may be NULL if there is nothing to do. Every function but make, count and draw is
+ * called whether the pass runs or not, in the order of the passes. make, recount, changed and moved
+ * return false on failure, with a reason in the context's error. */
 typedef struct {
     FramePlanPass plan;
     const char *when; /* text for --stats: when the pass runs */
@@ -45,7 +51,8 @@ typedef struct {
     void (*place)(Render *render);                       /* the tile has moved within the picture */
     bool (*changed)(Render *render, unsigned what);      /* a set of FrameChange */
     bool (*moved)(Render *render, int first, int count); /* these objects have moved */
-    bool (*fall_back)(Render *render);                   /* out of memory: a rebuild will take less */
-    void (*forget)(Render *render);                      /* frees all resources of the scene */
+    /* out of memory: a rebuild will take less */
+    bool (*fall_back)(Render *render);
+    void (*forget)(Render *render); /* frees all resources of the scene */
 } FramePass;
 #endif

@@ -2,7 +2,8 @@
 #include "runtime/frame/frame_plan.h"
 #include <string.h>
 
-/* From the last pass to the first: one that writes what is needed behind it runs, and needs what it reads. What it fills nobody needs before. */
+/* From the last pass to the first: one that writes what is needed behind it runs, and needs what it
+ * reads. What it fills nobody needs before. */
 static unsigned find_runs(const FramePlanRequest *r)
 {
     unsigned needed = r->wanted, runs = 0;
@@ -16,9 +17,13 @@ static unsigned find_runs(const FramePlanRequest *r)
     return runs;
 }
 
-static unsigned touched(const FramePlanPass *pass) { return pass->reads | pass->fills | pass->changes; }
+static unsigned touched(const FramePlanPass *pass)
+{
+    return pass->reads | pass->fills | pass->changes;
+}
 
-/* The first and last pass that runs and touches a target; what is wanted lives on behind the last. */
+/* The first and last pass that runs and touches a target; what is wanted lives on behind the
+ * last. */
 static bool find_life(const FramePlanRequest *r, unsigned runs, int target, int life[2])
 {
     life[0] = r->pass_count;
@@ -38,15 +43,18 @@ typedef struct {
     int target, last;
 } Holder;
 
-/* Free for a target that lives from the pass on: before it, or in it, as it takes what it reads there from the pixel that it fills. */
+/* Free for a target that lives from the pass on: before it, or in it, as it takes what it reads
+ * there from the pixel that it fills. */
 static bool is_free(const FramePlanPass *pass, int number, int target, const Holder *holder)
 {
     return holder->last < number ||
-           (holder->last == number && (pass->own & ~pass->changes) >> holder->target & pass->fills >> target & 1);
+           (holder->last == number &&
+            (pass->own & ~pass->changes) >> holder->target & pass->fills >> target & 1);
 }
 
 /* Each texture goes into the first piece of its class that is free by then. */
-static void place(const FramePlanRequest *r, FramePlan *plan, int target, const int life[2], Holder *holders)
+static void place(const FramePlanRequest *r, FramePlan *plan, int target, const int life[2],
+                  Holder *holders)
 {
     const FramePlanTarget *row = &r->targets[target];
     plan->there |= 1u << target;

@@ -1,8 +1,11 @@
-/* Which passes of a frame run, which targets there are, and which of their textures lie in the same memory. No GL.
+/* Which passes of a frame run, which targets there are, and which of their textures lie in the same
+ * memory. No GL.
  *
- * Worked example: passes a (fills x), b (reads x, fills y), c (reads y, fills z), d (reads x, fills v), all allowed, z wanted, each target of one
- * texture of one class. From the end: d writes nothing that is needed, c does, so b, so a. x lives from a to b, y from b to c, z from c on: x and z
- * share. If b reads of x but the pixel that it writes, y takes the memory of x, and c, if it does the same, gives that to z. */
+ * Worked example: passes a (fills x), b (reads x, fills y), c (reads y, fills z), d (reads x, fills
+ * v), all allowed, z wanted, each target of one texture of one class. From the end: d writes
+ * nothing that is needed, c does, so b, so a. x lives from a to b, y from b to c, z from c on: x
+ * and z share. If b reads of x but the pixel that it writes, y takes the memory of x, and c, if it
+ * does the same, gives that to z. */
 #ifndef MATC_FRAME_PLAN_H
 #define MATC_FRAME_PLAN_H
 #include <stdbool.h>
@@ -19,7 +22,9 @@ typedef struct {
     unsigned reads;
     unsigned fills;   /* every pixel is written, whatever was there */
     unsigned changes; /* some are, and the others stay */
-    unsigned own;     /* of what it reads, targets of which each pixel takes that which it writes, and nothing beside it */
+    /* of what it reads, targets of which each pixel takes that which it writes, and nothing beside
+     * it */
+    unsigned own;
 } FramePlanPass;
 
 typedef struct {
@@ -44,10 +49,11 @@ typedef struct {
 } FramePlanRows;
 
 typedef struct {
-    unsigned runs;                                    /* passes */
-    unsigned there;                                   /* targets */
-    int memory[FRAME_PLAN_MOST][FRAME_PLAN_TEXTURES]; /* of each target's textures: which piece; -1 where there is none */
-    int memory_class[FRAME_PLAN_PIECES];              /* of each piece */
+    unsigned runs;  /* passes */
+    unsigned there; /* targets */
+    /* of each target's textures: which piece; -1 where there is none */
+    int memory[FRAME_PLAN_MOST][FRAME_PLAN_TEXTURES];
+    int memory_class[FRAME_PLAN_PIECES]; /* of each piece */
     int memory_count;
 } FramePlan;
 

@@ -3,8 +3,9 @@
 #include <string.h>
 
 static const char *const names[FRAME_TARGET_COUNT] = {
-    "depth",   "gbuffer", "traced", "shadow", "voxels", "cubes", "mesh", "radiance", "seen",    "lists",    "far",   "light", "rays",
-    "history", "smooth",  "open",   "edge",   "mask",  "layer",    "layer.z", "layer.id", "tools", "shown"};
+    "depth", "gbuffer", "traced", "shadow",  "voxels",   "cubes",   "mesh",   "radiance",
+    "seen",  "lists",   "far",    "light",   "rays",     "history", "smooth", "open",
+    "edge",  "mask",    "layer",  "layer.z", "layer.id", "tools",   "shown"};
 
 const char *frame_target_name(FrameTarget target) { return names[target]; }
 
@@ -30,7 +31,8 @@ static int size_of(const char *format)
     return i;
 }
 
-/* Of one class are formats of as many bytes, where the driver has views of one as another; else those that are the same. Depth is by itself. */
+/* Of one class are formats of as many bytes, where the driver has views of one as another; else
+ * those that are the same. Depth is by itself. */
 static int class_of(const Render *render, const char *format)
 {
     const int size = size_of(format);
@@ -95,7 +97,8 @@ int frame_plan_bytes(const Render *render)
     int bytes = 0;
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         if (render->targets.plan.memory[i][0] >= 0) {
-            const int added = frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
+            const int added =
+                frame_bytes(render, (FrameTarget)i) - frame_shared_bytes(render, (FrameTarget)i);
             const int coarse = render->targets.forms[i].coarse, pixels = coarse * coarse;
             bytes += (added + pixels - 1) / pixels;
         }
@@ -111,25 +114,29 @@ GLuint frame_texture(const Render *render, FrameTarget target, int texture)
 static const struct {
     FrameTarget color;
     int depth;
-} draws[FRAME_DRAW_COUNT] = {[FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
-                             [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
-                             [FRAME_DRAW_traced] = {FRAME_TARGET_traced, FRAME_TARGET_depth},
-                             [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
-                             [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
-                             [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
-                             [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
-                             [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
-                             [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
-                             [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
-                             [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
-                             [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
-                             [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
+} draws[FRAME_DRAW_COUNT] = {
+    [FRAME_DRAW_surface] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+    [FRAME_DRAW_seen] = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth},
+    [FRAME_DRAW_traced] = {FRAME_TARGET_traced, FRAME_TARGET_depth},
+    [FRAME_DRAW_sky] = {FRAME_TARGET_light, FRAME_TARGET_depth},
+    [FRAME_DRAW_cubes] = {FRAME_TARGET_cubes, -1},
+    [FRAME_DRAW_positions] = {FRAME_TARGET_positions, FRAME_TARGET_layer_depth},
+    [FRAME_DRAW_light] = {FRAME_TARGET_light, -1},
+    [FRAME_DRAW_rays] = {FRAME_TARGET_rays, -1},
+    [FRAME_DRAW_smooth] = {FRAME_TARGET_smooth, -1},
+    [FRAME_DRAW_open] = {FRAME_TARGET_open, -1},
+    [FRAME_DRAW_edge] = {FRAME_TARGET_edge, -1},
+    [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
+    [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
 
 /* Behind those of a target. */
-static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec, FramebufferTextures *textures)
+static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec,
+                       FramebufferTextures *textures)
 {
     const char *format;
-    for (int i = 0; spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i)); i++) {
+    for (int i = 0;
+         spec->color_count < FRAMEBUFFER_COLORS && (format = frame_format(render, target, i));
+         i++) {
         textures->formats[spec->color_count] = format;
         textures->colors[spec->color_count++] = frame_texture(render, target, i);
     }
@@ -141,7 +148,8 @@ bool frame_make_draw(Render *render, FrameDraw draw)
     const int depth = draws[draw].depth;
     const bool deep = depth >= 0;
     const unsigned there = render->targets.plan.there;
-    FramebufferTextures textures = {.depth = deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
+    FramebufferTextures textures = {.depth =
+                                        deep ? frame_texture(render, (FrameTarget)depth, 0) : 0,
                                     .stencil = draw == FRAME_DRAW_mask};
     FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
     if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
@@ -164,31 +172,27 @@ static bool casts(const Render *render)
     return render->scene && !render->options.no_shadows && scene_casts(render->scene);
 }
 
-/* Light that goes on asks for what is beside the view; so do shadows but by plain maps: borders of bodies, and ways from within an Area, which pass beside what its points see. */
+/* Light that goes on asks for what is beside the view; so do shadows but by plain maps: borders of
+ * bodies, and ways from within an Area, which pass beside what its points see. */
 static bool is_alone(const Render *render)
 {
     const Scene *scene = render->scene;
     bool alone = scene && !scene_indirect_is(scene);
     for (int i = 0; alone && casts(render) && i < scene->light_count; i++)
-        alone = !scene_light_casts(&scene->lights[i]) ||
-                (scene->lights[i].shadows == WORD_Shadows_map && scene->lights[i].kind != SCENE_Area);
+        alone =
+            !scene_light_casts(&scene->lights[i]) ||
+            (scene->lights[i].shadows == WORD_Shadows_map && scene->lights[i].kind != SCENE_Area);
     return alone;
 }
 
 CacheSource frame_source(const Render *render)
 {
-    return (CacheSource){render->scene,
-                         &render->set,
-                         &render->space,
-                         render->options.unculled ? NULL : &render->volume,
-                         &render->volume,
-                         render->whole,
-                         render->at,
-                         &render->compile,
-                         render->triangles,
-                         is_alone(render),
-                         casts(render),
-                         render->transparency,
-                         render->number,
-                         render->look && render->look->scene == VOLUME_VIEW_lines};
+    return (CacheSource){
+        render->scene,     &render->set,
+        &render->space,    render->options.unculled ? NULL : &render->volume,
+        &render->volume,   render->whole,
+        render->at,        &render->compile,
+        render->triangles, is_alone(render),
+        casts(render),     render->transparency,
+        render->number,    render->look && render->look->scene == VOLUME_VIEW_lines};
 }

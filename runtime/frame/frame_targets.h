@@ -1,4 +1,5 @@
-/* The targets of a frame: their names, what is drawn to together, and the memory that they share. */
+/* The targets of a frame: their names, what is drawn to together, and the memory that they
+ * share. */
 #ifndef MATC_FRAME_FRAME_TARGETS_H
 #define MATC_FRAME_FRAME_TARGETS_H
 #include "runtime/frame/frame_plan.h"
@@ -59,23 +60,28 @@ typedef struct {
 /* What a target's textures are. */
 typedef struct {
     const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL behind the last */
-    int coarse;                                   /* pixels of the frame along an edge of one of its own */
+    /* pixels of the frame along an edge of one of its own */
+    int coarse;
 } FrameForm;
 
 typedef struct {
     FrameForm forms[FRAME_TARGET_COUNT];
     FramePlan plan;
     FrameMemory memory[FRAME_PLAN_PIECES];
-    GLuint textures[FRAME_TARGET_COUNT][FRAMEBUFFER_COLORS]; /* of targets: the memory's, or views of these */
+    /* of targets: the memory's, or views of these */
+    GLuint textures[FRAME_TARGET_COUNT][FRAMEBUFFER_COLORS];
     Framebuffer draws[FRAME_DRAW_COUNT];
 } FrameTargets;
 
 /* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target);          /* of a pixel */
-int frame_edge(const Render *render, FrameTarget target, int axis); /* of its textures: the picture has no samples */
-int frame_shared_bytes(const Render *render, FrameTarget target);   /* of these, in memory of targets before it */
-int frame_plan_bytes(const Render *render);                         /* of a pixel, in all of these */
+int frame_bytes(const Render *render, FrameTarget target); /* of a pixel */
+/* of its textures: the picture has no samples */
+int frame_edge(const Render *render, FrameTarget target, int axis);
+/* of these, in memory of targets before it */
+int frame_shared_bytes(const Render *render, FrameTarget target);
+/* of a pixel, in all of these */
+int frame_plan_bytes(const Render *render);
 /* How textures of a target can share memory. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target);
 const char *frame_target_name(FrameTarget target);

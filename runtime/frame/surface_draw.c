@@ -1,4 +1,5 @@
-/* How surfaces are drawn, for the passes that rasterise: the state of the context; the cache's objects, as the view has them; planes. */
+/* How surfaces are drawn, for the passes that rasterise: the state of the context; the cache's
+ * objects, as the view has them; planes. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 
@@ -21,7 +22,10 @@ void surface_draw_end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
-bool surface_draw_is_shown(const Render *render) { return !render->look || render->look->scene != VOLUME_VIEW_none; }
+bool surface_draw_is_shown(const Render *render)
+{
+    return !render->look || render->look->scene != VOLUME_VIEW_none;
+}
 
 void surface_draw_objects(Render *render, bool transparent)
 {

@@ -3,10 +3,12 @@
 #define MATC_FRAME_SURFACE_DRAW_H
 #include "runtime/frame/frame.h"
 
-/* What surfaces are drawn with: the framebuffer and the depth test; then the state of a context that begins. */
+/* What surfaces are drawn with: the framebuffer and the depth test; then the state of a context
+ * that begins. */
 void surface_draw_begin(const Render *render, const Framebuffer *framebuffer, GLenum test);
 void surface_draw_end(const Render *render);
-/* The view shows surfaces. Draws the cache's objects, as the view has them; the planes: those that are opaque, or the others. */
+/* The view shows surfaces. Draws the cache's objects, as the view has them; the planes: those that
+ * are opaque, or the others. */
 bool surface_draw_is_shown(const Render *render);
 void surface_draw_objects(Render *render, bool transparent);
 void surface_draw_planes(Render *render, bool transparent);

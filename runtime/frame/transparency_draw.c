@@ -9,7 +9,8 @@ enum { LISTS_MOST = 1 << 30 };
 
 static bool is_there(const Cache *cache)
 {
-    return cache->surface_count > cache->opaque_count || cache->plane_count > cache->opaque_plane_count;
+    return cache->surface_count > cache->opaque_count ||
+           cache->plane_count > cache->opaque_plane_count;
 }
 
 bool transparency_is(const Render *render, Transparency way)
@@ -40,12 +41,14 @@ bool transparency_units(Render *render, int units[2])
     for (int i = 0; i < 2; i++)
         units[i] = render->gl->max_texture_units - 2 + i;
     return most <= units[0] ||
-           gl_fail(render->gl, "a transparent material has %d textures, and the driver room for %d", most, units[0]);
+           gl_fail(render->gl, "a transparent material has %d textures, and the driver room for %d",
+                   most, units[0]);
 }
 
 bool transparency_has_lists(const GlContext *gl)
 {
-    return gl->major * 10 + gl->minor >= 43 && gl->BindBufferBase && gl->ClearBufferSubData && gl->MemoryBarrier;
+    return gl->major * 10 + gl->minor >= 43 && gl->BindBufferBase && gl->ClearBufferSubData &&
+           gl->MemoryBarrier;
 }
 
 bool transparency_check(GlContext *gl, const RenderOptions *options)
@@ -60,8 +63,9 @@ bool transparency_check(GlContext *gl, const RenderOptions *options)
 Transparency transparency_first(const Render *render)
 {
     const char *way = render->options.transparency;
-    return (way && !strcmp(way, "peeling")) || !transparency_has_lists(render->gl) ? TRANSPARENCY_peeling
-                                                                                   : TRANSPARENCY_lists;
+    return (way && !strcmp(way, "peeling")) || !transparency_has_lists(render->gl)
+               ? TRANSPARENCY_peeling
+               : TRANSPARENCY_lists;
 }
 
 size_t transparency_most_bytes(const Render *render)

@@ -14,6 +14,7 @@ size_t transparency_most_bytes(const Render *render);
 bool transparency_is(const Render *render, Transparency way);
 /* Sets a number of all programs of what is transparent. */
 void transparency_set(Render *render, const char *name, float number);
-/* The last units that the driver has, for textures of the passes, number 0 and 1. False: a material takes them. */
+/* The last units that the driver has, for textures of the passes, number 0 and 1. False: a material
+ * takes them. */
 bool transparency_units(Render *render, int units[2]);
 #endif

@@ -1,4 +1,5 @@
-/* What a way of opening a context has to offer. context.c has the list of them; nobody else looks here. */
+/* What a way of opening a context has to offer. context.c has the list of them; nobody else looks
+ * here. */
 #ifndef MATC_GL_BACKEND_H
 #define MATC_GL_BACKEND_H
 #include <stdbool.h>
@@ -7,9 +8,11 @@
 typedef void (*GlProc)(void);
 
 typedef struct {
-    void *(*open)(bool core, char *error, size_t room); /* its state, the context being current; NULL: see error */
-    bool (*use)(void *state);                           /* makes it current on this thread */
-    GlProc (*load)(void *state, const char *name);      /* the function "glName", NULL when the driver has none */
+    /* its state, the context being current; NULL: see error */
+    void *(*open)(bool core, char *error, size_t room);
+    bool (*use)(void *state); /* makes it current on this thread */
+    /* the function "glName", NULL when the driver has none */
+    GlProc (*load)(void *state, const char *name);
     void (*close)(void *state);
 } GlBackend;
 

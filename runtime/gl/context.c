@@ -16,9 +16,13 @@ static const GlBackend *const backends[GL_KIND_count] = {
     [GL_KIND_egl] = &gl_backend_egl,
 };
 
-static const char *const kind_names[GL_KIND_count] = {[GL_KIND_osmesa] = "osmesa", [GL_KIND_egl] = "egl"};
+static const char *const kind_names[GL_KIND_count] = {
+    [GL_KIND_osmesa] = "osmesa", [GL_KIND_egl] = "egl"};
 
-const char *gl_kind_name(GlKind kind) { return (unsigned)kind < GL_KIND_count ? kind_names[kind] : "?"; }
+const char *gl_kind_name(GlKind kind)
+{
+    return (unsigned)kind < GL_KIND_count ? kind_names[kind] : "?";
+}
 
 bool gl_kind_find(const char *name, GlKind *kind)
 {
@@ -49,9 +53,9 @@ static const GlBackend *backend_of(const GlContext *gl)
 static bool load(GlContext *gl)
 {
     const GlBackend *backend = backend_of(gl);
-#define F(NAME, Name)                                                                                                  \
-    gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name);                                                \
-    if (!gl->Name)                                                                                                     \
+#define F(NAME, Name)                                                                              \
+    gl->Name = (PFNGL##NAME##PROC)backend->load(gl->state, "gl" #Name);                            \
+    if (!gl->Name)                                                                                 \
         return gl_fail(gl, "the driver has no gl" #Name);
     GL_FUNCTIONS(F)
 #undef F
@@ -69,12 +73,12 @@ static const char *string(const GlContext *gl, GLenum name)
 
 static bool is_software(const char *renderer)
 {
-    return strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") || strstr(renderer, "swrast") ||
-           strstr(renderer, "Software Rasterizer");
+    return strstr(renderer, "llvmpipe") || strstr(renderer, "softpipe") ||
+           strstr(renderer, "swrast") || strstr(renderer, "Software Rasterizer");
 }
 
-/* A driver without it calls the question an error, which is dropped. Mesa's software samplers blur with it what they should
- * magnify. */
+/* A driver without it calls the question an error, which is dropped. Mesa's software samplers blur
+ * with it what they should magnify. */
 static int greatest_anisotropy(const GlContext *gl)
 {
     GLint most = 1;

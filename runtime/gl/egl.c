@@ -1,5 +1,6 @@
-/* Contexts of EGL without a window or a surface: a GPU where there is one, else whatever EGL has. The library is loaded at run
- * time. Displays are the process', not ours: they are never terminated, since others may have contexts on them. */
+/* Contexts of EGL without a window or a surface: a GPU where there is one, else whatever EGL has.
+ * The library is loaded at run time. Displays are the process', not ours: they are never
+ * terminated, since others may have contexts on them. */
 #include "runtime/gl/backend.h"
 #include "runtime/gl/message.h"
 #include <EGL/egl.h>
@@ -9,19 +10,19 @@
 #include <string.h>
 
 /* What EGL 1.4 exports: F(NAME, Name) stands for eglName. */
-#define EGL_FUNCTIONS(F)                                                                                               \
-    F(BINDAPI, BindAPI)                                                                                                \
-    F(CHOOSECONFIG, ChooseConfig)                                                                                      \
-    F(CREATECONTEXT, CreateContext)                                                                                    \
-    F(CREATEPBUFFERSURFACE, CreatePbufferSurface)                                                                      \
-    F(DESTROYCONTEXT, DestroyContext)                                                                                  \
-    F(DESTROYSURFACE, DestroySurface)                                                                                  \
-    F(GETCURRENTCONTEXT, GetCurrentContext)                                                                            \
-    F(GETDISPLAY, GetDisplay)                                                                                          \
-    F(GETERROR, GetError)                                                                                              \
-    F(GETPROCADDRESS, GetProcAddress)                                                                                  \
-    F(INITIALIZE, Initialize)                                                                                          \
-    F(MAKECURRENT, MakeCurrent)                                                                                        \
+#define EGL_FUNCTIONS(F)                                                                           \
+    F(BINDAPI, BindAPI)                                                                            \
+    F(CHOOSECONFIG, ChooseConfig)                                                                  \
+    F(CREATECONTEXT, CreateContext)                                                                \
+    F(CREATEPBUFFERSURFACE, CreatePbufferSurface)                                                  \
+    F(DESTROYCONTEXT, DestroyContext)                                                              \
+    F(DESTROYSURFACE, DestroySurface)                                                              \
+    F(GETCURRENTCONTEXT, GetCurrentContext)                                                        \
+    F(GETDISPLAY, GetDisplay)                                                                      \
+    F(GETERROR, GetError)                                                                          \
+    F(GETPROCADDRESS, GetProcAddress)                                                              \
+    F(INITIALIZE, Initialize)                                                                      \
+    F(MAKECURRENT, MakeCurrent)                                                                    \
     F(QUERYSTRING, QueryString)
 
 enum { DEVICES = 32, SURFACE_SIDE = 16 };
@@ -47,10 +48,11 @@ static bool load_library(Egl *e)
     if (!library) /* never closed, as OSMesa is not */
         return message_fail(e->error, e->room, "no libEGL.so.1 found (Debian: libegl1)");
     void *symbol;
-#define F(NAME, Name)                                                                                                  \
-    symbol = dlsym(library, "egl" #Name);                                                                              \
-    if (!symbol)                                                                                                       \
-        return message_fail(e->error, e->room, "libEGL has no egl" #Name ": it is older than EGL 1.4");                \
+#define F(NAME, Name)                                                                              \
+    symbol = dlsym(library, "egl" #Name);                                                          \
+    if (!symbol)                                                                                   \
+        return message_fail(e->error, e->room,                                                     \
+                            "libEGL has no egl" #Name ": it is older than EGL 1.4");               \
     memcpy(&e->Name, &symbol, sizeof symbol);
     EGL_FUNCTIONS(F)
 #undef F
@@ -74,9 +76,11 @@ static bool fail(const Egl *e, const char *what)
 
 static bool choose_config(const Egl *e, EGLConfig *config)
 {
-    static const EGLint kinds[] = {EGL_PBUFFER_BIT, 0}; /* some drivers have no config with surfaces */
+    /* some drivers have no config with surfaces */
+    static const EGLint kinds[] = {EGL_PBUFFER_BIT, 0};
     for (int i = 0; i < 2; i++) {
-        const EGLint wanted[] = {EGL_SURFACE_TYPE, kinds[i], EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        const EGLint wanted[] = {EGL_SURFACE_TYPE, kinds[i], EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT,
+                                 EGL_NONE};
         EGLint count = 0;
         if (e->ChooseConfig(e->display, wanted, config, 1, &count) && count > 0)
             return true;
@@ -95,7 +99,8 @@ static bool create_context(Egl *e, EGLConfig config)
             EGL_CONTEXT_MINOR_VERSION,
             versions[i][1],
             EGL_CONTEXT_OPENGL_PROFILE_MASK,
-            e->core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
+            e->core ? EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT
+                    : EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT,
             EGL_NONE,
         };
         e->context = e->CreateContext(e->display, config, EGL_NO_CONTEXT, attributes);
@@ -108,14 +113,16 @@ static bool create_context(Egl *e, EGLConfig config)
 static bool egl_use(void *state)
 {
     Egl *e = state;
-    return e->BindAPI(EGL_OPENGL_API) && e->MakeCurrent(e->display, e->surface, e->surface, e->context);
+    return e->BindAPI(EGL_OPENGL_API) &&
+           e->MakeCurrent(e->display, e->surface, e->surface, e->context);
 }
 
 /* Without a surface where that is allowed, else with a small one that nobody draws to. */
 static bool make_usable(Egl *e, EGLConfig config)
 {
     const EGLint size[] = {EGL_WIDTH, SURFACE_SIDE, EGL_HEIGHT, SURFACE_SIDE, EGL_NONE};
-    if (has_word(e->QueryString(e->display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context") && egl_use(e))
+    if (has_word(e->QueryString(e->display, EGL_EXTENSIONS), "EGL_KHR_surfaceless_context") &&
+        egl_use(e))
         return true;
     e->surface = e->CreatePbufferSurface(e->display, config, size);
     return e->surface != EGL_NO_SURFACE && egl_use(e);
@@ -146,7 +153,8 @@ static bool try_display(Egl *e, EGLDisplay display)
     if (!choose_config(e, &config))
         return fail(e, "has no configuration for desktop OpenGL");
     if (!create_context(e, config))
-        return fail(e, e->core ? "has no core context of OpenGL 3.3" : "has no context of OpenGL 2.1");
+        return fail(e,
+                    e->core ? "has no core context of OpenGL 3.3" : "has no context of OpenGL 2.1");
     if (make_usable(e, config))
         return true;
     fail(e, "does not make its context current");
@@ -154,20 +162,25 @@ static bool try_display(Egl *e, EGLDisplay display)
     return false;
 }
 
-static GlProc egl_load(void *state, const char *name) { return (GlProc)((Egl *)state)->GetProcAddress(name); }
+static GlProc egl_load(void *state, const char *name)
+{
+    return (GlProc)((Egl *)state)->GetProcAddress(name);
+}
 
 /* The devices, those of hardware first. */
 static bool try_devices(Egl *e)
 {
     PFNEGLQUERYDEVICESEXTPROC query = (PFNEGLQUERYDEVICESEXTPROC)egl_load(e, "eglQueryDevicesEXT");
-    PFNEGLQUERYDEVICESTRINGEXTPROC text = (PFNEGLQUERYDEVICESTRINGEXTPROC)egl_load(e, "eglQueryDeviceStringEXT");
+    PFNEGLQUERYDEVICESTRINGEXTPROC text =
+        (PFNEGLQUERYDEVICESTRINGEXTPROC)egl_load(e, "eglQueryDeviceStringEXT");
     EGLDeviceEXT devices[DEVICES];
     EGLint count = 0;
     if (!query || !text || !query(DEVICES, devices, &count))
         return false;
     for (int software = 0; software < 2; software++)
         for (int i = 0; i < count; i++)
-            if (has_word(text(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software") == software &&
+            if (has_word(text(devices[i], EGL_EXTENSIONS), "EGL_MESA_device_software") ==
+                    software &&
                 try_display(e, e->get_platform_display(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL)))
                 return true;
     return false;
@@ -178,11 +191,13 @@ static bool start(Egl *e)
     if (!load_library(e))
         return false;
     const char *client = e->QueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS); /* NULL before EGL 1.5 */
-    e->get_platform_display = (PFNEGLGETPLATFORMDISPLAYEXTPROC)egl_load(e, "eglGetPlatformDisplayEXT");
+    e->get_platform_display =
+        (PFNEGLGETPLATFORMDISPLAYEXTPROC)egl_load(e, "eglGetPlatformDisplayEXT");
     if (e->get_platform_display && has_word(client, "EGL_EXT_platform_device") && try_devices(e))
         return true;
     if (e->get_platform_display && has_word(client, "EGL_MESA_platform_surfaceless") &&
-        try_display(e, e->get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL)))
+        try_display(
+            e, e->get_platform_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL)))
         return true;
     return try_display(e, e->GetDisplay(EGL_DEFAULT_DISPLAY));
 }

@@ -8,11 +8,13 @@ static bool check_spec(GlContext *gl, const FramebufferSpec *spec)
     if (spec->width < 1 || spec->height < 1)
         return gl_fail(gl, "a framebuffer needs at least one pixel");
     if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
-        return gl_fail(gl, "a framebuffer of %d x %d is larger than the driver's %d", spec->width, spec->height,
-                       gl->max_texture_size);
-    int most = gl->max_draw_buffers < FRAMEBUFFER_COLORS ? gl->max_draw_buffers : FRAMEBUFFER_COLORS;
+        return gl_fail(gl, "a framebuffer of %d x %d is larger than the driver's %d", spec->width,
+                       spec->height, gl->max_texture_size);
+    int most =
+        gl->max_draw_buffers < FRAMEBUFFER_COLORS ? gl->max_draw_buffers : FRAMEBUFFER_COLORS;
     if (spec->color_count < 0 || spec->color_count > most)
-        return gl_fail(gl, "%d colour targets are asked for, the driver has 0 to %d", spec->color_count, most);
+        return gl_fail(gl, "%d colour targets are asked for, the driver has 0 to %d",
+                       spec->color_count, most);
     return true;
 }
 
@@ -101,13 +103,15 @@ static void attach(const GlContext *gl, Framebuffer *f)
     for (int i = 0; i < f->spec.color_count; i++) {
         if (!f->borrowed)
             f->colors[i] = make_texture(gl, &f->spec, f->formats[i]);
-        gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D, f->colors[i], 0);
+        gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, GL_TEXTURE_2D,
+                                 f->colors[i], 0);
     }
     if (!f->spec.depth)
         return;
     if (!f->borrowed)
         f->depth = make_texture(gl, &f->spec, GL_DEPTH_COMPONENT32F);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, f->stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER,
+                             f->stencil ? GL_DEPTH_STENCIL_ATTACHMENT : GL_DEPTH_ATTACHMENT,
                              GL_TEXTURE_2D, f->depth, 0);
 }
 
@@ -119,9 +123,11 @@ static void name_formats(const Framebuffer *f, char names[FORMAT_NAMES])
     for (int i = 0; i < f->spec.color_count; i++)
         for (int k = 0; k < FORMAT_COUNT; k++)
             if (known[k].format == f->formats[i])
-                size += (size_t)snprintf(names + size, FORMAT_NAMES - size, "%s%s", i ? " " : "", known[k].name);
+                size += (size_t)snprintf(names + size, FORMAT_NAMES - size, "%s%s", i ? " " : "",
+                                         known[k].name);
     if (f->spec.depth)
-        snprintf(names + size, FORMAT_NAMES - size, "%s", size ? ", and depth DEPTH32F" : "depth DEPTH32F");
+        snprintf(names + size, FORMAT_NAMES - size, "%s",
+                 size ? ", and depth DEPTH32F" : "depth DEPTH32F");
 }
 
 static bool check_complete(GlContext *gl, const Framebuffer *f)
@@ -144,12 +150,14 @@ static bool check_complete(GlContext *gl, const Framebuffer *f)
 }
 
 /* The spec is checked; a framebuffer that borrows has its textures. */
-static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats, Framebuffer *made)
+static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats,
+                    Framebuffer *made)
 {
     made->spec = *spec;
     memcpy(made->formats, formats, sizeof *formats * (size_t)spec->color_count);
     attach(gl, made);
-    framebuffer_use(gl, made); /* before the check: GL 3 counts missing draw buffers as incomplete */
+    /* before the check: GL 3 counts missing draw buffers as incomplete */
+    framebuffer_use(gl, made);
     if (gl_check(gl, "making a framebuffer") && check_complete(gl, made))
         return true;
     framebuffer_delete(gl, made);
@@ -165,7 +173,8 @@ bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *m
     return check_spec(gl, spec) && make_of(gl, spec, formats, made);
 }
 
-bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made)
+bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names,
+                            Framebuffer *made)
 {
     GLenum formats[FRAMEBUFFER_COLORS] = {0};
     memset(made, 0, sizeof *made);
@@ -179,8 +188,8 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
     return make_of(gl, spec, formats, made);
 }
 
-bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const FramebufferTextures *textures,
-                             Framebuffer *made)
+bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec,
+                             const FramebufferTextures *textures, Framebuffer *made)
 {
     GLenum formats[FRAMEBUFFER_COLORS] = {0};
     memset(made, 0, sizeof *made);
@@ -251,12 +260,13 @@ void framebuffer_clear(const GlContext *gl, const Framebuffer *framebuffer, cons
 
 static bool inside(const FramebufferSpec *spec, const FramebufferPart *part)
 {
-    return part->color >= 0 && part->color < spec->color_count && part->x >= 0 && part->width >= 0 &&
-           part->width <= spec->width - part->x && part->y >= 0 && part->height >= 0 &&
-           part->height <= spec->height - part->y;
+    return part->color >= 0 && part->color < spec->color_count && part->x >= 0 &&
+           part->width >= 0 && part->width <= spec->width - part->x && part->y >= 0 &&
+           part->height >= 0 && part->height <= spec->height - part->y;
 }
 
-bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer, const FramebufferPart *part, float *rgba)
+bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer,
+                           const FramebufferPart *part, float *rgba)
 {
     if (!inside(&framebuffer->spec, part))
         return gl_fail(gl, "reading outside of a framebuffer");
@@ -269,7 +279,8 @@ bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer, const 
 bool framebuffer_read(GlContext *gl, const Framebuffer *framebuffer, int color, float *rgba)
 {
     const FramebufferSpec *spec = &framebuffer->spec;
-    return framebuffer_read_part(gl, framebuffer, &(FramebufferPart){color, 0, 0, spec->width, spec->height}, rgba);
+    return framebuffer_read_part(gl, framebuffer,
+                                 &(FramebufferPart){color, 0, 0, spec->width, spec->height}, rgba);
 }
 
 bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int color, GLuint *rgba)

@@ -28,19 +28,26 @@ typedef struct {
     int x, y, width, height;
 } FramebufferPart;
 
-/* Makes the textures and checks completeness; the framebuffer is bound afterwards. On false *made is empty. */
+/* Makes the textures and checks completeness; the framebuffer is bound afterwards. On false *made
+ * is empty. */
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made);
 
-/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI"; color_format is not read. */
-bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names, Framebuffer *made);
-/* Targets by themselves, for framebuffers that share them: nearest filter. 0: see gl->error. Delete with gl->DeleteTextures. */
+/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI";
+ * color_format is not read. */
+bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names,
+                            Framebuffer *made);
+/* Targets by themselves, for framebuffers that share them: nearest filter. 0: see gl->error. Delete
+ * with gl->DeleteTextures. */
 typedef struct {
     int width, height;
     const char
-        *format; /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F", "DEPTH32F_STENCIL8": depth, which reads as plain red */
+        /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F", "DEPTH32F_STENCIL8": depth, which reads as plain
+         * red */
+        *format;
 } TargetSpec;
 GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
-/* The driver can show a target's memory as one of another format (OpenGL 4.3), of as many bits a pixel, none of them depth; that one. */
+/* The driver can show a target's memory as one of another format (OpenGL 4.3), of as many bits a
+ * pixel, none of them depth; that one. */
 bool framebuffer_has_views(const GlContext *gl);
 GLuint framebuffer_view(GlContext *gl, GLuint target, const char *format);
 /* Such textures, the first spec->color_count of them, and depth, or 0. */
@@ -50,8 +57,8 @@ typedef struct {
     const char *formats[FRAMEBUFFER_COLORS];
 } FramebufferTextures;
 /* Draws to textures that the caller keeps. */
-bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec, const FramebufferTextures *textures,
-                             Framebuffer *made);
+bool framebuffer_make_around(GlContext *gl, const FramebufferSpec *spec,
+                             const FramebufferTextures *textures, Framebuffer *made);
 /* The target holds whole numbers. */
 bool framebuffer_has_words(const Framebuffer *framebuffer, int color);
 
@@ -63,7 +70,8 @@ void framebuffer_use(const GlContext *gl, const Framebuffer *framebuffer);
 
 /* Four floats a texel, row 0 is the bottom row, nothing is clamped. */
 bool framebuffer_read(GlContext *gl, const Framebuffer *framebuffer, int color, float *rgba);
-bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer, const FramebufferPart *part, float *rgba);
+bool framebuffer_read_part(GlContext *gl, const Framebuffer *framebuffer,
+                           const FramebufferPart *part, float *rgba);
 
 /* Four whole numbers a texel; lanes that the format lacks are 0, 0, 1. */
 bool framebuffer_read_words(GlContext *gl, const Framebuffer *framebuffer, int color, GLuint *rgba);

@@ -47,7 +47,10 @@ static void cross(const double a[3], const double b[3], double result[3])
         result[i] = a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3];
 }
 
-static double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static void normalize(double a[3])
 {
@@ -129,7 +132,8 @@ Mat3 mat3_from_mat4(const Mat4 *a)
     return result;
 }
 
-/* The cofactors are the inverse transpose times the determinant, whose sign is taken out for mirrors. */
+/* The cofactors are the inverse transpose times the determinant, whose sign is taken out for
+ * mirrors. */
 Mat3 mat3_normal(const Mat4 *a)
 {
     double columns[3][3], cofactors[3][3];

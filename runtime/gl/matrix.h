@@ -13,10 +13,12 @@ typedef struct {
 Mat4 mat4_identity(void);
 Mat4 mat4_multiply(const Mat4 *a, const Mat4 *b); /* a b: b is applied first */
 
-/* `height`: the tangent of half the vertical angle; `aspect`: width over height; near and far are positive distances. */
+/* `height`: the tangent of half the vertical angle; `aspect`: width over height; near and far are
+ * positive distances. */
 Mat4 mat4_perspective(float height, float aspect, float near, float far);
 
-/* World to eye: the eye looks along -z, y is up as far as it can be. `up` must not be parallel to the direction. */
+/* World to eye: the eye looks along -z, y is up as far as it can be. `up` must not be parallel to
+ * the direction. */
 Mat4 mat4_look_at(const float eye[3], const float target[3], const float up[3]);
 
 /* False for a singular matrix, *inverse stays as it was. */
@@ -25,7 +27,8 @@ bool mat4_inverse(const Mat4 *a, Mat4 *inverse);
 Mat3 mat3_from_mat4(const Mat4 *a); /* the upper left part */
 Mat3 mat3_multiply(const Mat3 *a, const Mat3 *b);
 
-/* What normals are transformed by where positions are by `a`: the inverse transpose of its upper left part, up to a
- * positive factor, so that a singular one is no fault. Normals want normalising anyway. */
+/* What normals are transformed by where positions are by `a`: the inverse transpose of its upper
+ * left part, up to a positive factor, so that a singular one is no fault. Normals want normalising
+ * anyway. */
 Mat3 mat3_normal(const Mat4 *a);
 #endif

@@ -40,7 +40,8 @@ void mesh_point_attributes(const GlContext *gl)
             continue; /* an instance's number: mesh_attach */
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                (const void *)(uintptr_t)attributes[i].offset); /* an offset, by GL's habit */
+                                /* an offset, by GL's habit */
+                                (const void *)(uintptr_t)attributes[i].offset);
     }
 }
 
@@ -48,22 +49,26 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
 {
     gl->BindVertexArray(mesh->array);
     gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[0]);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->vertices,
+    gl->BufferData(GL_ARRAY_BUFFER,
+                   (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->vertices,
                    shape->vertices, GL_STATIC_DRAW);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, mesh->buffers[1]);
-    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)shape->index_count * (GLsizeiptr)sizeof *shape->indices,
+    gl->BufferData(GL_ELEMENT_ARRAY_BUFFER,
+                   (GLsizeiptr)shape->index_count * (GLsizeiptr)sizeof *shape->indices,
                    shape->indices, GL_STATIC_DRAW);
     mesh_point_attributes(gl);
     if (shape->base) {
         gl->BindBuffer(GL_ARRAY_BUFFER, mesh->buffers[2]);
-        gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->base, shape->base,
-                       GL_STATIC_DRAW);
+        gl->BufferData(GL_ARRAY_BUFFER,
+                       (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->base,
+                       shape->base, GL_STATIC_DRAW);
         gl->VertexAttribPointer(MESH_ATTRIBUTE_basePosition, 3, GL_FLOAT, GL_FALSE, 0, NULL);
     }
     for (int i = 0; i < SHAPE_EXTRAS; i++)
         if (shape->extra[i]) {
             gl->BindBuffer(GL_ARRAY_BUFFER, mesh->extras[i]);
-            gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
+            gl->BufferData(GL_ARRAY_BUFFER,
+                           (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
                            shape->extra[i], GL_STATIC_DRAW);
         }
     gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
@@ -83,7 +88,8 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     made->index_count = shape->index_count;
     made->body = shape_body(shape);
     if (shape->base && made->body == SHAPE_BODY_solid)
-        made->body = SHAPE_BODY_closed; /* what is displaced may run through itself, and show its back there */
+        /* what is displaced may run through itself, and show its back there */
+        made->body = SHAPE_BODY_closed;
     if (gl_check(gl, "making a mesh"))
         return true;
     mesh_delete(gl, made);
@@ -99,7 +105,8 @@ bool mesh_make_captured(GlContext *gl, Mesh *made)
     gl->BindBuffer(GL_ARRAY_BUFFER, made->buffers[0]);
     gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, made->buffers[1]);
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
-        const size_t offset = i == MESH_ATTRIBUTE_basePosition ? offsetof(MeshCaptured, base) : attributes[i].offset;
+        const size_t offset =
+            i == MESH_ATTRIBUTE_basePosition ? offsetof(MeshCaptured, base) : attributes[i].offset;
         if (i >= MESH_ATTRIBUTE_count && i != MESH_ATTRIBUTE_basePosition)
             continue; /* what displaces is not asked any more */
         gl->EnableVertexAttribArray(i);
@@ -176,7 +183,8 @@ void mesh_attach(const GlContext *gl, const Mesh *mesh, GLuint buffer)
 void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int count)
 {
     gl->BindVertexArray(mesh->array);
-    gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL, count, (GLuint)first);
+    gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh->index_count, GL_UNSIGNED_INT, NULL,
+                                          count, (GLuint)first);
     gl->BindVertexArray(0);
 }
 

@@ -1,4 +1,5 @@
-/* A shape on the driver's side: one interleaved vertex buffer, one index buffer, one vertex array. */
+/* A shape on the driver's side: one interleaved vertex buffer, one index buffer, one vertex
+ * array. */
 #ifndef MATC_GL_MESH_H
 #define MATC_GL_MESH_H
 #include "runtime/gl/context.h"
@@ -13,20 +14,23 @@ enum {
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
     MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* a whole number, one for each instance */
-    MESH_ATTRIBUTE_displacementNormal, /* what a vertex is displaced by: as the four above, but the same for all vertices */
+    /* what a vertex is displaced by: as the four above, but the same for all vertices */
+    MESH_ATTRIBUTE_displacementNormal,
     MESH_ATTRIBUTE_displacementTexcoord, /* of one position */
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
-    MESH_ATTRIBUTE_basePosition, /* where it was, of a shape that was displaced; else its position */
+    /* where it was, of a shape that was displaced; else its position */
+    MESH_ATTRIBUTE_basePosition,
     MESH_ATTRIBUTE_end
 };
 
-/* "position", "normal", "texcoord", ...: for programs that declare no locations. NULL: such programs draw no instances. */
+/* "position", "normal", "texcoord", ...: for programs that declare no locations. NULL: such
+ * programs draw no instances. */
 extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 
 typedef struct {
-    GLuint array;      /* vertex array */
-    GLuint buffers[3]; /* vertices, indices, base positions where they are others */
+    GLuint array;                /* vertex array */
+    GLuint buffers[3];           /* vertices, indices, base positions where they are others */
     GLuint extras[SHAPE_EXTRAS]; /* four lanes a vertex; 0: the shape has none */
     ShapeNames names;            /* the shape's */
     GLsizei index_count;
@@ -43,11 +47,12 @@ typedef struct {
     ShapeVertex vertex;
     float base[3]; /* where it was */
 } MeshCaptured;
-/* A mesh without any triangles, whose first buffer has rows of MeshCaptured, and whose second has indices, both to be written by the caller. On false *made is empty. */
+/* A mesh without any triangles, whose first buffer has rows of MeshCaptured, and whose second has
+ * indices, both to be written by the caller. On false *made is empty. */
 bool mesh_make_captured(GlContext *gl, Mesh *made);
 
-/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those that shade, and those
- * of displacement, which are the same. */
+/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those
+ * that shade, and those of displacement, which are the same. */
 void mesh_point_attributes(const GlContext *gl);
 
 /* An attribute that a program reads by a name of a document's. */
@@ -62,7 +67,8 @@ void mesh_feed(const GlContext *gl, const Mesh *mesh, const MeshFeed *feeds, int
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);
 
-/* Where instances find their numbers: words of a buffer, that of the first instance of a draw first. OpenGL 4.2. */
+/* Where instances find their numbers: words of a buffer, that of the first instance of a draw
+ * first. OpenGL 4.2. */
 void mesh_attach(const GlContext *gl, const Mesh *mesh, GLuint buffer);
 void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int count);
 

@@ -1,5 +1,5 @@
-/* Contexts of Mesa's offscreen software renderer. The library is loaded at run time: a program that never draws
- * runs without it, and nothing links to it. */
+/* Contexts of Mesa's offscreen software renderer. The library is loaded at run time: a program that
+ * never draws runs without it, and nothing links to it. */
 #include "runtime/gl/backend.h"
 #include "runtime/gl/message.h"
 #include <GL/osmesa.h>
@@ -11,7 +11,8 @@ typedef struct {
     OSMesaContext context;
     OSMesaContext (*create)(const int *attributes, OSMesaContext share);
     void (*destroy)(OSMesaContext context);
-    GLboolean (*make_current)(OSMesaContext context, void *buffer, GLenum type, GLsizei width, GLsizei height);
+    GLboolean (*make_current)(OSMesaContext context, void *buffer, GLenum type, GLsizei width,
+                              GLsizei height);
     GlProc (*get_proc)(const char *name);
     unsigned char window[4]; /* OSMesa wants a window: one pixel, which nobody draws to */
 } Osmesa;
@@ -23,14 +24,17 @@ static void *open_library(char *error, size_t room)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         void *library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
         if (library)
-            return library; /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is free */
+            /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is
+             * free */
+            return library;
         if (i == 0)
             message_fail(error, room, "%s (Debian: libosmesa6)", dlerror());
     }
     return NULL;
 }
 
-/* ISO C has no cast from an object pointer to a function; POSIX says that their bytes are the same. */
+/* ISO C has no cast from an object pointer to a function; POSIX says that their bytes are the
+ * same. */
 static bool find(void *library, const char *name, void *function, size_t size)
 {
     void *symbol = dlsym(library, name);
@@ -52,7 +56,8 @@ static bool find_all(Osmesa *o, void *library)
 static OSMesaContext create(const Osmesa *o, bool core)
 {
     static const int versions[][2] = {{4, 5}, {3, 3}, {3, 0}, {2, 1}};
-    for (size_t i = 0; i < (core ? 2u : 4u); i++) { /* core profiles begin at 3.2, and the emitted GLSL at 3.3 */
+    /* core profiles begin at 3.2, and the emitted GLSL at 3.3 */
+    for (size_t i = 0; i < (core ? 2u : 4u); i++) {
         const int attributes[] = {
             OSMESA_FORMAT,
             OSMESA_RGBA,
@@ -77,7 +82,10 @@ static bool osmesa_use(void *state)
     return o->make_current(o->context, o->window, GL_UNSIGNED_BYTE, 1, 1) == GL_TRUE;
 }
 
-static GlProc osmesa_load(void *state, const char *name) { return ((Osmesa *)state)->get_proc(name); }
+static GlProc osmesa_load(void *state, const char *name)
+{
+    return ((Osmesa *)state)->get_proc(name);
+}
 
 static void osmesa_close(void *state)
 {
@@ -96,7 +104,8 @@ static bool start(Osmesa *o, bool core, char *error, size_t room)
         return message_fail(error, room, "libOSMesa is older than Mesa 11.2");
     o->context = create(o, core);
     if (!o->context)
-        return message_fail(error, room, "OSMesa has no %s context", core ? "core OpenGL 3.3" : "OpenGL 2.1");
+        return message_fail(error, room, "OSMesa has no %s context",
+                            core ? "core OpenGL 3.3" : "OpenGL 2.1");
     if (!osmesa_use(o))
         return message_fail(error, room, "OSMesa does not make its context current");
     return true;

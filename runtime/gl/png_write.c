@@ -21,7 +21,8 @@ uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)
     image.width = (png_uint_32)picture->width;
     image.height = (png_uint_32)picture->height;
     image.format = picture->lanes == 4 ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB;
-    png_int_32 upwards = -picture->width * picture->lanes; /* a negative stride starts at the last row */
+    /* a negative stride starts at the last row */
+    png_int_32 upwards = -picture->width * picture->lanes;
     png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(image);
     uint8_t *file = malloc(room);
     if (!file || !png_image_write_to_memory(&image, file, &room, 0, picture->bytes, upwards, NULL))

@@ -12,6 +12,7 @@ typedef struct {
     uint8_t *bytes;
 } PngPicture;
 
-/* The picture as a PNG file, from malloc; output.h writes it. NULL: *why, a size or number of lanes that it cannot have. */
+/* The picture as a PNG file, from malloc; output.h writes it. NULL: *why, a size or number of lanes
+ * that it cannot have. */
 uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why);
 #endif

@@ -60,7 +60,8 @@ static void bind_names(const GlContext *gl, GLuint program, const ProgramText *t
     for (int i = 0; i < text->output_count; i++)
         gl->BindFragDataLocation(program, (GLuint)i, text->outputs[i]);
     if (text->captured_count)
-        gl->TransformFeedbackVaryings(program, text->captured_count, text->captured, GL_INTERLEAVED_ATTRIBS);
+        gl->TransformFeedbackVaryings(program, text->captured_count, text->captured,
+                                      GL_INTERLEAVED_ATTRIBS);
 }
 
 static bool link(GlContext *gl, GLuint program)
@@ -112,8 +113,9 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
         fine = add(gl, GL_COMPUTE_SHADER, text->compute, &shaders);
     else
         fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&
-               (!text->control[0] || (add(gl, GL_TESS_CONTROL_SHADER, text->control, &shaders) &&
-                                      add(gl, GL_TESS_EVALUATION_SHADER, text->evaluation, &shaders))) &&
+               (!text->control[0] ||
+                (add(gl, GL_TESS_CONTROL_SHADER, text->control, &shaders) &&
+                 add(gl, GL_TESS_EVALUATION_SHADER, text->evaluation, &shaders))) &&
                (!text->geometry[0] || add(gl, GL_GEOMETRY_SHADER, text->geometry, &shaders)) &&
                add(gl, GL_FRAGMENT_SHADER, text->fragment, &shaders);
     GLuint program = fine ? join(gl, &shaders, text) : 0;

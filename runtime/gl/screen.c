@@ -1,8 +1,10 @@
-/* One triangle that holds the square from (-1, -1) to (1, 1) of clip space: no edge runs through the picture. */
+/* One triangle that holds the square from (-1, -1) to (1, 1) of clip space: no edge runs through
+ * the picture. */
 #include "runtime/gl/screen.h"
 #include <string.h>
 
-const char screen_text_old[] = "attribute vec4 position;\nvoid main() { gl_Position = position; }\n";
+const char screen_text_old[] =
+    "attribute vec4 position;\nvoid main() { gl_Position = position; }\n";
 const char screen_text[] = "in vec4 position;\nvoid main() { gl_Position = position; }\n";
 
 bool screen_make(GlContext *gl, Screen *made)

@@ -11,9 +11,13 @@
 /* Fills all but uv, which is set already and may be changed. `patch` counts from 0. */
 typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
 
-static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
+static void put(float to[3], double x, double y, double z)
+{
+    to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
+}
 
-/* Of a number of turns: the same for each, and 0 where it is 0, so that a seam's vertices, and a pole's, have one place. */
+/* Of a number of turns: the same for each, and 0 where it is 0, so that a seam's vertices, and a
+ * pole's, have one place. */
 static double sine(double turns)
 {
     const double part = turns - floor(turns);
@@ -53,12 +57,14 @@ static void cube(int patch, double u, double v, ShapeVertex *vertex)
 {
     static const signed char faces[6][3][3] = {
         /* n, a, b */
-        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}}, {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
-        {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}, {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},   {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
+        {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},  {{-1, 0, 0}, {0, -1, 0}, {0, 0, 1}},
+        {{0, 1, 0}, {-1, 0, 0}, {0, 0, 1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+        {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
     };
     const signed char *n = faces[patch][0], *a = faces[patch][1], *b = faces[patch][2];
     double s = 2 * u - 1, t = 2 * v - 1;
-    put(vertex->position, n[0] + s * a[0] + t * b[0], n[1] + s * a[1] + t * b[1], n[2] + s * a[2] + t * b[2]);
+    put(vertex->position, n[0] + s * a[0] + t * b[0], n[1] + s * a[1] + t * b[1],
+        n[2] + s * a[2] + t * b[2]);
     put(vertex->normal, n[0], n[1], n[2]);
     put(vertex->tangentU, 2 * a[0], 2 * a[1], 2 * a[2]);
     put(vertex->tangentV, 2 * b[0], 2 * b[1], 2 * b[2]);
@@ -77,7 +83,8 @@ static void torus(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, -turn * sb * ca, -turn * sb * sa, turn * cb);
 }
 
-/* P = (2u - 1, y, 2v - 1), y = A(v) sin(b), A = 0.24 - 0.14 v, b = 5 pi u + v; the normal is dP/du x dP/dv. */
+/* P = (2u - 1, y, 2v - 1), y = A(v) sin(b), A = 0.24 - 0.14 v, b = 5 pi u + v; the normal is dP/du
+ * x dP/dv. */
 static void cloth(int patch, double u, double v, ShapeVertex *vertex)
 {
     (void)patch;
@@ -91,7 +98,8 @@ static void cloth(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, 0, up, 2);
 }
 
-/* P = (x, y, 0), x = R (2u - 1)^3, y = R (2v - 1)^3: cells are small where the eye stands. u and v themselves become those of the plane. */
+/* P = (x, y, 0), x = R (2u - 1)^3, y = R (2v - 1)^3: cells are small where the eye stands. u and v
+ * themselves become those of the plane. */
 static void ground(int patch, double u, double v, ShapeVertex *vertex)
 {
     double x = SHAPE_HORIZON * pow(2 * u - 1, 3), y = SHAPE_HORIZON * pow(2 * v - 1, 3);
@@ -112,7 +120,10 @@ static const struct {
     [SHAPE_cloth] = {"cloth", cloth, 1, 192, 16},    [SHAPE_ground] = {"ground", ground, 1, 64, 64},
 };
 
-const char *shape_name(ShapeKind kind) { return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?"; }
+const char *shape_name(ShapeKind kind)
+{
+    return (unsigned)kind < SHAPE_count ? kinds[kind].name : "?";
+}
 
 bool shape_find(const char *name, ShapeKind *kind)
 {
@@ -143,7 +154,8 @@ static uint32_t *fill_indices(const int steps[2], uint32_t first, uint32_t *next
     uint32_t columns = (uint32_t)steps[0], rows = (uint32_t)steps[1];
     for (uint32_t row = 0; row < rows; row++) {
         for (uint32_t column = 0; column < columns; column++) {
-            uint32_t a = first + row * (columns + 1) + column, b = a + 1, c = a + columns + 1, d = c + 1;
+            uint32_t a = first + row * (columns + 1) + column, b = a + 1, c = a + columns + 1,
+                     d = c + 1;
             const uint32_t cell[6] = {a, b, d, a, d, c};
             memcpy(next, cell, sizeof cell);
             next += 6;
@@ -200,7 +212,8 @@ void shape_copy_extras(Shape *made, uint32_t to, const Shape *shape, uint32_t fr
 bool shape_grow_extras(Shape *shape, int vertices)
 {
     for (int i = 0; i < SHAPE_EXTRAS; i++) {
-        float(*grown)[4] = shape->extra[i] ? realloc(shape->extra[i], (size_t)vertices * sizeof *grown + 1) : NULL;
+        float(*grown)[4] =
+            shape->extra[i] ? realloc(shape->extra[i], (size_t)vertices * sizeof *grown + 1) : NULL;
         if (shape->extra[i] && !grown)
             return false;
         shape->extra[i] = grown;

@@ -1,8 +1,10 @@
-/* An edge is known by the places of its ends, as a number of 64 bits that looks like chance. What is met an even number of times leaves nothing of an
- * exclusive or; what is met as often one way as the other, nothing of a sum that counts one way as less than 0. So it takes no table of edges.
+/* An edge is known by the places of its ends, as a number of 64 bits that looks like chance. What
+ * is met an even number of times leaves nothing of an exclusive or; what is met as often one way as
+ * the other, nothing of a sum that counts one way as less than 0. So it takes no table of edges.
  *
- *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the three of its edges are left; with one turned round,
- *     the exclusive or is 0, and of the sum twice these three */
+ *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the
+ *     three of its edges are left; with one turned round, the exclusive or is 0, and of the sum
+ *     twice these three */
 #include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>
@@ -28,7 +30,8 @@ static uint64_t place_number(const float position[3])
     return number;
 }
 
-/* Numbers of the places of all vertices, and what vertices belong to: each to one of lower number, or, if it is the first of its part, to itself. */
+/* Numbers of the places of all vertices, and what vertices belong to: each to one of lower number,
+ * or, if it is the first of its part, to itself. */
 typedef struct {
     uint64_t *places;
     int *owners;
@@ -65,7 +68,8 @@ static void join(int *owners, int a, int b)
     owners[x > y ? x : y] = x > y ? y : x;
 }
 
-/* Vertices in one place belong to the first of them: each place has a slot from its number's lowest bits on. */
+/* Vertices in one place belong to the first of them: each place has a slot from its number's lowest
+ * bits on. */
 static bool join_places(const Shape *shape, Parts *parts)
 {
     size_t mask = 1;
@@ -87,15 +91,18 @@ static bool join_places(const Shape *shape, Parts *parts)
 /* Six times the volume of the pyramid that three ways span from one point. */
 static double volume_of(double v[3][3])
 {
-    return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) + v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
+    return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
+           v[0][1] * (v[1][2] * v[2][0] - v[1][0] * v[2][2]) +
            v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
 }
 
-/* Whether all triangles of a part show their backs to the mean of its places. Then no ray from outside meets a back first: along the half line from the mean through a point
- * sheets beyond the point are as many as the part's windings around it, which so are nowhere less than 0. */
+/* Whether all triangles of a part show their backs to the mean of its places. Then no ray from
+ * outside meets a back first: along the half line from the mean through a point sheets beyond the
+ * point are as many as the part's windings around it, which so are nowhere less than 0. */
 static bool all_face_outwards(const Shape *shape, Parts *parts)
 {
-    const double rounding = 1e-6; /* of a triangle without extent: a part of the extents of the pyramid's edges */
+    /* of a triangle without extent: a part of the extents of the pyramid's edges */
+    const double rounding = 1e-6;
     if (!join_places(shape, parts))
         return false;
     for (int i = 0; i < shape->index_count; i++)

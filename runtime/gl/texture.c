@@ -7,9 +7,10 @@ GLint texture_format(const char *name)
     static const struct {
         const char *name;
         GLint format;
-    } rows[] = {
-        {"R8", GL_R8},         {"R32F", GL_R32F},       {"RGBA8", GL_RGBA8},    {"SRGB8_ALPHA8", GL_SRGB8_ALPHA8},
-        {"RGBA16", GL_RGBA16}, {"RGBA16F", GL_RGBA16F}, {"RGBA32F", GL_RGBA32F}};
+    } rows[] = {{"R8", GL_R8},          {"R32F", GL_R32F},
+                {"RGBA8", GL_RGBA8},    {"SRGB8_ALPHA8", GL_SRGB8_ALPHA8},
+                {"RGBA16", GL_RGBA16},  {"RGBA16F", GL_RGBA16F},
+                {"RGBA32F", GL_RGBA32F}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
         if (!strcmp(rows[i].name, name))
             return rows[i].format;
@@ -36,8 +37,8 @@ bool texture_check(GlContext *gl, const TextureSpec *spec)
     if (spec->width < 1 || spec->height < 1)
         return gl_fail(gl, "a texture needs at least one texel");
     if (spec->width > gl->max_texture_size || spec->height > gl->max_texture_size)
-        return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d", spec->width, spec->height,
-                       gl->max_texture_size);
+        return gl_fail(gl, "a texture of %d x %d is larger than the driver's %d", spec->width,
+                       spec->height, gl->max_texture_size);
     if (spec->lanes != 1 && spec->lanes != 4)
         return gl_fail(gl, "a texture has 1 or 4 lanes, not %d", spec->lanes);
     if (!!spec->bytes + !!spec->floats + !!spec->words != 1)
@@ -49,13 +50,15 @@ static void set_parameters(const GlContext *gl, const TextureSpec *spec)
 {
     GLint filter = spec->linear ? GL_LINEAR : GL_NEAREST;
     GLint wrap = spec->wrap ? spec->wrap : GL_CLAMP_TO_EDGE;
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, spec->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : filter);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
+                      spec->mipmaps ? GL_LINEAR_MIPMAP_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, spec->mipmaps ? GL_LINEAR : filter);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap);
     if (spec->anisotropy > 1 && gl->max_anisotropy > 1)
         gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_ANISOTROPY,
-                          spec->anisotropy < gl->max_anisotropy ? spec->anisotropy : gl->max_anisotropy);
+                          spec->anisotropy < gl->max_anisotropy ? spec->anisotropy
+                                                                : gl->max_anisotropy);
     if (!spec->mipmaps)
         gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
@@ -94,8 +97,8 @@ GLuint texture_make(GlContext *gl, const TextureSpec *spec)
 void texture_rewrite(const GlContext *gl, GLuint texture, const TextureSpec *spec)
 {
     gl->BindTexture(GL_TEXTURE_2D, texture);
-    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, spec->width, spec->height, spec->lanes == 4 ? GL_RGBA : GL_RED, GL_FLOAT,
-                      spec->floats);
+    gl->TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, spec->width, spec->height,
+                      spec->lanes == 4 ? GL_RGBA : GL_RED, GL_FLOAT, spec->floats);
 }
 
 void texture_bind(const GlContext *gl, GLuint texture, int unit)

@@ -4,18 +4,22 @@
 #include "runtime/gl/context.h"
 #include <stdint.h>
 
-/* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. One of bytes, words and floats is set. */
+/* Texels row by row, row 0 is the bottom row (v = 0), rows not padded. One of bytes, words and
+ * floats is set. */
 typedef struct {
     int width, height;
     int lanes;            /* 1 or 4 */
     const uint8_t *bytes; /* a byte over 255 is the value: R8, RGBA8 */
     const float *floats;  /* R32F, RGBA32F */
     bool linear;          /* filter; false: nearest */
-    GLint wrap;           /* beyond the edges; a border is 0 in all lanes; 0: the texel at the edge */
-    bool mipmaps;         /* make them, and filter linearly in and between them */
-    int anisotropy;       /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
+    /* beyond the edges; a border is 0 in all lanes; 0: the texel at the edge */
+    GLint wrap;
+    bool mipmaps; /* make them, and filter linearly in and between them */
+    /* samples along a footprint's longer side, at most; as many as the driver can, 0 or 1: one */
+    int anisotropy;
     const uint16_t *words; /* a word over 65535 is the value: RGBA16 */
-    GLint format;          /* the internal one, where several can hold the numbers: SRGB8_ALPHA8; 0: as said above */
+    /* the internal one, where several can hold the numbers: SRGB8_ALPHA8; 0: as said above */
+    GLint format;
 } TextureSpec;
 
 /* OpenGL's number of a format's name; 0: unknown. */

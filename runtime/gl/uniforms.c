@@ -31,7 +31,8 @@ static int lanes_of(GLenum type)
 
 static bool has_blocks(const GlContext *gl)
 {
-    return gl->GetActiveUniformsiv && gl->GetActiveUniformBlockiv && gl->UniformBlockBinding && gl->BindBufferBase;
+    return gl->GetActiveUniformsiv && gl->GetActiveUniformBlockiv && gl->UniformBlockBinding &&
+           gl->BindBufferBase;
 }
 
 static void read_member(const GlContext *gl, GLuint program, GLuint index, GlUniform *uniform)
@@ -41,13 +42,15 @@ static void read_member(const GlContext *gl, GLuint program, GLuint index, GlUni
     gl->GetActiveUniformsiv(program, 1, &index, GL_UNIFORM_MATRIX_STRIDE, &uniform->stride);
 }
 
-static bool read_uniform(const GlContext *gl, GLuint program, GLuint index, GLint longest, GlUniform *uniform)
+static bool read_uniform(const GlContext *gl, GLuint program, GLuint index, GLint longest,
+                         GlUniform *uniform)
 {
     GLint elements = 0;
     uniform->name = calloc((size_t)longest + 1, 1);
     if (!uniform->name)
         return false;
-    gl->GetActiveUniform(program, index, longest + 1, NULL, &elements, &uniform->type, uniform->name);
+    gl->GetActiveUniform(program, index, longest + 1, NULL, &elements, &uniform->type,
+                         uniform->name);
     uniform->lanes = lanes_of(uniform->type);
     uniform->location = gl->GetUniformLocation(program, uniform->name);
     uniform->block = -1;
@@ -77,11 +80,13 @@ static bool read_blocks(GlContext *gl, GLuint program, GlUniforms *found)
     if (!found->block_sizes)
         return false;
     for (GLint i = 0; i < count; i++, found->block_count++) {
-        gl->GetActiveUniformBlockiv(program, (GLuint)i, GL_UNIFORM_BLOCK_DATA_SIZE, &found->block_sizes[i]);
+        gl->GetActiveUniformBlockiv(program, (GLuint)i, GL_UNIFORM_BLOCK_DATA_SIZE,
+                                    &found->block_sizes[i]);
         gl->UniformBlockBinding(program, (GLuint)i, (GLuint)i);
     }
-    const GLuint view =
-        count && gl->GetUniformBlockIndex ? gl->GetUniformBlockIndex(program, "View") : GL_INVALID_INDEX;
+    const GLuint view = count && gl->GetUniformBlockIndex
+                            ? gl->GetUniformBlockIndex(program, "View")
+                            : GL_INVALID_INDEX;
     found->view = view == GL_INVALID_INDEX ? -1 : (int)view;
     if (found->view >= 0)
         gl->UniformBlockBinding(program, view, UNIFORMS_VIEW);
@@ -176,10 +181,12 @@ static void write_lane(GLenum type, float value, unsigned char *at)
         memcpy(at, &value, 4);
 }
 
-/* The columns of a mat3 are vectors of three, each as far apart as vectors of four: offsets 0, 16, 32. */
+/* The columns of a mat3 are vectors of three, each as far apart as vectors of four: offsets 0, 16,
+ * 32. */
 void uniform_write(const GlUniform *member, const float *values, unsigned char *block)
 {
     const int rows = member->lanes == 16 ? 4 : member->lanes == 9 ? 3 : member->lanes;
     for (int i = 0; i < member->lanes; i++)
-        write_lane(member->type, values[i], block + member->offset + i / rows * member->stride + i % rows * 4);
+        write_lane(member->type, values[i],
+                   block + member->offset + i / rows * member->stride + i % rows * 4);
 }

@@ -1,8 +1,9 @@
-// The end of a transparent material's fragment program, where there are lists: appends the fragment to its pixel's. transparency.c has what
-// stands before it.
+// The end of a transparent material's fragment program, where there are lists: appends the fragment
+// to its pixel's. transparency.c has what stands before it.
 uniform sampler2D lists_depth; // of what is opaque
 
-// Behind the heads of all pixels, 0 or 1 + the number of a node, lie the nodes: the next of the list, the depth, what is packed.
+// Behind the heads of all pixels, 0 or 1 + the number of a node, lie the nodes: the next of the
+// list, the depth, what is packed.
 layout(std430, binding = 2) buffer Lists {
 #include "lists.layout.def"
     uint lists_words[];

@@ -1,12 +1,16 @@
-/* The pass peel: transparent surfaces layer by layer, from the farthest, each lit and laid over the light. From the back, so that a layer
- * needs no memory of those in front of it. Its GLSL is peel_layer.glsl, around the materials' own, and pass_peel.glsl. */
+/* The pass peel: transparent surfaces layer by layer, from the farthest, each lit and laid over the
+ * light. From the back, so that a layer needs no memory of those in front of it. Its GLSL is
+ * peel_layer.glsl, around the materials' own, and pass_peel.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/glass/glass.h"
 #include "runtime/picture/picture.h"
 
-static bool pass_peel_needed(const Render *render) { return transparency_is(render, TRANSPARENCY_peeling); }
+static bool pass_peel_needed(const Render *render)
+{
+    return transparency_is(render, TRANSPARENCY_peeling);
+}
 
 static const GLuint nothing[4] = {~0u, ~0u, ~0u, ~0u};
 
@@ -18,10 +22,12 @@ static bool make_layer(Render *render, int number)
     for (const char *format; (format = frame_format(render, FRAME_TARGET_layer, spec.color_count));
          spec.color_count++) {
         textures.formats[spec.color_count] = format;
-        textures.colors[spec.color_count] = frame_texture(render, FRAME_TARGET_layer, spec.color_count);
+        textures.colors[spec.color_count] =
+            frame_texture(render, FRAME_TARGET_layer, spec.color_count);
     }
     if (spec.color_count == FRAMEBUFFER_COLORS)
-        return gl_fail(render->gl, "the layout's %d targets leave none for peeling", spec.color_count);
+        return gl_fail(render->gl, "the layout's %d targets leave none for peeling",
+                       spec.color_count);
     textures.formats[spec.color_count] = frame_format(render, FRAME_TARGET_layer_keys, number);
     textures.colors[spec.color_count++] = frame_texture(render, FRAME_TARGET_layer_keys, number);
     return framebuffer_make_around(render->gl, &spec, &textures, &render->glass->layers[number]);
@@ -38,7 +44,8 @@ static int most_triangles(const Cache *cache)
     return most;
 }
 
-/* A fragment is known by its object's place and its triangle, as one number. Programs that draw instances know the place. */
+/* A fragment is known by its object's place and its triangle, as one number. Programs that draw
+ * instances know the place. */
 static bool number_objects(Render *render)
 {
     Cache *cache = &render->cache;
@@ -48,10 +55,12 @@ static bool number_objects(Render *render)
     for (int i = cache->instances ? cache->place_count : 0; i < cache->place_count; i++)
         material_set_number(&cache->kinds[cache->places[i].kind].material, "peel_object", (float)i);
     for (int i = 0; i < cache->plane_count; i++)
-        material_set_number(&cache->planes[i].material, "peel_object", (float)(cache->place_count + i));
+        material_set_number(&cache->planes[i].material, "peel_object",
+                            (float)(cache->place_count + i));
     return objects <= UINT32_MAX / TRANSPARENCY_STRIDE / stride ||
-           gl_fail(render->gl, "%ld objects of up to %d triangles are more than peeling can tell apart", objects,
-                   most_triangles(cache));
+           gl_fail(render->gl,
+                   "%ld objects of up to %d triangles are more than peeling can tell apart",
+                   objects, most_triangles(cache));
 }
 
 static void draw_layer(Render *render, int number)
@@ -111,9 +120,10 @@ static bool pass_peel_make(Render *render)
 {
     const LightingText text = {{render_text_pass_peel}, true, 0, LIGHTING_layers},
                        veil = {{"#define VEIL\n", render_text_pass_peel}, true, 0, LIGHTING_layers};
-    if (!make_layer(render, 0) || !make_layer(render, 1) || !lighting_make(render, &text, &render->glass->peel) ||
-        !pass_tools_make_veil(render, &veil) || !transparency_units(render, render->glass->peel_units) ||
-        !number_objects(render))
+    if (!make_layer(render, 0) || !make_layer(render, 1) ||
+        !lighting_make(render, &text, &render->glass->peel) ||
+        !pass_tools_make_veil(render, &veil) ||
+        !transparency_units(render, render->glass->peel_units) || !number_objects(render))
         return false;
     screen_pass_sampler(&render->glass->peel, "peel_keys", LIGHTING_FREE_UNIT);
     if (pass_tools_are_there(render))

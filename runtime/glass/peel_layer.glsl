@@ -1,6 +1,8 @@
-// The end of a transparent material's fragment program, where it is peeled: of the fragments that lie before the layer behind, the farthest
-// stays, by the depth test. transparency.c has what stands before it. A fragment's key is its depth, as bits, which are ordered as depths
-// are, and the number of its triangle: of two at one depth the one drawn later is behind, so that none is lost.
+// The end of a transparent material's fragment program, where it is peeled: of the fragments that
+// lie before the layer behind, the farthest stays, by the depth test. transparency.c has what
+// stands before it. A fragment's key is its depth, as bits, which are ordered as depths are, and
+// the number of its triangle: of two at one depth the one drawn later is behind, so that none is
+// lost.
 uniform sampler2D peel_depth;   // of what is opaque
 uniform usampler2D peel_behind; // keys of the layer behind
 uniform float peel_stride;      // an object has fewer triangles, over 256

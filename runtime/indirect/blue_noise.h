@@ -1,5 +1,6 @@
-/* A mask of blue noise: neighbours have values far apart, so that what a small window has of them is spread evenly, and what is left of an error is fine grain.
- * Private to indirect_sequence.c and tests. */
+/* A mask of blue noise: neighbours have values far apart, so that what a small window has of them
+ * is spread evenly, and what is left of an error is fine grain. Private to indirect_sequence.c and
+ * tests. */
 #ifndef MATC_RENDER_BLUE_NOISE_H
 #define MATC_RENDER_BLUE_NOISE_H
 

@@ -9,7 +9,8 @@
 static bool has_objects(const Scene *scene)
 {
     int i = 0;
-    while (i < scene->object_count && (scene->objects[i].hidden || scene->objects[i].kind == SCENE_Plane))
+    while (i < scene->object_count &&
+           (scene->objects[i].hidden || scene->objects[i].kind == SCENE_Plane))
         i++;
     return i < scene->object_count;
 }
@@ -29,7 +30,10 @@ static bool is_said(const Render *render)
 }
 
 /* Where nothing stands no light goes on. */
-bool indirect_is(const Render *render) { return is_said(render) && render->scene->object_count > 0; }
+bool indirect_is(const Render *render)
+{
+    return is_said(render) && render->scene->object_count > 0;
+}
 
 bool indirect_shows(const Render *render, const char *view)
 {
@@ -39,8 +43,8 @@ bool indirect_shows(const Render *render, const char *view)
 /* Cached radiance has further bounces in it. */
 bool indirect_is_repeated(const Render *render)
 {
-    return indirect_is(render) && !indirect_reads_radiance(render) && render->scene->indirect.bounces > 1 &&
-           !indirect_shows(render, "visibility");
+    return indirect_is(render) && !indirect_reads_radiance(render) &&
+           render->scene->indirect.bounces > 1 && !indirect_shows(render, "visibility");
 }
 
 bool indirect_is_smoothed(const Render *render)
@@ -54,20 +58,23 @@ bool indirect_is_smoothed(const Render *render)
 
 bool indirect_reads_radiance(const Render *render)
 {
-    return indirect_is(render) &&
-           (indirect_method(render) == WORD_Indirect_voxels || indirect_method(render) == WORD_Indirect_hybrid);
+    return indirect_is(render) && (indirect_method(render) == WORD_Indirect_voxels ||
+                                   indirect_method(render) == WORD_Indirect_hybrid);
 }
 
 bool indirect_reads_voxels(const Render *render)
 {
     const Word method = indirect_is(render) ? indirect_method(render) : WORD_Indirect_none;
     const bool stepped = method == WORD_Indirect_march || method == WORD_Indirect_points;
-    return indirect_reads_radiance(render) || (stepped && render->scene->indirect.march == WORD_March_voxels);
+    return indirect_reads_radiance(render) ||
+           (stepped && render->scene->indirect.march == WORD_March_voxels);
 }
 
 int indirect_coarse(const Render *render)
 {
-    return indirect_is(render) && !indirect_shows(render, "visibility") ? render->scene->indirect.coarse : 1;
+    return indirect_is(render) && !indirect_shows(render, "visibility")
+               ? render->scene->indirect.coarse
+               : 1;
 }
 
 int indirect_moving(const Render *render)
@@ -77,7 +84,10 @@ int indirect_moving(const Render *render)
     return fewer && !in->history && !indirect_shows(render, "visibility") ? in->moving : 0;
 }
 
-bool indirect_moves(const Render *render) { return render->indirect->moving.on && indirect_moving(render); }
+bool indirect_moves(const Render *render)
+{
+    return render->indirect->moving.on && indirect_moving(render);
+}
 
 int indirect_view_lanes(const char *view)
 {
@@ -102,7 +112,8 @@ const char *indirect_lacks_view(const Render *render)
 
 double indirect_radius(const Scene *scene, const Cache *cache)
 {
-    const VoxelGrid grid = voxel_grid(scene, cache); /* all but a layer on each side is as wide as the objects */
+    /* all but a layer on each side is as wide as the objects */
+    const VoxelGrid grid = voxel_grid(scene, cache);
     const double longest = grid.edge * (grid.size - 2);
     if (scene->indirect.radius > 0)
         return scene->indirect.radius;
@@ -112,8 +123,8 @@ double indirect_radius(const Scene *scene, const Cache *cache)
 bool indirect_keeps(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    return indirect_is(render) && !indirect_is_repeated(render) && !indirect_shows(render, "visibility") &&
-           (in->samples > 1 || in->history > 0);
+    return indirect_is(render) && !indirect_is_repeated(render) &&
+           !indirect_shows(render, "visibility") && (in->samples > 1 || in->history > 0);
 }
 
 int indirect_most_sets(const Render *render)
@@ -125,7 +136,8 @@ int indirect_most_sets(const Render *render)
 bool indirect_is_done(const Render *render)
 {
     const IndirectHistory *history = &render->indirect->history;
-    return indirect_keeps(render) && history->still && (history->exact || history->sets >= indirect_most_sets(render));
+    return indirect_keeps(render) && history->still &&
+           (history->exact || history->sets >= indirect_most_sets(render));
 }
 
 GLuint indirect_kept(const Render *render)

@@ -1,4 +1,5 @@
-/* Indirect light, as a scene's `indirect:` says: how it is found, and what the passes have of it. */
+/* Indirect light, as a scene's `indirect:` says: how it is found, and what the passes have of
+ * it. */
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
 #include "runtime/frame/frame_pass.h"
@@ -11,7 +12,8 @@
 
 enum { INDIRECT_RAYS_MOST = 128 };
 
-/* What may be other than when it was kept: light from other surfaces; openness, wherever it is. Beside objects that moved it may be as well. */
+/* What may be other than when it was kept: light from other surfaces; openness, wherever it is.
+ * Beside objects that moved it may be as well. */
 typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
 
 /* The scene has indirect light, and the method by which it is found, never auto. indirect.c */
@@ -25,12 +27,15 @@ bool indirect_shows(const Render *render, const char *view);
 const char *indirect_lacks_view(const Render *render);
 /* Light goes on from surface to surface more than once. */
 bool indirect_is_repeated(const Render *render);
-/* What rays find is not at once what the target open gets: it is smoothed, or not of all pixels, or of several bounces. */
+/* What rays find is not at once what the target open gets: it is smoothed, or not of all pixels, or
+ * of several bounces. */
 bool indirect_is_smoothed(const Render *render);
-/* What rays meet is looked for in voxels; and sends cached radiance, not what the picture shows of it. */
+/* What rays meet is looked for in voxels; and sends cached radiance, not what the picture shows of
+ * it. */
 bool indirect_reads_voxels(const Render *render);
 bool indirect_reads_radiance(const Render *render);
-/* Light from all around comes by the rays that meet nothing, as it is not the same from everywhere. GLSL for it; tells a pass, and binds, one unit. indirect_around.c */
+/* Light from all around comes by the rays that meet nothing, as it is not the same from everywhere.
+ * GLSL for it; tells a pass, and binds, one unit. indirect_around.c */
 bool indirect_is_directional(const Render *render);
 enum { INDIRECT_AROUND_TEXTS = 3 };
 void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS]);
@@ -44,7 +49,8 @@ int indirect_moving(const Render *render);
 bool indirect_moves(const Render *render);
 /* To how many of these on each side what rays find is smoothed, at most; 0: it is not. */
 int indirect_filter_size(const Render *render, int coarse);
-/* Pixels around a tile that it has to be drawn with, so that it is as in the whole picture; -1: that is drawn at once. indirect_tile.c */
+/* Pixels around a tile that it has to be drawn with, so that it is as in the whole picture; -1:
+ * that is drawn at once. indirect_tile.c */
 int indirect_margin(const Render *render);
 /* Of these, those that smoothing looks at. */
 int pass_smooth_reach(const Render *render);
@@ -66,9 +72,11 @@ int indirect_most_sets(const Render *render);
 bool indirect_is_done(const Render *render);
 /* Means over what is kept. */
 GLuint indirect_kept(const Render *render);
-/* Something has changed: what is kept holds where the same is seen, if frames before are to count; else none of it. */
+/* Something has changed: what is kept holds where the same is seen, if frames before are to count;
+ * else none of it. */
 void indirect_forget(Render *render);
-/* Something is another than in the frame before. What is kept holds the less: a sum of IndirectDoubt. */
+/* Something is another than in the frame before. What is kept holds the less: a sum of
+ * IndirectDoubt. */
 void indirect_doubt(Render *render, unsigned doubts);
 bool pass_smooth_needed(const Render *render);
 /* A pass of indirect_place.glsl: its texts' first pieces, and what it reads. indirect_pass.c */
@@ -77,7 +85,8 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
 const char *indirect_surface_text(const Render *render);
 void indirect_set(const Render *render, ScreenPass *pass);
 void indirect_bind(const Render *render);
-/* Opaque infinite planes that rays meet where they go through voxels, as many as there may be; GLSL for it, "" without any; told to a pass. indirect_planes.c */
+/* Opaque infinite planes that rays meet where they go through voxels, as many as there may be; GLSL
+ * for it, "" without any; told to a pass. indirect_planes.c */
 enum { INDIRECT_PLANES_MOST = 16, INDIRECT_PLANES_DEFINITION = 48 };
 int indirect_planes_count(const Render *render);
 void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFINITION]);
@@ -88,5 +97,6 @@ void indirect_delete(Render *render);
 /* The view shows the depth buffer as a mesh, seen from the side. */
 bool pass_positions_is_view(const char *view);
 /* The rows of the frame graph. */
-extern const FramePass pass_positions, pass_rays, pass_history, pass_smooth, pass_spread, pass_combine;
+extern const FramePass pass_positions, pass_rays, pass_history, pass_smooth, pass_spread,
+    pass_combine;
 #endif

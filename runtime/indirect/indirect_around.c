@@ -13,16 +13,20 @@ static bool has_hemispheres(const Render *render)
     return view_space_hemisphere(&render->space, render->scene, numbers);
 }
 
-static bool sky_differs(const Render *render) { return light_sky_shines(render->scene) && render->light->sky.uneven; }
+static bool sky_differs(const Render *render)
+{
+    return light_sky_shines(render->scene) && render->light->sky.uneven;
+}
 
-/* Where the picture's light is wanted: views of what rays find have nothing but that. Bounces that run one after the other would send it on once more. */
+/* Where the picture's light is wanted: views of what rays find have nothing but that. Bounces that
+ * run one after the other would send it on once more. */
 bool indirect_is_directional(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     const char *view = render->options.view;
-    return indirect_is(render) && in->directional && in->gain > 0 && indirect_method(render) != WORD_Indirect_points &&
-           !indirect_is_repeated(render) && !(view && indirect_view_lanes(view)) &&
-           (has_hemispheres(render) || sky_differs(render));
+    return indirect_is(render) && in->directional && in->gain > 0 &&
+           indirect_method(render) != WORD_Indirect_points && !indirect_is_repeated(render) &&
+           !(view && indirect_view_lanes(view)) && (has_hemispheres(render) || sky_differs(render));
 }
 
 void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS])
@@ -33,7 +37,8 @@ void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROU
     texts[2] = is ? render_text_indirect_around : "";
 }
 
-/* Rays of a pixel, times those of pixels over which they are smoothed, are looked up where the cube's texels are as large as the solid angle of each. */
+/* Rays of a pixel, times those of pixels over which they are smoothed, are looked up where the
+ * cube's texels are as large as the solid angle of each. */
 static double level_of(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;

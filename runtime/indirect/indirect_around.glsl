@@ -1,11 +1,15 @@
-// Light from all around that is not the same from everywhere: what comes of it to a point is not what its openness says, but what comes along the rays that meet nothing (directional occlusion:
-// Ritschel, Grosch and Seidel 2009). The pass combine has openness times what would come if nothing were around, which is exact where all is open, or nothing is; what is lacking between is how
+// Light from all around that is not the same from everywhere: what comes of it to a point is not
+// what its openness says, but what comes along the rays that meet nothing (directional occlusion:
+// Ritschel, Grosch and Seidel 2009). The pass combine has openness times what would come if nothing
+// were around, which is exact where all is open, or nothing is; what is lacking between is how
 // light and openness go together, which the pass rays adds to the light of surfaces:
 //
-//     mean(light let) - mean(let) mean(light)     over a point's rays; let: 0 where something is met, else 1
+//     mean(light let) - mean(let) mean(light)     over a point's rays; let: 0 where something is
+//                                                 met, else 1
 //
-// Worked example: half a sky, light 1 along two rays of four and 0 along the others, and a wall before both dark ones. Openness says 1/2 of 1/2; added is 1/2 - 1/2 1/2, so that 1/2 arrives, as if there
-// were no wall. With the wall on the bright side it is 0 - 1/2 1/2, and nothing arrives.
+// Worked example: half a sky, light 1 along two rays of four and 0 along the others, and a wall
+// before both dark ones. Openness says 1/2 of 1/2; added is 1/2 - 1/2 1/2, so that 1/2 arrives, as
+// if there were no wall. With the wall on the bright side it is 0 - 1/2 1/2, and nothing arrives.
 #define INDIRECT_AROUND
 uniform float around_share; // of what is added: the contrast, over the gain that it will be times
 uniform float around_level; // of the sky's cube

@@ -1,5 +1,6 @@
-// How far off its surface a point's rays begin by even steps, and places of its half ball: as the key `offset` says; else where nothing that is flat is met by its own rays, by what
-// they are looked for in: depth, which is that of pixels' middles, or voxels (voxelStart).
+// How far off its surface a point's rays begin by even steps, and places of its half ball: as the
+// key `offset` says; else where nothing that is flat is met by its own rays, by what they are
+// looked for in: depth, which is that of pixels' middles, or voxels (voxelStart).
 float indirectLift(vec3 point, vec3 normal)
 {
 #ifdef INDIRECT_VOXELS

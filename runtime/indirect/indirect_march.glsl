@@ -1,6 +1,7 @@
-// A ray through what the picture shows (Thiedemann 2009, 4.3): INDIRECT_STEPS places along it; the first that lies behind the surface that its pixel
-// shows is what it meets. What is beyond the picture's sides is not known: the ray ends there, and meets nothing.
-// A place of the ray: its point, and where that is seen.
+// A ray through what the picture shows (Thiedemann 2009, 4.3): INDIRECT_STEPS places along it; the
+// first that lies behind the surface that its pixel shows is what it meets. What is beyond the
+// picture's sides is not known: the ray ends there, and meets nothing. A place of the ray: its
+// point, and where that is seen.
 struct IndirectStep {
     vec3 point;
     vec2 place;
@@ -8,7 +9,8 @@ struct IndirectStep {
 };
 
 #ifdef INDIRECT_PICTURE
-// Even in the picture: of a segment whose ends are seen at a and b, what is seen at mix(a, b, s) lies at a share t of it, by the distances of the ends.
+// Even in the picture: of a segment whose ends are seen at a and b, what is seen at mix(a, b, s)
+// lies at a share t of it, by the distances of the ends.
 struct IndirectLine {
     vec2 a, b;
     float end, over0, over1; // share of the ray that lies before the eye; 1 / distance of the ends
@@ -25,8 +27,8 @@ IndirectLine indirectLine(vec3 from, vec3 way)
 }
 #endif
 
-// `from` is where it begins, `way` as long as it is; steps are `less` of one short of whole numbers of them. What it is behind counts if `most` from
-// `center` at most.
+// `from` is where it begins, `way` as long as it is; steps are `less` of one short of whole numbers
+// of them. What it is behind counts if `most` from `center` at most.
 IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
 {
 #ifdef INDIRECT_PICTURE
@@ -69,8 +71,9 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 }
 
 #ifdef INDIRECT_VOXELS
-// By the same steps in space, but of voxels (4.4): they know what is hidden, and no colour. So light is that of the pixel in which the hit would be seen (5.3.4), whatever that shows;
-// where the thesis takes the colour of the picture's edge for what is beside it, there is none.
+// By the same steps in space, but of voxels (4.4): they know what is hidden, and no colour. So
+// light is that of the pixel in which the hit would be seen (5.3.4), whatever that shows; where the
+// thesis takes the colour of the picture's edge for what is beside it, there is none.
 IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
     float t;

@@ -1,13 +1,17 @@
-// Openness and light by bit masks (Therrien, Levesque and Gilet 2023): half planes through the line of sight are gone through; in each, what the picture shows on
-// both sides covers angles of the half circle over the surface, from where a thing begins to where it ends, INDIRECT_THICK behind. The half circle has 32 sectors, a
-// bit each; a bit that is set for the first time also lets light through from what set it. So light passes behind a post, as it does not with horizons.
+// Openness and light by bit masks (Therrien, Levesque and Gilet 2023): half planes through the line
+// of sight are gone through; in each, what the picture shows on both sides covers angles of the
+// half circle over the surface, from where a thing begins to where it ends, INDIRECT_THICK behind.
+// The half circle has 32 sectors, a bit each; a bit that is set for the first time also lets light
+// through from what set it. So light passes behind a post, as it does not with horizons.
 //
-// Sectors are not alike in angle, but in what they count: with t the angle from the line of sight and g that of the normal, all light of a half plane is the integral of
-// cos(t - g) |sin t|, whose primitive is (cos g - cos(2 t - g)) / 4 + t sin(g) / 2; a sector is a 32nd of it. With nothing around, means over half planes are then those of
-// a cosine over the half sphere (Jimenez et al. 2016), and what is counted needs no weights.
+// Sectors are not alike in angle, but in what they count: with t the angle from the line of sight
+// and g that of the normal, all light of a half plane is the integral of cos(t - g) |sin t|, whose
+// primitive is (cos g - cos(2 t - g)) / 4 + t sin(g) / 2; a sector is a 32nd of it. With nothing
+// around, means over half planes are then those of a cosine over the half sphere (Jimenez et al.
+// 2016), and what is counted needs no weights.
 //
-// Worked example: seen from above, g = 0, a wall that covers t from 60 to 90 degrees. The primitive is (1 - cos 2t) / 4: 3/8 at 60 and 1/2 at 90 degrees, on this side a
-// fourth of 1/2: 4 bits of 32.
+// Worked example: seen from above, g = 0, a wall that covers t from 60 to 90 degrees. The primitive
+// is (1 - cos 2t) / 4: 3/8 at 60 and 1/2 at 90 degrees, on this side a fourth of 1/2: 4 bits of 32.
 float indirectPrimitive(float t, float g) { return 0.25 * (cos(g) - cos(2.0 * t - g)) + 0.5 * t * sin(g); }
 
 struct IndirectSlice {

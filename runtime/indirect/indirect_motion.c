@@ -1,5 +1,6 @@
-/* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that time; objects that stand elsewhere now are drawn once more, where they are seen, as
- * numbers of their motions. Where nothing moves, nothing of that runs. */
+/* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that
+ * time; objects that stand elsewhere now are drawn once more, where they are seen, as numbers of
+ * their motions. Where nothing moves, nothing of that runs. */
 #include "runtime/indirect/indirect_motion.h"
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
@@ -14,7 +15,8 @@ enum { DEPTH_UNIT = 0 /* where samplers look that nobody told */ };
 
 static bool make_number(Render *render, IndirectMotion *motion)
 {
-    const char *head = render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
+    const char *head = render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n"
+                                                                        : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_shadow_depth},
                               .fragment = {head, render_text_indirect_motion}};
     return material_make(render->store, NULL, &text, &motion->number);
@@ -64,7 +66,8 @@ void indirect_motion_end(Render *render)
 
 /* -- boxes */
 
-static const VoxelRange everywhere = {{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+static const VoxelRange everywhere = {{-INFINITY, -INFINITY, -INFINITY},
+                                      {INFINITY, INFINITY, INFINITY}};
 
 static bool meet(const VoxelRange *a, const VoxelRange *b)
 {
@@ -115,8 +118,8 @@ static void put_boxes(const VoxelRange *boxes, int count, IndirectMoved *moved)
 /* -- motions */
 
 /* Of a box's middle, from where one matrix has it to where another does: turned by the eye's. */
-static void put_step(const double eye[16], const CullBox *box, const SceneMatrix *from, const SceneMatrix *to,
-                     float step[4])
+static void put_step(const double eye[16], const CullBox *box, const SceneMatrix *from,
+                     const SceneMatrix *to, float step[4])
 {
     double world[3];
     for (int k = 0; k < 3; k++) {
@@ -128,7 +131,8 @@ static void put_step(const double eye[16], const CullBox *box, const SceneMatrix
         step[k] = (float)(eye[k] * world[0] + eye[4 + k] * world[1] + eye[8 + k] * world[2]);
 }
 
-/* was_eye_from_world * was_world_from_local * local_from_world * world_from_eye. False: nothing leads back to where it was. */
+/* was_eye_from_world * was_world_from_local * local_from_world * world_from_eye. False: nothing
+ * leads back to where it was. */
 static bool find_motion(const Render *render, const double was[16], int object, float columns[4][4])
 {
     SceneMatrix before, eye, local_from_world, world_from_eye;
@@ -159,7 +163,8 @@ static void draw_number(Render *render, int object, int number)
     mesh_draw(render->gl, &render->cache.meshes[place->mesh]);
 }
 
-/* An object that is seen: as the next number, or as the one behind the last, of which no motion is known. */
+/* An object that is seen: as the next number, or as the one behind the last, of which no motion is
+ * known. */
 static void number_object(Render *render, const double was[16], int object, IndirectMoved *moved)
 {
     const int next = (int)moved->counts[1], place = render->cache.place_of[object];
@@ -169,7 +174,8 @@ static void number_object(Render *render, const double was[16], int object, Indi
     const CullBox *box = &render->cache.boxes[render->cache.places[place].mesh];
     if (!cull_sees(&render->volume, box, matrix))
         return;
-    const bool known = next < INDIRECT_MOTIONS_MOST && find_motion(render, was, object, moved->motions[next]);
+    const bool known =
+        next < INDIRECT_MOTIONS_MOST && find_motion(render, was, object, moved->motions[next]);
     if (known)
         put_step(was, box, matrix, &render->indirect->motion.kept[object], moved->steps[next]);
     moved->counts[1] += known;
@@ -178,15 +184,16 @@ static void number_object(Render *render, const double was[16], int object, Indi
 
 static bool has_moved(const Render *render, int object)
 {
-    return memcmp(&render->indirect->motion.kept[object], &render->scene->objects[object].world_from_local,
-                  sizeof(SceneMatrix)) != 0;
+    return memcmp(&render->indirect->motion.kept[object],
+                  &render->scene->objects[object].world_from_local, sizeof(SceneMatrix)) != 0;
 }
 
 /* The target; all 0. */
 static bool begin(Render *render, IndirectMotion *motion)
 {
     static const GLuint none[4];
-    const FramebufferSpec spec = {.width = render->size[0], .height = render->size[1], .color_count = 1};
+    const FramebufferSpec spec = {
+        .width = render->size[0], .height = render->size[1], .color_count = 1};
     if (!motion->seen.name &&
         (!make_number(render, motion) ||
          !framebuffer_make_named(render->gl, &spec, (const char *const[]){"R32UI"}, &motion->seen)))

@@ -6,13 +6,16 @@
 
 enum { INDIRECT_MOTIONS_MOST = 128, INDIRECT_BOXES_MOST = 16 };
 
-/* From the eye's space of now to where the same point of an object was in that of before, and how far its middle has come since; around what moved. In the order and the form of the
- * block History. */
+/* From the eye's space of now to where the same point of an object was in that of before, and how
+ * far its middle has come since; around what moved. In the order and the form of the block
+ * History. */
 typedef struct {
     float counts[4];                        /* x: of boxes; y: of motions */
     float boxes[INDIRECT_BOXES_MOST][2][4]; /* the lowest corner, the highest; in the world */
     float steps[INDIRECT_MOTIONS_MOST]
-               [4]; /* xyz: from where the middle of its box is now to where it was, in the eye's space of before */
+               /* xyz: from where the middle of its box is now to where it was, in the eye's space
+                * of before */
+               [4];
     float motions[INDIRECT_MOTIONS_MOST][4][4]; /* columns */
 } IndirectMoved;
 
@@ -21,7 +24,8 @@ bool indirect_motion_make(Render *render);
 void indirect_motion_delete(Render *render);
 /* So many objects stand elsewhere. */
 void indirect_motion_add(Render *render, int first, int count);
-/* Draws what moved since; how it did. `was` is the eye's space of what is kept. False: nothing moved. */
+/* Draws what moved since; how it did. `was` is the eye's space of what is kept. False: nothing
+ * moved. */
 bool indirect_motion_draw(Render *render, const double was[16], IndirectMoved *moved);
 /* What is kept now was found where objects stand now. */
 void indirect_motion_end(Render *render);

@@ -1,9 +1,12 @@
-// What a ray meets by two models of the scene, each where it knows best. The picture knows surfaces to the pixel, but only what it shows; voxels know what is hidden
-// and beside it, but nothing finer than themselves, and rays begin a little off. So the picture is asked for the ray's first voxels, and takes part only where its depth is
-// conclusive: a place that lies behind what is shown by no more than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
+// What a ray meets by two models of the scene, each where it knows best. The picture knows surfaces
+// to the pixel, but only what it shows; voxels know what is hidden and beside it, but nothing finer
+// than themselves, and rays begin a little off. So the picture is asked for the ray's first voxels,
+// and takes part only where its depth is conclusive: a place that lies behind what is shown by no
+// more than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
 //
-// A hit of the picture sends the light of its pixel, one of voxels cached radiance: that is nearer to what paths of light give than pixels that show something close to
-// the hit, and does not change with the camera.
+// A hit of the picture sends the light of its pixel, one of voxels cached radiance: that is nearer
+// to what paths of light give than pixels that show something close to the hit, and does not change
+// with the camera.
 
 // What all rays of a point have in common.
 struct IndirectOrigin {
@@ -14,7 +17,8 @@ struct IndirectOrigin {
     vec3 seen;                // indirectSeen of `from`
 };
 
-// Where the picture shows a point, in pixels times its distance, and that distance, or 1 where all is as near: `flat_`, and 0 for a direction.
+// Where the picture shows a point, in pixels times its distance, and that distance, or 1 where all
+// is as near: `flat_`, and 0 for a direction.
 vec3 indirectSeen(vec3 point, float flat_)
 {
     float far = indirectIsOrthographic() ? flat_ : -point.z;
@@ -37,11 +41,14 @@ struct IndirectStart {
     bool full;   // in a full voxel, as in a corner
 };
 
-// Off the surface by h, but along the ray, as far as h may take it, and only for the rest along the normal: of what is met from a place beside the ray, the distance is another, up
-// to h. Along the ray it must not get into what stands beside the point, a wall at a corner: then it is along the normal alone. What is at a place h off along the normal,
-// t along a way with a cosine of c, is as far from the point as t + h c along it, but for terms of h^2.
+// Off the surface by h, but along the ray, as far as h may take it, and only for the rest along the
+// normal: of what is met from a place beside the ray, the distance is another, up to h. Along the
+// ray it must not get into what stands beside the point, a wall at a corner: then it is along the
+// normal alone. What is at a place h off along the normal, t along a way with a cosine of c, is as
+// far from the point as t + h c along it, but for terms of h^2.
 //
-//     straight up, c = 1: begins h along the ray; at 60 degrees off the normal, c = 1/2: h along the ray, then h / 2 along the normal, begin = h + h / 4
+//     straight up, c = 1: begins h along the ray; at 60 degrees off the normal, c = 1/2: h along
+//     the ray, then h / 2 along the normal, begin = h + h / 4
 IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 {
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;
@@ -51,8 +58,9 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 }
 
 #ifdef INDIRECT_NEAR
-// What the picture shows of a ray's first voxels: the first of its places that lies in it. All places are asked, from the last on, which is faster than to stop where drivers run invocations in vectors.
-// Where its places are seen, times their distance, goes on evenly along it.
+// What the picture shows of a ray's first voxels: the first of its places that lies in it. All
+// places are asked, from the last on, which is faster than to stop where drivers run invocations in
+// vectors. Where its places are seen, times their distance, goes on evenly along it.
 bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout IndirectHit hit)
 {
     bool flat_ = indirectIsOrthographic();

@@ -8,11 +8,17 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Where a scene doesn't say: of a ray through the picture; of its NEAR first voxels, so that one is as long as a voxel, half of what the picture shows is thick. */
+/* Where a scene doesn't say: of a ray through the picture; of its NEAR first voxels, so that one is
+ * as long as a voxel, half of what the picture shows is thick. */
 enum { STEPS = 8, NEAR = 4, STEPS_NEAR = NEAR };
 
 /* Numbers of blue noise that a vector of the block has. */
-enum { BLOCK_HEAD = 5, RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
+enum {
+    BLOCK_HEAD = 5,
+    RAYS_OF_SLICE = 8,
+    PACKED = 8,
+    SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED
+};
 
 /* A bit mask's lines are shifted by all of what is between them. */
 static IndirectSequence sequence_of(const Render *render)
@@ -37,7 +43,8 @@ static int shifts_of(const IndirectSequence *of)
 void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINITIONS])
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const bool uniform = in->distribution == WORD_Distribution_uniform, bent = indirect_shows(render, "bent");
+    const bool uniform = in->distribution == WORD_Distribution_uniform,
+               bent = indirect_shows(render, "bent");
     const IndirectSequence sequence = sequence_of(render);
     const bool near = indirect_method(render) == WORD_Indirect_hybrid;
     char voxels[32] = "", turns[64] = "";
@@ -46,25 +53,29 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
                  indirect_sequence_block(&sequence));
     if (indirect_reads_voxels(render))
         snprintf(voxels, sizeof voxels, "#define VOXEL_SIZE %d\n", render->scene->voxel_size);
-    snprintf(text, INDIRECT_DEFINITIONS,
-             "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
-             "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
-             "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
-             "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
-             in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
-             in->steps ? in->steps
-             : near    ? STEPS_NEAR
-                       : STEPS,
-             indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence), shifts_of(&sequence),
-             (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0",
-             coarse, indirect_filter_size(render, coarse), turns,
-             indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
-             uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
-                     : "#define INDIRECT_SHARE(cosine) 1.0\n",
-             in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
-             in->checked ? "#define INDIRECT_CHECKED\n" : "", near ? "#define INDIRECT_NEAR\n" : "",
-             in->bounces > 0 && !bent && !indirect_shows(render, "visibility") ? "#define INDIRECT_LIGHT\n" : "",
-             bent ? "#define INDIRECT_BENT\n" : "", voxels);
+    snprintf(
+        text, INDIRECT_DEFINITIONS,
+        "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
+        "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
+        "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
+        "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
+        in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
+        in->steps ? in->steps
+        : near    ? STEPS_NEAR
+                  : STEPS,
+        indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence),
+        shifts_of(&sequence), (int)(in->weight - WORD_Weight_none),
+        (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", coarse,
+        indirect_filter_size(render, coarse), turns,
+        indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
+        uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
+                : "#define INDIRECT_SHARE(cosine) 1.0\n",
+        in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
+        in->checked ? "#define INDIRECT_CHECKED\n" : "", near ? "#define INDIRECT_NEAR\n" : "",
+        in->bounces > 0 && !bent && !indirect_shows(render, "visibility")
+            ? "#define INDIRECT_LIGHT\n"
+            : "",
+        bent ? "#define INDIRECT_BENT\n" : "", voxels);
 }
 
 int indirect_filter_size(const Render *render, int coarse)
@@ -84,9 +95,14 @@ const char *indirect_surface_text(const Render *render)
     return render->set.unpack ? render->set.unpack : "struct Surface { float nothing; };\n";
 }
 
-double indirect_near(const Render *render) { return NEAR * voxel_grid(render->scene, &render->cache).edge; }
+double indirect_near(const Render *render)
+{
+    return NEAR * voxel_grid(render->scene, &render->cache).edge;
+}
 
-/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do. y: a voxel of the map may be off by its diagonal. zw: the pixel of the picture that a tile begins with. */
+/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do.
+ * y: a voxel of the map may be off by its diagonal. zw: the pixel of the picture that a tile begins
+ * with. */
 static void set_models(const Render *render, float models[4])
 {
     const double thick = 2, part = .5; /* voxels, but the last */
@@ -98,7 +114,8 @@ static void set_models(const Render *render, float models[4])
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
-/* The pass makes its shifts of ranks, 16 bits each, where the mask is blue noise; other masks are taken as they are. */
+/* The pass makes its shifts of ranks, 16 bits each, where the mask is blue noise; other masks are
+ * taken as they are. */
 static void put_shifts(const IndirectSequence *of, float (*block)[4])
 {
     const int edge = indirect_sequence_edge(of);
@@ -115,11 +132,13 @@ static void put_shifts(const IndirectSequence *of, float (*block)[4])
     }
 }
 
-/* Where no offset is said, rays begin so far off that the surface which they leave is not met: a place of it is up to sqrt(1/2) of a pixel beside the middle of
- * its pixel, by which depth is off as by a lift of as much. */
+/* Where no offset is said, rays begin so far off that the surface which they leave is not met: a
+ * place of it is up to sqrt(1/2) of a pixel beside the middle of its pixel, by which depth is off
+ * as by a lift of as much. */
 static void set_block(const Render *render, ScreenPass *pass)
 {
-    const double lift = .75, part = .05; /* of the radius, over which openness is taken to be flat */
+    /* of the radius, over which openness is taken to be flat */
+    const double lift = .75, part = .05;
     const SceneIndirect *in = &render->scene->indirect;
     const IndirectSequence sequence = sequence_of(render);
     float block[BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
@@ -136,7 +155,8 @@ static void set_block(const Render *render, ScreenPass *pass)
         block[3][2 + i] = (float)render->at[i];
         block[4][i] = (float)(beyond < render->size[i] ? beyond : render->size[i]);
     }
-    block[4][3] = in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
+    block[4][3] =
+        in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)

@@ -1,5 +1,5 @@
-// Where pixels' surfaces are, and which pixel shows a point; what is random from pixel to pixel. The eye's space; places of the picture in pixels,
-// whose middles lie at .5.
+// Where pixels' surfaces are, and which pixel shows a point; what is random from pixel to pixel.
+// The eye's space; places of the picture in pixels, whose middles lie at .5.
 uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthographic; 0: nothing is there
 layout(std140) uniform Indirect {
     vec4 indirect_ray, indirect_view; // of view_space.h
@@ -46,7 +46,8 @@ bool indirectIsBehind(vec3 point, float depth)
     return indirectIsOrthographic() ? point.z < (depth - 1.0) * indirect_view.x : -point.z * depth > indirect_view.x;
 }
 
-// O'Neill's PCG with two lanes (Jarzynski and Olano 2020): two numbers from 0 to 1 for a pair of whole ones.
+// O'Neill's PCG with two lanes (Jarzynski and Olano 2020): two numbers from 0 to 1 for a pair of
+// whole ones.
 vec2 indirectRandom(uvec2 v)
 {
     v = v * 1664525u + 1013904223u;
@@ -59,8 +60,10 @@ vec2 indirectRandom(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from one set of samples to the next: of Sobol's in tiles as that file says; else by steps of the
-// plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
+// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from
+// one set of samples to the next: of Sobol's in tiles as that file says; else by steps of the
+// plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden
+// ratio.
 struct IndirectShift {
     vec3 at, more; // xy: both by exclusive or of bits, or both added
 };
@@ -115,7 +118,8 @@ vec2 indirectSample(int i, IndirectShift shift)
 #endif
 }
 
-// The direction of a sample of the unit square, the normal being z: as dense as its cosine, or everywhere alike.
+// The direction of a sample of the unit square, the normal being z: as dense as its cosine, or
+// everywhere alike.
 vec3 indirectDirection(vec2 s)
 {
 #ifdef INDIRECT_UNIFORM
@@ -164,7 +168,8 @@ uniform sampler2D indirect_light;
 uniform sampler2D indirect_before; // what bounces before this one found
 #endif
 
-// What the surface of a pixel sends against a way, of light and of the bounces before; nothing if the side that is seen is turned away.
+// What the surface of a pixel sends against a way, of light and of the bounces before; nothing if
+// the side that is seen is turned away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {
     if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);

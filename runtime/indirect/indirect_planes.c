@@ -9,14 +9,17 @@
 int indirect_planes_count(const Render *render)
 {
     const int count = render->cache.opaque_plane_count;
-    return !indirect_reads_radiance(render) ? 0 : count < INDIRECT_PLANES_MOST ? count : INDIRECT_PLANES_MOST;
+    return !indirect_reads_radiance(render) ? 0
+           : count < INDIRECT_PLANES_MOST   ? count
+                                            : INDIRECT_PLANES_MOST;
 }
 
 void indirect_planes_define(const Render *render, char text[INDIRECT_PLANES_DEFINITION])
 {
     *text = 0;
     if (indirect_planes_count(render))
-        snprintf(text, INDIRECT_PLANES_DEFINITION, "#define INDIRECT_PLANES %d\n", indirect_planes_count(render));
+        snprintf(text, INDIRECT_PLANES_DEFINITION, "#define INDIRECT_PLANES %d\n",
+                 indirect_planes_count(render));
 }
 
 void indirect_planes_set(const Render *render, ScreenPass *pass)
@@ -25,7 +28,8 @@ void indirect_planes_set(const Render *render, ScreenPass *pass)
     int count = 0;
     for (int i = 0; i < render->cache.plane_count && count < INDIRECT_PLANES_MOST; i++)
         if (!render->cache.planes[i].transparent)
-            shadow_plane(render, &render->scene->objects[render->cache.planes[i].object].world_from_local,
+            shadow_plane(render,
+                         &render->scene->objects[render->cache.planes[i].object].world_from_local,
                          planes[count++]);
     material_write(&pass->material, "IndirectPlanes", planes, sizeof *planes * (size_t)count);
 }
@@ -44,5 +48,6 @@ void indirect_planes_put(Text *out, const Render *render)
     if (indirect_is_directional(render))
         text_put(out, "indirect  light from all around comes by direction\n");
     if (planes)
-        text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n", planes, opaque);
+        text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n",
+                    planes, opaque);
 }

@@ -1,4 +1,5 @@
-// Infinite planes, which voxels do not have: rays meet them where they are. Of what a plane sends the picture knows what it shows; the rest is black.
+// Infinite planes, which voxels do not have: rays meet them where they are. Of what a plane sends
+// the picture knows what it shows; the rest is black.
 layout(std140) uniform IndirectPlanes {
     vec4 indirect_planes[INDIRECT_PLANES]; // of the eye's space: points of one give dot(plane, vec4(point, 1)) = 0
 };
@@ -11,7 +12,8 @@ float indirectOffPlane(vec4 plane, vec3 point)
     return abs(off) > rounding * (length(point) + abs(plane.w)) ? off : 0.0;
 }
 
-// The first plane that a ray from a point meets before `far`, and how far it is; -1: none. A ray of a plane's own point does not meet that.
+// The first plane that a ray from a point meets before `far`, and how far it is; -1: none. A ray of
+// a plane's own point does not meet that.
 int indirectPlane(vec3 point, vec3 way, inout float far)
 {
     int met = -1;
@@ -31,7 +33,8 @@ bool indirectShows(int plane, ivec2 pixel)
     return depth > 0.0 && indirectOffPlane(indirect_planes[plane], indirectPoint(pixel, depth)) == 0.0;
 }
 
-// The pixel that shows a plane's point, or, where something stands on the plane, the one beside it; x -2: none.
+// The pixel that shows a plane's point, or, where something stands on the plane, the one beside it;
+// x -2: none.
 ivec2 indirectShown(int plane, vec3 point)
 {
     const ivec2 beside[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));

@@ -1,4 +1,5 @@
-// Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it stands indirectMeet(), which says what a ray meets.
+// Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it
+// stands indirectMeet(), which says what a ray meets.
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 light = vec3(0.0), u, v;

@@ -1,5 +1,7 @@
-// The view visibility: what the surface in the picture's middle sees (Thiedemann 2009, 4.5), by the method's own rays. White: it is seen; blue: something is between, or one of both surfaces is turned away; grey: it is farther
-// than rays go. Red is the middle itself. What a ray meets within a step of its end, two voxels or one of the march's, is its end.
+// The view visibility: what the surface in the picture's middle sees (Thiedemann 2009, 4.5), by the
+// method's own rays. White: it is seen; blue: something is between, or one of both surfaces is
+// turned away; grey: it is farther than rays go. Red is the middle itself. What a ray meets within
+// a step of its end, two voxels or one of the march's, is its end.
 vec4 passPixel(ivec2 pixel)
 {
     ivec2 middle = ivec2(indirect_picture.xy) / 2;

@@ -13,7 +13,8 @@ static double mirrored(unsigned i, unsigned base)
     return sum;
 }
 
-/* Sobol's second sequence: bit k of i takes or leaves row k of Pascal's triangle modulo 2, 1, 11, 101, 1111, ..., read behind the point. 3, bits 0 and 1, is 0.10 ^ 0.11 = 1/4. */
+/* Sobol's second sequence: bit k of i takes or leaves row k of Pascal's triangle modulo 2, 1, 11,
+ * 101, 1111, ..., read behind the point. 3, bits 0 and 1, is 0.10 ^ 0.11 = 1/4. */
 static double sobol(unsigned i)
 {
     uint32_t sum = 0;
@@ -59,7 +60,8 @@ int indirect_sequence_edge(const IndirectSequence *of)
                                                  : INDIRECT_SEQUENCE_TILE / 2;
 }
 
-/* The bits of two numbers in turn, x's first: from the lowest on, 2 x 2 places are next to each other, then 4 x 4, and so on. */
+/* The bits of two numbers in turn, x's first: from the lowest on, 2 x 2 places are next to each
+ * other, then 4 x 4, and so on. */
 static unsigned woven(unsigned x, unsigned y)
 {
     unsigned sum = 0;
@@ -104,8 +106,9 @@ void indirect_sequence_shift(const IndirectSequence *of, int x, int y, double sh
     for (int i = 0; i < 3; i++)
         shift[i] = 0;
     for (int i = 0; i < 3 && of->rotation == WORD_Rotation_blue; i++)
-        shift[i] = (blue_noise_rank((x + beside[i][0]) % edge, (y + beside[i][1]) % edge) + .5) / (edge * edge);
+        shift[i] = (blue_noise_rank((x + beside[i][0]) % edge, (y + beside[i][1]) % edge) + .5) /
+                   (edge * edge);
     if (of->rotation == WORD_Rotation_tile)
-        (of->sequence == WORD_Sequence_sobol ? tile_of_sobol : tile_of_others)(of, (unsigned)(x % edge),
-                                                                               (unsigned)(y % edge), shift);
+        (of->sequence == WORD_Sequence_sobol ? tile_of_sobol : tile_of_others)(
+            of, (unsigned)(x % edge), (unsigned)(y % edge), shift);
 }

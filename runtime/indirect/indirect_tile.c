@@ -1,4 +1,5 @@
-/* How far around a tile indirect light looks at what the picture shows, so that a tile with so much around it has what the whole picture has. */
+/* How far around a tile indirect light looks at what the picture shows, so that a tile with so much
+ * around it has what the whole picture has. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
@@ -17,7 +18,8 @@ static double reach_of(const Render *render)
     return picture ? indirect_radius(render->scene, &render->cache) : 0;
 }
 
-/* The least distance of an object from the eye, along the way in which it looks: of the corners of a box around all. */
+/* The least distance of an object from the eye, along the way in which it looks: of the corners of
+ * a box around all. */
 static double nearest_of(const Render *render)
 {
     const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
@@ -32,8 +34,9 @@ static double nearest_of(const Render *render)
     return nearest;
 }
 
-/* What a way that is `reach` long, from a surface that the picture shows, takes of it at most, in pixels: at a distance of d, with s the slope of the ray to the picture's corner, an end is seen up to
- * (1 + s) reach / (d - reach) from the begin. Infinite: what is shown may be too near. */
+/* What a way that is `reach` long, from a surface that the picture shows, takes of it at most, in
+ * pixels: at a distance of d, with s the slope of the ray to the picture's corner, an end is seen
+ * up to (1 + s) reach / (d - reach) from the begin. Infinite: what is shown may be too near. */
 static double pixels_of(const Render *render, double reach)
 {
     const float *ray = render->space.ray;
@@ -46,11 +49,13 @@ static double pixels_of(const Render *render, double reach)
     return nearest > 2 * reach ? (1 + slope) * reach / (nearest - reach) / width : INFINITY;
 }
 
-/* Of what goes on from tile to tile, or from frame to frame, or looks at one place of the picture, there is none. */
+/* Of what goes on from tile to tile, or from frame to frame, or looks at one place of the picture,
+ * there is none. */
 static bool is_whole(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const bool planes = render->cache.plane_count > 0, shown = reach_of(render) > 0 || in->bounces > 0;
+    const bool planes = render->cache.plane_count > 0,
+               shown = reach_of(render) > 0 || in->bounces > 0;
     return indirect_keeps(render) || indirect_is_repeated(render) || indirect_moving(render) ||
            indirect_shows(render, "visibility") || (planes && shown);
 }
@@ -58,7 +63,8 @@ static bool is_whole(const Render *render)
 int indirect_margin(const Render *render)
 {
     const double off = 2; /* rays begin beside their pixel's middle */
-    const double reach = reach_of(render), pixels = is_whole(render) ? INFINITY : pixels_of(render, reach);
+    const double reach = reach_of(render),
+                 pixels = is_whole(render) ? INFINITY : pixels_of(render, reach);
     const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_smooth_reach(render);
     return margin <= MARGIN_MOST ? (int)margin : AT_ONCE;
 }

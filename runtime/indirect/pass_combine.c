@@ -1,5 +1,5 @@
-/* The pass combine: over the light that comes from lights with a place, that from all around, dimmed, and indirect light. Its GLSL is pass_combine.glsl,
- * behind lighting.glsl. */
+/* The pass combine: over the light that comes from lights with a place, that from all around,
+ * dimmed, and indirect light. Its GLSL is pass_combine.glsl, behind lighting.glsl. */
 #include "gen/render_text.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/lighting.h"
@@ -9,9 +9,10 @@ static bool pass_combine_needed(const Render *render) { return indirect_is(rende
 static bool pass_combine_make(Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const LightingText text = {.body = {in->dims_direct ? "#define INDIRECT_DIMS\n" : "", render_text_pass_combine},
-                               .over = true,
-                               .of = LIGHTING_around};
+    const LightingText text = {
+        .body = {in->dims_direct ? "#define INDIRECT_DIMS\n" : "", render_text_pass_combine},
+        .over = true,
+        .of = LIGHTING_around};
     if (!lighting_make(render, &text, &render->indirect->combine))
         return false;
     material_set_number(&render->indirect->combine.material, "indirect_gain", (float)in->gain);
@@ -19,13 +20,17 @@ static bool pass_combine_make(Render *render)
     return true;
 }
 
-static void pass_combine_place(Render *render) { lighting_place(render, &render->indirect->combine); }
+static void pass_combine_place(Render *render)
+{
+    lighting_place(render, &render->indirect->combine);
+}
 
 static void pass_combine_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), LIGHTING_FREE_UNIT);
-    screen_pass_run(&render->indirect->combine, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->indirect->combine, &render->targets.draws[FRAME_DRAW_light],
+                    &render->screen);
 }
 
 static bool pass_combine_changed(Render *render, unsigned what)
@@ -34,7 +39,8 @@ static bool pass_combine_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_combine = {
-    .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(open), .changes = FRAME_BIT(light)},
+    .plan = {"combine", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(open),
+             .changes = FRAME_BIT(light)},
     .when = "light is indirect",
     .needed = pass_combine_needed,
     .make = pass_combine_make,

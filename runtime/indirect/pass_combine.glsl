@@ -1,5 +1,6 @@
-// The pass combine: what is lit by lights that have a place gets light from all around, as far as its surroundings let it through, and light that comes by
-// way of these. Before it stands lighting.glsl.
+// The pass combine: what is lit by lights that have a place gets light from all around, as far as
+// its surroundings let it through, and light that comes by way of these. Before it stands
+// lighting.glsl.
 uniform sampler2D light_depth, indirect_open;
 uniform float indirect_gain;
 

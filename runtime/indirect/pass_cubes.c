@@ -1,9 +1,13 @@
-/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and voxel_walk.glsl. */
+/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and
+ * voxel_walk.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
 
-static bool pass_cubes_needed(const Render *render) { return voxels_view_level(render->options.view) >= 0; }
+static bool pass_cubes_needed(const Render *render)
+{
+    return voxels_view_level(render->options.view) >= 0;
+}
 
 static void set(Render *render, const char *name, const float values[4])
 {
@@ -23,7 +27,8 @@ static void pass_cubes_place(Render *render)
     for (int i = 0; i < 4; i++) {
         float lanes[4] = {0};
         for (int k = 0; k < 3; k++)
-            lanes[k] = (float)((i < 3 ? axes[i][k] : camera->position[k] - grid->low[k]) / grid->edge);
+            lanes[k] =
+                (float)((i < 3 ? axes[i][k] : camera->position[k] - grid->low[k]) / grid->edge);
         set(render, names[i], lanes);
     }
     set(render, "cubes_ray", render->space.ray);
@@ -33,12 +38,13 @@ static void pass_cubes_place(Render *render)
 static bool pass_cubes_make(Render *render)
 {
     const int level = voxels_view_level(render->options.view);
-    const ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_walk, render_text_pass_cubes},
-                                 .format = frame_format(render, FRAME_TARGET_cubes, 0),
-                                 .compute = render->compute};
+    const ScreenPassText text = {
+        .body = {render_text_voxel_map, render_text_voxel_walk, render_text_pass_cubes},
+        .format = frame_format(render, FRAME_TARGET_cubes, 0),
+        .compute = render->compute};
     if (level >= render->voxels->levels)
-        return gl_fail(render->gl, "there is no view '%s': of %d voxels the last is voxels%d", render->options.view,
-                       render->voxels->grid.size, render->voxels->levels - 1);
+        return gl_fail(render->gl, "there is no view '%s': of %d voxels the last is voxels%d",
+                       render->options.view, render->voxels->grid.size, render->voxels->levels - 1);
     if (!screen_pass_make(render->store, &text, &render->voxels->view))
         return false;
     material_set_number(&render->voxels->view.material, "cubes_level", (float)level);
@@ -50,7 +56,8 @@ static void pass_cubes_draw(Render *render)
 {
     render->gl->ActiveTexture(GL_TEXTURE0);
     render->gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->voxels->map);
-    screen_pass_run(&render->voxels->view, &render->targets.draws[FRAME_DRAW_cubes], &render->screen);
+    screen_pass_run(&render->voxels->view, &render->targets.draws[FRAME_DRAW_cubes],
+                    &render->screen);
 }
 
 static void pass_cubes_delete(Render *render) { screen_pass_delete(&render->voxels->view); }

@@ -1,4 +1,5 @@
-// The pass cubes: full voxels as the camera sees them, in the colours of the lanes that hold them: 32 voxels red, 32 green, 32 blue, 32 grey.
+// The pass cubes: full voxels as the camera sees them, in the colours of the lanes that hold them:
+// 32 voxels red, 32 green, 32 blue, 32 grey.
 uniform vec4 cubes_ray, cubes_view;                    // of view_space.h
 uniform vec4 cubes_right, cubes_up, cubes_back, cubes_eye; // the eye's axes and place, in voxels
 uniform int cubes_level;

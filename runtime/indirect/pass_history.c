@@ -1,5 +1,6 @@
-/* The pass history: what rays found in frames before, kept for those after, in targets of its own, two of each in turns. Its GLSL is pass_history.glsl, behind
- * indirect_place.glsl. Without it, none of this is there. */
+/* The pass history: what rays found in frames before, kept for those after, in targets of its own,
+ * two of each in turns. Its GLSL is pass_history.glsl, behind indirect_place.glsl. Without it, none
+ * of this is there. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
@@ -31,11 +32,11 @@ static bool make_pass(Render *render, bool place, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], counts[COUNTS];
     indirect_define(render, indirect_coarse(render), defined);
-    snprintf(counts, sizeof counts, "#define HISTORY_BOXES %d\n#define HISTORY_MOTIONS %d\n", INDIRECT_BOXES_MOST,
-             INDIRECT_MOTIONS_MOST);
+    snprintf(counts, sizeof counts, "#define HISTORY_BOXES %d\n#define HISTORY_MOTIONS %d\n",
+             INDIRECT_BOXES_MOST, INDIRECT_MOTIONS_MOST);
     const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
-                                          place ? "#define HISTORY_PLACE\n" : "", counts, render_text_indirect_place,
-                                          render_text_pass_history},
+                                          place ? "#define HISTORY_PLACE\n" : "", counts,
+                                          render_text_indirect_place, render_text_pass_history},
                                  .format = "RGBA32F",
                                  .compute = render->compute};
     if (!screen_pass_make(render->store, &text, pass))
@@ -51,13 +52,15 @@ static bool make_pass(Render *render, bool place, ScreenPass *pass)
 static bool pass_history_make(Render *render)
 {
     IndirectHistory *history = &render->indirect->history;
-    bool done = make_pass(render, false, &history->blend) && make_pass(render, true, &history->place);
+    bool done =
+        make_pass(render, false, &history->blend) && make_pass(render, true, &history->place);
     for (int i = 0; done && i < 2; i++)
         done = make_target(render, &history->values[i]) && make_target(render, &history->places[i]);
     return done && indirect_motion_make(render);
 }
 
-/* What undoes the eye's matrix: it turns and moves alone, so that the inverse of the turn is its transpose. */
+/* What undoes the eye's matrix: it turns and moves alone, so that the inverse of the turn is its
+ * transpose. */
 static void invert_eye(const double eye[16], double made[16])
 {
     memset(made, 0, 16 * sizeof *made);
@@ -80,17 +83,21 @@ static void put_product(const double a[16], const double b[16], float made[4][4]
         }
 }
 
-/* How far around what moved openness may be another, in the world's units: as far as rays go, and a voxel's diagonal. */
+/* How far around what moved openness may be another, in the world's units: as far as rays go, and a
+ * voxel's diagonal. */
 static double reach_of(const Render *render)
 {
-    const double voxel = indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->cache).edge : 0;
+    const double voxel =
+        indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->cache).edge : 0;
     return indirect_radius(render->scene, &render->cache) + 2 * voxel;
 }
 
 static unsigned doubts_of(const Render *render)
 {
-    const bool shown = !indirect_reads_radiance(render); /* what the picture shows is another from each place */
-    return render->indirect->history.doubts | (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
+    /* what the picture shows is another from each place */
+    const bool shown = !indirect_reads_radiance(render);
+    return render->indirect->history.doubts |
+           (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 
 static size_t fill_block(Render *render, Block *block)
@@ -110,8 +117,8 @@ static size_t fill_block(Render *render, Block *block)
     block->doubts[0] = (doubts & INDIRECT_DOUBT_light) != 0;
     block->doubts[1] = (doubts & INDIRECT_DOUBT_openness) != 0;
     block->doubts[2] = (float)reach_of(render);
-    const bool moved =
-        history->there && !history->still && indirect_motion_draw(render, history->eye_from_world, &block->moved);
+    const bool moved = history->there && !history->still &&
+                       indirect_motion_draw(render, history->eye_from_world, &block->moved);
     return moved ? sizeof *block : offsetof(Block, moved) + sizeof block->moved.counts;
 }
 
@@ -142,13 +149,15 @@ static void blend(Render *render)
     indirect_motion_end(render);
 }
 
-/* How far b is off, the mean of twice as many sets of rays as a: the second half's mean is 2 b - a, so b - a is half of what two means differ by that have nothing to do with each other, and that is
+/* How far b is off, the mean of twice as many sets of rays as a: the second half's mean is 2 b - a,
+ * so b - a is half of what two means differ by that have nothing to do with each other, and that is
  * about what the mean of both is off. */
 static double difference(const float *a, const float *b, size_t pixels)
 {
     double sum = 0;
     for (size_t i = 0; i < pixels; i++)
-        sum += ((double)b[4 * i + 3] - (double)a[4 * i + 3]) * ((double)b[4 * i + 3] - (double)a[4 * i + 3]);
+        sum += ((double)b[4 * i + 3] - (double)a[4 * i + 3]) *
+               ((double)b[4 * i + 3] - (double)a[4 * i + 3]);
     return sqrt(sum / (double)pixels);
 }
 
@@ -169,7 +178,8 @@ static void pass_history_draw(Render *render)
 {
     IndirectHistory *history = &render->indirect->history;
     const SceneIndirect *in = &render->scene->indirect;
-    const size_t pixels = (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
+    const size_t pixels =
+        (size_t)history->values[0].spec.width * (size_t)history->values[0].spec.height;
     float *means[2] = {NULL, NULL};
     if (indirect_is_done(render) || indirect_moves(render))
         return;

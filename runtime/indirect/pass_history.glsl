@@ -1,10 +1,15 @@
-// The pass history: what rays found, with what they found in frames before, as the mean over both. Where the point of a pixel was seen before says the view of that frame; what is
-// there counts if it is the same surface, by its distance off the tangent plane and by its normal, and as much as it is made of sets of rays. Behind indirect_place.glsl.
+// The pass history: what rays found, with what they found in frames before, as the mean over both.
+// Where the point of a pixel was seen before says the view of that frame; what is there counts if
+// it is the same surface, by its distance off the tangent plane and by its normal, and as much as
+// it is made of sets of rays. Behind indirect_place.glsl.
 //
-// A pixel of an object that moved is looked up where the object's point was, as the picture's numbers of motions say.
+// A pixel of an object that moved is looked up where the object's point was, as the picture's
+// numbers of motions say.
 //
-// What moves, or lights what others send, leaves a wrong value behind where nothing tells by the surface. Openness can be another only where a ray reaches a box around what moved, as it was or
-// as it is; there, and where light from other surfaces may be another, what was kept is brought near the mean of what rays find around the pixel now.
+// What moves, or lights what others send, leaves a wrong value behind where nothing tells by the
+// surface. Openness can be another only where a ray reaches a box around what moved, as it was or
+// as it is; there, and where light from other surfaces may be another, what was kept is brought
+// near the mean of what rays find around the pixel now.
 uniform sampler2D history_rays;   // of this frame
 uniform sampler2D history_values; // kept: the same, as means
 uniform sampler2D history_places; // x: distance from the eye, along its axis; y: sets of rays; zw: the normal
@@ -26,7 +31,8 @@ struct HistoryKept {
     float sets;
 };
 
-// A unit vector as two numbers, and back: the octahedron |x| + |y| + |z| = 1, unfolded to a square (Meyer et al. 2010).
+// A unit vector as two numbers, and back: the octahedron |x| + |y| + |z| = 1, unfolded to a square
+// (Meyer et al. 2010).
 vec2 historyPack(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);
@@ -40,7 +46,8 @@ vec3 historyUnpack(vec2 p)
     return normalize(n);
 }
 
-// What was kept of a point that was there, with that normal, in the eye's space of before: between the pixels that are nearest to where it was seen. No sets: nothing.
+// What was kept of a point that was there, with that normal, in the eye's space of before: between
+// the pixels that are nearest to where it was seen. No sets: nothing.
 HistoryKept historyAt(vec3 was, vec3 turned)
 {
     HistoryKept kept = HistoryKept(vec4(0.0), 0.0);
@@ -68,8 +75,9 @@ HistoryKept historyAt(vec3 was, vec3 turned)
     return HistoryKept(kept.value / sum, kept.sets / sum);
 }
 
-// Of a pixel. What arrives depends on where a surface is and how it is turned, more than on which surface it is: so of an object that turns, what was kept is looked up where its middle was, as if it did
-// not turn, and only where that shows something else at the very point of the surface.
+// Of a pixel. What arrives depends on where a surface is and how it is turned, more than on which
+// surface it is: so of an object that turns, what was kept is looked up where its middle was, as if
+// it did not turn, and only where that shows something else at the very point of the surface.
 HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
 {
     if (history_limits.y == 0.0) return HistoryKept(vec4(0.0), 0.0);
@@ -98,8 +106,10 @@ bool historyIsNear(vec3 point)
     return false;
 }
 
-// Of 4 x 4 pixels, those that show the tangent plane to within their distance: their mean, which is off by a fourth of their deviation if they have nothing
-// to do with each other, and by less if they have one net of rays. What was kept is brought to within 1.5 of that, and counts the less the farther it was off.
+// Of 4 x 4 pixels, those that show the tangent plane to within their distance: their mean, which is
+// off by a fourth of their deviation if they have nothing to do with each other, and by less if
+// they have one net of rays. What was kept is brought to within 1.5 of that, and counts the less
+// the farther it was off.
 void historyLimit(inout HistoryKept kept, ivec2 at, vec3 point, vec3 normal)
 {
     bvec2 doubt = greaterThan(history_doubts.xy, vec2(0.0));

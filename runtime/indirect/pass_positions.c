@@ -1,4 +1,5 @@
-/* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
+/* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is
+ * drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
  * positions_vertex.glsl and positions_fragment.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
@@ -26,28 +27,36 @@ static int view_of(const char *view)
 }
 
 bool pass_positions_is_view(const char *view) { return view_of(view) >= 0; }
-static bool pass_positions_needed(const Render *render) { return pass_positions_is_view(render->options.view); }
+static bool pass_positions_needed(const Render *render)
+{
+    return pass_positions_is_view(render->options.view);
+}
 
 static void set(Render *render, const char *name, const float values[4])
 {
     material_set(&render->positions->material, &(MaterialValue){name, 4, values});
 }
 
-/* By columns: where the camera goes right, points go left before what they are turned around; y is up, z to the back. */
+/* By columns: where the camera goes right, points go left before what they are turned around; y is
+ * up, z to the back. */
 static void set_turn(Render *render, double right, double up)
 {
     const double a = right * PI / 180, b = up * PI / 180;
-    const float turn[9] = {
-        (float)cos(a),           0, (float)sin(a), 0, (float)cos(b), (float)sin(b), (float)-sin(a), (float)-sin(b),
-        (float)(cos(a) * cos(b))};
+    const float turn[9] = {(float)cos(a),           0,
+                           (float)sin(a),           0,
+                           (float)cos(b),           (float)sin(b),
+                           (float)-sin(a),          (float)-sin(b),
+                           (float)(cos(a) * cos(b))};
     material_set(&render->positions->material, &(MaterialValue){"positions_turn", 9, turn});
 }
 
-/* An orthographic camera's depth ends where the scene does as it sees it; turned, points are elsewhere. */
+/* An orthographic camera's depth ends where the scene does as it sees it; turned, points are
+ * elsewhere. */
 static void set_clip(Render *render, const VoxelGrid *grid, const float middle[4])
 {
     const float *m = render->space.spaces.clip_from_eye.m, *view = render->space.depth;
-    const float reach = view[0] + 2 * (float)(grid->edge * grid->size), scale = render->zero_to_one ? 1 : 2;
+    const float reach = view[0] + 2 * (float)(grid->edge * grid->size),
+                scale = render->zero_to_one ? 1 : 2;
     const float z = .5f * scale / reach, at = scale * (.5f - .5f * middle[2] / reach) - (scale - 1);
     const bool flat = view[1] > 0;
     set(render, "positions_clip", (float[]){m[0], m[5], flat ? z : m[10], flat ? at : m[14]});
@@ -122,7 +131,8 @@ static bool pass_positions_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_positions = {
-    .plan = {"mesh", .reads = FRAME_BIT(depth), .fills = FRAME_BIT(positions) | FRAME_BIT(layer_depth)},
+    .plan = {"mesh", .reads = FRAME_BIT(depth),
+             .fills = FRAME_BIT(positions) | FRAME_BIT(layer_depth)},
     .when = "what the picture knows is looked at from beside",
     .needed = pass_positions_needed,
     .make = pass_positions_make,

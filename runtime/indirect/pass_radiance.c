@@ -1,4 +1,5 @@
-/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h. Objects that fill voxels are drawn from six sides by their own programs, three times each: which
+/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h.
+ * Objects that fill voxels are drawn from six sides by their own programs, three times each: which
  * nodes there are, what is nearest in each, what its surface is; then all nodes are lit. */
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/radiance.h"
@@ -51,7 +52,8 @@ static void wait(const Render *render)
                               GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/* Of what is closed its fronts alone: a back would send light within it, and have rays from there go out through a thin wall. The map's texture says how large the framebuffer is. */
+/* Of what is closed its fronts alone: a back would send light within it, and have rays from there
+ * go out through a thin wall. The map's texture says how large the framebuffer is. */
 static void draw_surfaces(Render *render, int step)
 {
     const GlContext *gl = render->gl;
@@ -84,7 +86,8 @@ static void clear(const Render *render, size_t from, size_t words)
     const GlContext *gl = render->gl;
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->radiance->faces);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)(from * sizeof(GLuint)),
-                           (GLsizeiptr)(words * sizeof(GLuint)), GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
+                           (GLsizeiptr)(words * sizeof(GLuint)), GL_RED_INTEGER, GL_UNSIGNED_INT,
+                           NULL);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
@@ -99,7 +102,8 @@ static void bind(const Render *render)
 /* So many invocations, in a rectangle of groups. */
 static void dispatch(const Render *render, size_t count)
 {
-    const size_t groups = (count + GROUP - 1) / GROUP, across = groups < GROUPS_ACROSS ? groups : GROUPS_ACROSS;
+    const size_t groups = (count + GROUP - 1) / GROUP,
+                 across = groups < GROUPS_ACROSS ? groups : GROUPS_ACROSS;
     if (groups)
         render->gl->DispatchCompute((GLuint)across, (GLuint)((groups + across - 1) / across), 1);
     wait(render);
@@ -190,7 +194,8 @@ static void bounce_nodes(Render *render)
         return;
     pass_voxels_set(render, VOXEL_UNIT, bounce);
     radiance_set(render, RADIANCE_UNIT, bounce);
-    material_set_number(&bounce->material, "bounce_far", (float)(radius / render->voxels->grid.edge));
+    material_set_number(&bounce->material, "bounce_far",
+                        (float)(radius / render->voxels->grid.edge));
     voxel_bricks_bind(render, VOXEL_UNIT);
     radiance_bind(render, RADIANCE_UNIT);
     bind(render);
@@ -235,7 +240,8 @@ static bool pass_radiance_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_radiance = {
-    .plan = {"radiance", .reads = FRAME_BIT(voxels) | FRAME_BIT(shadow), .fills = FRAME_BIT(radiance)},
+    .plan = {"radiance", .reads = FRAME_BIT(voxels) | FRAME_BIT(shadow),
+             .fills = FRAME_BIT(radiance)},
     .when = "indirect light comes from what is not shown; once, then it is kept",
     .needed = radiance_needed,
     .make = pass_radiance_make,

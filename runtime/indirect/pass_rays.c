@@ -1,5 +1,5 @@
-/* The pass rays: from depth, G-buffer, light and voxels to openness and indirect light. Its GLSL is pass_rays.glsl, behind indirect_place.glsl and that of the
- * method. */
+/* The pass rays: from depth, G-buffer, light and voxels to openness and indirect light. Its GLSL is
+ * pass_rays.glsl, behind indirect_place.glsl and that of the method. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
@@ -22,9 +22,10 @@ void pass_rays_place(Render *render)
     indirect_forget(render);
     FrameIndirect *in = render->indirect;
     enum { RAYS = 4 }; /* of them send rays */
-    ScreenPass *passes[] = {&in->rays,          &in->again,        &in->moving.rays,   &in->moving.again,
-                            &in->smooth,        &in->spread,       &in->moving.smooth, &in->moving.spread,
-                            &in->history.blend, &in->history.place};
+    ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,
+                            &in->moving.again,  &in->smooth,        &in->spread,
+                            &in->moving.smooth, &in->moving.spread, &in->history.blend,
+                            &in->history.place};
     for (size_t i = 0; i < sizeof passes / sizeof *passes; i++)
         indirect_set(render, passes[i]);
     for (size_t i = 0; i < RAYS; i++)
@@ -37,11 +38,16 @@ void pass_rays_place(Render *render)
         }
 }
 
-/* Pixels so far apart along a row have one set of directions: their rays are alike, as those of neighbours are not, and drivers that run invocations in vectors walk all of a vector's rays as far
- * as the longest. */
-static bool is_alike(const Render *render) { return render->scene->indirect.rotation == WORD_Rotation_tile; }
+/* Pixels so far apart along a row have one set of directions: their rays are alike, as those of
+ * neighbours are not, and drivers that run invocations in vectors walk all of a vector's rays as
+ * far as the longest. */
+static bool is_alike(const Render *render)
+{
+    return render->scene->indirect.rotation == WORD_Rotation_tile;
+}
 
-/* How rays are sent: to the view of openness alone, by points, by a mask of the screen, or on through voxels. */
+/* How rays are sent: to the view of openness alone, by points, by a mask of the screen, or on
+ * through voxels. */
 typedef struct {
     bool seen, points, mask, voxels, levels;
 } Way;
@@ -101,11 +107,13 @@ static void add_surface(const Render *render, bool again, const char *defined, S
 
 static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
-    char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS], planes[INDIRECT_PLANES_DEFINITION];
+    char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS],
+        planes[INDIRECT_PLANES_DEFINITION];
     const char *around[INDIRECT_AROUND_TEXTS];
     const bool kept = radiance_needed(render);
     const Way way = way_of(render);
-    ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_open, 0), .compute = render->compute};
+    ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_open, 0),
+                           .compute = render->compute};
     indirect_define(render, coarse, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
@@ -132,7 +140,8 @@ static bool pass_rays_make(Render *render)
     FrameIndirect *in = render->indirect;
     const bool again = indirect_is_repeated(render);
     const int coarse = indirect_coarse(render), moving = indirect_moving(render);
-    const bool done = make(render, false, coarse, &in->rays) && (!again || make(render, true, coarse, &in->again)) &&
+    const bool done = make(render, false, coarse, &in->rays) &&
+                      (!again || make(render, true, coarse, &in->again)) &&
                       (!moving || make(render, false, moving, &in->moving.rays)) &&
                       (!moving || !again || make(render, true, moving, &in->moving.again));
     pass_rays_place(render);
@@ -150,8 +159,10 @@ static void run(Render *render, ScreenPass *pass)
     if (radiance_needed(render))
         radiance_bind(render, RADIANCE_UNIT);
     indirect_around_bind(render, SKY_UNIT);
-    const Framebuffer *target = &render->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
-    screen_pass_run(pass, indirect_moves(render) ? &render->indirect->moving.found : target, &render->screen);
+    const Framebuffer *target =
+        &render->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
+    screen_pass_run(pass, indirect_moves(render) ? &render->indirect->moving.found : target,
+                    &render->screen);
 }
 
 void pass_rays_draw(Render *render)
@@ -172,7 +183,8 @@ void pass_rays_draw(Render *render)
 void pass_rays_draw_again(Render *render)
 {
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_open, 0), BEFORE_UNIT);
-    run(render, indirect_moves(render) ? &render->indirect->moving.again : &render->indirect->again);
+    run(render,
+        indirect_moves(render) ? &render->indirect->moving.again : &render->indirect->again);
 }
 
 static bool pass_rays_changed(Render *render, unsigned what)
@@ -209,8 +221,8 @@ static void pass_rays_forget(Render *render)
 
 const FramePass pass_rays = {
     .plan = {"rays",
-             .reads =
-                 FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) | FRAME_BIT(radiance),
+             .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) |
+                      FRAME_BIT(radiance),
              .fills = FRAME_BIT(rays)},
     .when = "light is indirect",
     .needed = pass_rays_needed,

@@ -1,5 +1,7 @@
-// The pass rays: what a pixel's surface sees of its surroundings. rgb: light that comes by way of other surfaces, as the mean of what arrives, the cosine
-// counted in (irradiance over pi); a: openness. Before it stand what unpacks the G-buffer, indirect_place.glsl, and the method's own, with indirectAround().
+// The pass rays: what a pixel's surface sees of its surroundings. rgb: light that comes by way of
+// other surfaces, as the mean of what arrives, the cosine counted in (irradiance over pi); a:
+// openness. Before it stand what unpacks the G-buffer, indirect_place.glsl, and the method's own,
+// with indirectAround().
 #ifdef INDIRECT_SETS
 uniform float indirect_set; // its number
 #endif

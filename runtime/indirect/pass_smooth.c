@@ -1,19 +1,24 @@
-/* The passes smooth and spread: what rays found, as means over pixels of the same surface: along rows, then along columns, for all pixels of the picture. Their
- * GLSL is pass_smooth.glsl, behind indirect_place.glsl. */
+/* The passes smooth and spread: what rays found, as means over pixels of the same surface: along
+ * rows, then along columns, for all pixels of the picture. Their GLSL is pass_smooth.glsl, behind
+ * indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect.h"
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
-/* The filter `atrous` goes to and fro between the targets smooth and open, or a part of that, and ends in open where rays go out for all pixels: after an even number of levels; else in smooth, which
- * is then spread. */
+/* The filter `atrous` goes to and fro between the targets smooth and open, or a part of that, and
+ * ends in open where rays go out for all pixels: after an even number of levels; else in smooth,
+ * which is then spread. */
 static bool is_atrous(const Render *render)
 {
     return render->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(render);
 }
 
-static bool is_spread(const Render *render) { return !is_atrous(render) || indirect_coarse(render) > 1; }
+static bool is_spread(const Render *render)
+{
+    return !is_atrous(render) || indirect_coarse(render) > 1;
+}
 
 /* Two levels reach 6 pixels, four 30; of wider ones one reaches 2, three 14. */
 static int atrous_levels(const Render *render)
@@ -25,8 +30,8 @@ static int atrous_levels(const Render *render)
 int pass_smooth_reach(const Render *render)
 {
     const int coarse = indirect_coarse(render), spread = coarse > 1 ? 2 : 0;
-    const int reach =
-        is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1 : indirect_filter_size(render, coarse);
+    const int reach = is_atrous(render) ? 2 * ((1 << atrous_levels(render)) - 1) + 1
+                                        : indirect_filter_size(render, coarse);
     return indirect_is_smoothed(render) ? coarse * (reach + spread) : 0;
 }
 
@@ -37,13 +42,14 @@ static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)
     const bool atrous = is_atrous(render) && coarse == indirect_coarse(render);
     char defined[INDIRECT_DEFINITIONS];
     indirect_define(render, coarse, defined);
-    const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
-                                          atrous && !spread ? "#define SMOOTH_ATROUS\n" : "",
-                                          spread ? "#define SMOOTH_SPREAD\n" : "",
-                                          atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
-                                          render_text_indirect_place, render_text_pass_smooth},
-                                 .format = frame_format(render, FRAME_TARGET_open, 0),
-                                 .compute = render->compute};
+    const ScreenPassText text = {
+        .body = {indirect_surface_text(render), defined,
+                 atrous && !spread ? "#define SMOOTH_ATROUS\n" : "",
+                 spread ? "#define SMOOTH_SPREAD\n" : "",
+                 atrous && spread ? "#undef INDIRECT_FILTER\n#define INDIRECT_FILTER 0\n" : "",
+                 render_text_indirect_place, render_text_pass_smooth},
+        .format = frame_format(render, FRAME_TARGET_open, 0),
+        .compute = render->compute};
     if (!screen_pass_make(render->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "smooth_source", SOURCE_UNIT);
@@ -68,7 +74,8 @@ static bool pass_smooth_make(Render *render)
     IndirectMoving *moving = &render->indirect->moving;
     const int coarse = indirect_moving(render);
     return make(render, false, indirect_coarse(render), &render->indirect->smooth) &&
-           (!coarse || (make(render, false, coarse, &moving->smooth) && make(render, true, coarse, &moving->spread) &&
+           (!coarse || (make(render, false, coarse, &moving->smooth) &&
+                        make(render, true, coarse, &moving->spread) &&
                         make_part(render, FRAME_TARGET_rays, coarse, &moving->found) &&
                         make_part(render, FRAME_TARGET_smooth, coarse, &moving->smoothed)));
 }
@@ -76,15 +83,17 @@ static bool pass_smooth_make(Render *render)
 static bool pass_spread_make(Render *render)
 {
     const int coarse = indirect_coarse(render);
-    return (!is_atrous(render) || make_part(render, FRAME_TARGET_open, coarse, &render->indirect->between)) &&
+    return (!is_atrous(render) ||
+            make_part(render, FRAME_TARGET_open, coarse, &render->indirect->between)) &&
            (!is_spread(render) || make(render, true, coarse, &render->indirect->spread));
 }
 
 /* What rays found. */
 static GLuint found(const Render *render)
 {
-    return indirect_keeps(render) && !indirect_moves(render) ? indirect_kept(render)
-                                                             : frame_texture(render, FRAME_TARGET_rays, 0);
+    return indirect_keeps(render) && !indirect_moves(render)
+               ? indirect_kept(render)
+               : frame_texture(render, FRAME_TARGET_rays, 0);
 }
 
 static void run(Render *render, ScreenPass *pass, GLuint source, const Framebuffer *made)
@@ -101,7 +110,8 @@ static void draw_level(Render *render, int level)
     ScreenPass *pass = &render->indirect->smooth;
     material_set_number(&pass->material, "smooth_level", (float)level);
     run(render, pass,
-        level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0) : found(render),
+        level ? frame_texture(render, level % 2 ? FRAME_TARGET_smooth : FRAME_TARGET_open, 0)
+              : found(render),
         level % 2 ? &render->indirect->between : &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
@@ -113,7 +123,8 @@ static void pass_smooth_draw(Render *render)
     else if (indirect_moves(render))
         run(render, &moving->smooth, found(render), &moving->smoothed);
     else
-        run(render, &render->indirect->smooth, found(render), &render->targets.draws[FRAME_DRAW_smooth]);
+        run(render, &render->indirect->smooth, found(render),
+            &render->targets.draws[FRAME_DRAW_smooth]);
 }
 
 static void spread(Render *render)
@@ -121,11 +132,13 @@ static void spread(Render *render)
     for (int level = 1; is_atrous(render) && level < atrous_levels(render); level++)
         draw_level(render, level);
     if (is_spread(render))
-        run(render, indirect_moves(render) ? &render->indirect->moving.spread : &render->indirect->spread,
+        run(render,
+            indirect_moves(render) ? &render->indirect->moving.spread : &render->indirect->spread,
             frame_texture(render, FRAME_TARGET_smooth, 0), &render->targets.draws[FRAME_DRAW_open]);
 }
 
-/* Then all three once more for each further bounce: light that surfaces send is then that of lights and of the bounces before. */
+/* Then all three once more for each further bounce: light that surfaces send is then that of lights
+ * and of the bounces before. */
 static void pass_spread_draw(Render *render)
 {
     spread(render);
@@ -151,7 +164,8 @@ static void pass_spread_request(const Render *render, FramePlanPass *row)
 }
 
 const FramePass pass_smooth = {
-    .plan = {"smooth", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(rays), .fills = FRAME_BIT(smooth)},
+    .plan = {"smooth", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(rays),
+             .fills = FRAME_BIT(smooth)},
     .when = "what rays found is smoothed",
     .needed = pass_smooth_needed,
     .request = pass_smooth_request,
@@ -160,7 +174,8 @@ const FramePass pass_smooth = {
 };
 
 const FramePass pass_spread = {
-    .plan = {"spread", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(smooth), .fills = FRAME_BIT(open)},
+    .plan = {"spread", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(smooth),
+             .fills = FRAME_BIT(open)},
     .when = "what rays found is smoothed",
     .needed = pass_smooth_needed,
     .request = pass_spread_request,

@@ -1,6 +1,9 @@
-// The passes smooth and spread: means over pixels nearby that show the same surface, first along rows, then along columns; the second also makes pixels of the picture of
-// those that are INDIRECT_COARSE wide. How much a pixel counts: by its place, flat over INDIRECT_FILTER to each side and half at the ends, so that of 2 all 16 shifts of
-// a tile count alike; by how far its point is off the tangent plane, up to two pixels' width for each pixel that it is away; and by its normal.
+// The passes smooth and spread: means over pixels nearby that show the same surface, first along
+// rows, then along columns; the second also makes pixels of the picture of those that are
+// INDIRECT_COARSE wide. How much a pixel counts: by its place, flat over INDIRECT_FILTER to each
+// side and half at the ends, so that of 2 all 16 shifts of a tile count alike; by how far its point
+// is off the tangent plane, up to two pixels' width for each pixel that it is away; and by its
+// normal.
 uniform sampler2D smooth_source;
 
 struct SmoothPlace {
@@ -26,11 +29,16 @@ ivec2 smoothLow() { return ivec2(indirectLow()) / INDIRECT_COARSE; }
 ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
 
 #ifdef SMOOTH_ATROUS
-// A-trous ("with holes"), of pixels for which rays go out: level i takes 5 x 5 pixels that are 2^i apart, by the B3 spline's weights, 1 4 6 4 1 over 16, so that a few levels of 25 reach as far as one of thousands. From level 1 on a pixel
-// counts the less the more its value differs, in what its noise is: the deviation of what rays found in 3 x 3 pixels of the same surface, of which level 0 leaves the root of the sum of its squared weights, 70 / 256, and
-// each further one half. What differs by more is detail, not noise. On level 0 values differ by noise alone, and what is left out for that would make means darker. Light and openness go by themselves.
+// A-trous ("with holes"), of pixels for which rays go out: level i takes 5 x 5 pixels that are 2^i
+// apart, by the B3 spline's weights, 1 4 6 4 1 over 16, so that a few levels of 25 reach as far as
+// one of thousands. From level 1 on a pixel counts the less the more its value differs, in what its
+// noise is: the deviation of what rays found in 3 x 3 pixels of the same surface, of which level 0
+// leaves the root of the sum of its squared weights, 70 / 256, and each further one half. What
+// differs by more is detail, not noise. On level 0 values differ by noise alone, and what is left
+// out for that would make means darker. Light and openness go by themselves.
 //
-//     rays that find 0.7, 0.5, 0.6 beside each other: a deviation of 0.08; on level 1 of 0.022: a pixel that is off by 0.05 counts exp(-0.05 / (SMOOTH_NOISE 0.022)), a half
+//     rays that find 0.7, 0.5, 0.6 beside each other: a deviation of 0.08; on level 1 of 0.022: a
+//     pixel that is off by 0.05 counts exp(-0.05 / (SMOOTH_NOISE 0.022)), a half
 uniform sampler2D smooth_rays; // as rays found it
 uniform float smooth_level;
 

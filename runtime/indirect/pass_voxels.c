@@ -1,5 +1,7 @@
-/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects move. Bodies turn bits over by an exclusive
- * or of the driver's, in waves of those that are apart; surfaces of the others set theirs along each axis; all are merged, then the levels above are made. */
+/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects
+ * move. Bodies turn bits over by an exclusive or of the driver's, in waves of those that are apart;
+ * surfaces of the others set theirs along each axis; all are merged, then the levels above are
+ * made. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -31,12 +33,13 @@ static GLuint make_texture(Render *render, GLenum format, int layers, int levels
     GLuint made = 0;
     gl->GenTextures(1, &made);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, made);
-    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER,
+                      levels > 1 ? GL_NEAREST_MIPMAP_NEAREST : GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, levels - 1);
     for (int level = 0; level < levels; level++)
-        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, size >> level, size >> level, layers, 0, lanes,
-                       GL_UNSIGNED_INT, NULL);
+        gl->TexImage3D(GL_TEXTURE_2D_ARRAY, level, (GLint)format, size >> level, size >> level,
+                       layers, 0, lanes, GL_UNSIGNED_INT, NULL);
     return made;
 }
 
@@ -58,11 +61,12 @@ static bool make_textures(Render *render)
 /* `casts`: it is drawn with objects; else over all texels. */
 static bool make_program(Render *render, const char *text, bool casts, Material *made)
 {
-    const char *const version =
-        render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";
+    const char *const version = render->gl->major * 10 + render->gl->minor >= 45
+                                    ? "#version 450 core\n"
+                                    : "#version 430 core\n";
     char defined[64];
-    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n", render->voxels->grid.size,
-             render->voxels->layers);
+    snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n",
+             render->voxels->grid.size, render->voxels->layers);
     ProgramText program = {.fragment = {version, defined, text}, .vertex = {version}};
     program.vertex[1] = !casts ? screen_text : render->cache.instances ? "#define INSTANCES\n" : "";
     program.vertex[2] = casts ? render_text_shadow_depth : "";
@@ -86,13 +90,13 @@ static bool pass_voxels_make(Render *render)
 {
     FrameVoxels *voxels = render->voxels;
     if (!transparency_has_lists(render->gl))
-        return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d", render->gl->major,
-                       render->gl->minor);
+        return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d",
+                       render->gl->major, render->gl->minor);
     voxels->grid = voxel_grid(render->scene, &render->cache);
     if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
         return gl_fail(render->gl, "out of memory");
-    return make_textures(render) && make_programs(render) && (!render->compute || voxel_fine_make(render)) &&
-           voxel_bricks_make(render);
+    return make_textures(render) && make_programs(render) &&
+           (!render->compute || voxel_fine_make(render)) && voxel_bricks_make(render);
 }
 
 /* -- drawing */
@@ -100,8 +104,8 @@ static bool pass_voxels_make(Render *render)
 /* So many layers of a texture's level are drawn to at once. */
 static void use_layers(const Render *render, GLuint texture, int level, int first, int count)
 {
-    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_COLOR_ATTACHMENT2,
-                                     GL_COLOR_ATTACHMENT3};
+    static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
+                                     GL_COLOR_ATTACHMENT2, GL_COLOR_ATTACHMENT3};
     const GlContext *gl = render->gl;
     const int size = render->voxels->grid.size >> level;
     gl->BindFramebuffer(GL_FRAMEBUFFER, render->voxels->framebuffer);
@@ -112,7 +116,8 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
     gl->Viewport(0, 0, size, size);
 }
 
-/* Draws the objects of a wave, seen along an axis; without a material what is cut out, by its own. */
+/* Draws the objects of a wave, seen along an axis; without a material what is cut out, by its
+ * own. */
 static void cast(Render *render, int axis, int wave, Material *material)
 {
     static const CullVolume all = {.count = 0};
@@ -156,7 +161,8 @@ static void tell_cut(Render *render, int axis)
     const Cache *cache = &render->cache;
     for (int i = 0; i < cache->place_count; i++)
         if (cache->places[i].cut >= 0)
-            material_set_number(&cache->casters[cache->places[i].cut].material, "voxel_axis", (float)axis);
+            material_set_number(&cache->casters[cache->places[i].cut].material, "voxel_axis",
+                                (float)axis);
 }
 
 static void draw_surface(Render *render)
@@ -254,9 +260,11 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
     for (int column = 0; column < 4; column++)
         for (int k = 0; k < 3; k++)
             matrix[4 * column + k] =
-                (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) / grid->edge);
+                (float)((column < 3 ? axes[column][k] : camera->position[k] - grid->low[k]) /
+                        grid->edge);
     matrix[15] = 1;
-    material_set_number(&pass->material, "voxel_off", has_surfaces(render) ? OFF_SURFACES : OFF_BODIES);
+    material_set_number(&pass->material, "voxel_off",
+                        has_surfaces(render) ? OFF_SURFACES : OFF_BODIES);
     screen_pass_sampler(pass, "voxel_bricks", unit);
     material_set_number(&pass->material, "voxel_size", (float)grid->size);
     material_set(&pass->material, &(MaterialValue){"voxel_from_eye", 16, matrix});
@@ -277,7 +285,8 @@ static void pass_voxels_forget_time(Render *render)
     for (int i = 0; i < cache->caster_count; i++)
         casts |= spaces_by_time(&cache->casters[i].material);
     for (int i = 0; casts && i < cache->place_count; i++)
-        cuts |= cache->places[i].cut >= 0 && spaces_by_time(&cache->casters[cache->places[i].cut].material);
+        cuts |= cache->places[i].cut >= 0 &&
+                spaces_by_time(&cache->casters[cache->places[i].cut].material);
     render->voxels->drawn &= !cuts;
     render->radiance->drawn &= !casts && !radiance_by_time(render);
 }
@@ -298,7 +307,8 @@ static void pass_voxels_delete(Render *render)
 {
     const GlContext *gl = render->gl;
     FrameVoxels *voxels = render->voxels;
-    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->fine, &voxels->merge, &voxels->above};
+    Material *materials[] = {&voxels->flip, &voxels->touch, &voxels->fine, &voxels->merge,
+                             &voxels->above};
     for (size_t i = 0; i < sizeof materials / sizeof *materials; i++)
         if (materials[i]->store)
             material_delete(materials[i]);

@@ -1,4 +1,5 @@
-// The view positions: grey, by how it is turned to who looks; blue where a triangle only joins two surfaces.
+// The view positions: grey, by how it is turned to who looks; blue where a triangle only joins two
+// surfaces.
 uniform vec4 positions_view;
 in vec3 position;
 flat in float position_known;

@@ -1,5 +1,6 @@
-// The view positions: the points that pixels show, as a mesh of two triangles between each four pixels' middles, seen from beside (Thiedemann 2009, 4.3). The eye's space is turned around a point of it; vertices are numbered, six for each
-// four pixels, and depth says where they are.
+// The view positions: the points that pixels show, as a mesh of two triangles between each four
+// pixels' middles, seen from beside (Thiedemann 2009, 4.3). The eye's space is turned around a
+// point of it; vertices are numbered, six for each four pixels, and depth says where they are.
 uniform sampler2D positions_depth;
 uniform mat3 positions_turn;
 uniform vec4 positions_middle; // around which it is turned

@@ -1,4 +1,5 @@
-/* What cached radiance is made with: programs of materials that end in nodes, buffers, and what passes read of it. */
+/* What cached radiance is made with: programs of materials that end in nodes, buffers, and what
+ * passes read of it. */
 #include "runtime/indirect/radiance.h"
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
@@ -22,11 +23,15 @@ static bool is_lit(const Scene *scene)
 
 bool radiance_needed(const Render *render)
 {
-    return indirect_reads_radiance(render) && render->scene->indirect.bounces > 0 && !indirect_shows(render, "bent") &&
-           !indirect_shows(render, "open") && !indirect_shows(render, "visibility") && is_lit(render->scene);
+    return indirect_reads_radiance(render) && render->scene->indirect.bounces > 0 &&
+           !indirect_shows(render, "bent") && !indirect_shows(render, "open") &&
+           !indirect_shows(render, "visibility") && is_lit(render->scene);
 }
 
-int radiance_texels(const Render *render) { return render->scene->indirect.bounces > 1 ? BOUNCED_TEXELS : ONCE_TEXELS; }
+int radiance_texels(const Render *render)
+{
+    return render->scene->indirect.bounces > 1 ? BOUNCED_TEXELS : ONCE_TEXELS;
+}
 
 /* -- programs */
 
@@ -50,9 +55,11 @@ static bool make_keepers(Render *render)
         const SetProgram *program = set_find(set, material, "gbuffer");
         if (!voxels_have(place) || radiance->keepers[place->kind].store)
             continue;
-        ProgramText text = {.vertex = {set_vertex(set, program)}, .fragment = {set_fragment(set, program)}};
+        ProgramText text = {.vertex = {set_vertex(set, program)},
+                            .fragment = {set_fragment(set, program)}};
         transparency_wrap(around, false, &text);
-        fine = material_make(render->store, program->program, &text, &radiance->keepers[place->kind]) ||
+        fine = material_make(render->store, program->program, &text,
+                             &radiance->keepers[place->kind]) ||
                set_fail(render->gl, render->scene, material);
     }
     free(around);
@@ -62,19 +69,20 @@ static bool make_keepers(Render *render)
 static bool make_number(Render *render)
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
-    const ProgramText text = {
-        .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", render_text_radiance_number}};
+    const ProgramText text = {.compute = {modern ? "#version 450 core\n" : "#version 430 core\n",
+                                          render_text_radiance_number}};
     if (!material_make(render->store, NULL, &text, &render->radiance->number))
         return false;
-    material_set_number(&render->radiance->number, "radiance_stride", (float)transparency_stride(&render->set));
+    material_set_number(&render->radiance->number, "radiance_stride",
+                        (float)transparency_stride(&render->set));
     return true;
 }
 
 void radiance_define(const Render *render, char text[RADIANCE_DEFINITIONS])
 {
     snprintf(text, RADIANCE_DEFINITIONS,
-             "#define RADIANCE_HEAD %d\n#define RADIANCE_TEXELS %d\n#define INDIRECT_RADIANCE\n", RADIANCE_HEAD,
-             radiance_texels(render));
+             "#define RADIANCE_HEAD %d\n#define RADIANCE_TEXELS %d\n#define INDIRECT_RADIANCE\n",
+             RADIANCE_HEAD, radiance_texels(render));
 }
 
 static bool make_light(Render *render)
@@ -82,10 +90,10 @@ static bool make_light(Render *render)
     char reader[TRANSPARENCY_TEXT], defined[RADIANCE_DEFINITIONS];
     transparency_reader(&render->set, reader);
     radiance_define(render, defined);
-    const LightingText text = {
-        .body = {reader, defined, render_text_voxel_map, render_text_radiance_place, render_text_radiance_light},
-        .block = 64,
-        .of = LIGHTING_nodes};
+    const LightingText text = {.body = {reader, defined, render_text_voxel_map,
+                                        render_text_radiance_place, render_text_radiance_light},
+                               .block = 64,
+                               .of = LIGHTING_nodes};
     return lighting_make(render, &text, &render->radiance->light);
 }
 
@@ -96,8 +104,9 @@ static bool make_bounce(Render *render)
     radiance_define(render, defined);
     snprintf(strides, sizeof strides, "#define LISTS_STRIDE %du\n#define RADIANCE_RAYS %d\n",
              transparency_stride(&render->set), render->scene->indirect.rays);
-    const ScreenPassText text = {.body = {defined, strides, render_text_voxel_map, render_text_voxel_ray,
-                                          render_text_radiance, render_text_radiance_place, render_text_indirect_basis,
+    const ScreenPassText text = {.body = {defined, strides, render_text_voxel_map,
+                                          render_text_voxel_ray, render_text_radiance,
+                                          render_text_radiance_place, render_text_indirect_basis,
                                           render_text_radiance_bounce},
                                  .format = "RGBA16F",
                                  .compute = true,
@@ -131,7 +140,8 @@ bool radiance_make_room(Render *render, GLuint nodes)
     FrameRadiance *radiance = render->radiance;
     GLint texels_most = 0;
     render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels_most);
-    if (floats * sizeof(float) > most || words * sizeof(GLuint) > most || texels > (size_t)texels_most)
+    if (floats * sizeof(float) > most || words * sizeof(GLuint) > most ||
+        texels > (size_t)texels_most)
         return false;
     fill(render->gl, radiance->nodes, words * sizeof(GLuint));
     fill(render->gl, radiance->kept, floats * sizeof(float));
@@ -145,7 +155,8 @@ static bool make_buffers(Render *render)
     const GlContext *gl = render->gl;
     FrameRadiance *radiance = render->radiance;
     const size_t size =
-        (size_t)(render->voxels->grid.size < RADIANCE_SIZE_MOST ? render->voxels->grid.size : RADIANCE_SIZE_MOST);
+        (size_t)(render->voxels->grid.size < RADIANCE_SIZE_MOST ? render->voxels->grid.size
+                                                                : RADIANCE_SIZE_MOST);
     radiance->size = (int)size;
     gl->GenBuffers(1, &radiance->faces);
     gl->GenBuffers(1, &radiance->nodes);
@@ -161,20 +172,22 @@ void radiance_sort(Render *render)
 {
     const Cache *cache = &render->cache;
     for (int i = 0; i < cache->place_count; i++) {
-        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid && cache->places[i].cut < 0;
+        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid &&
+                            cache->places[i].cut < 0;
         render->radiance->casts[i] = voxel_bodies_is_body(render->voxels, i) ? RADIANCE_body
-                                    : closed                ? RADIANCE_closed
-                                                            : RADIANCE_surface;
+                                     : closed                                ? RADIANCE_closed
+                                                                             : RADIANCE_surface;
     }
 }
 
 bool radiance_make(Render *render)
 {
-    render->radiance->casts = calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance->casts);
+    render->radiance->casts =
+        calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance->casts);
     if (!render->radiance->casts)
         return gl_fail(render->gl, "out of memory");
-    return make_buffers(render) && make_keepers(render) && make_number(render) && make_light(render) &&
-           make_bounce(render);
+    return make_buffers(render) && make_keepers(render) && make_number(render) &&
+           make_light(render) && make_bounce(render);
 }
 
 /* -- what reads it */
@@ -192,7 +205,8 @@ void radiance_set(const Render *render, int unit, ScreenPass *pass)
 
 void radiance_bind(const Render *render, int unit)
 {
-    const GLuint textures[RADIANCE_UNITS] = {render->radiance->faces_words, render->radiance->kept_texels};
+    const GLuint textures[RADIANCE_UNITS] = {render->radiance->faces_words,
+                                             render->radiance->kept_texels};
     for (int i = 0; i < RADIANCE_UNITS; i++) {
         render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)(unit + i));
         render->gl->BindTexture(GL_TEXTURE_BUFFER, textures[i]);
@@ -227,8 +241,8 @@ void radiance_put(Text *out, const Render *render)
                                sizeof(float) * FLOATS * (unsigned long)radiance_texels(render);
     if (radiance->count)
         text_format(out, "radiance  %lu nodes of %lu bytes, in %d x %d x %d voxels of %lu\n",
-                    (unsigned long)radiance->count, each, radiance->size, radiance->size, radiance->size,
-                    (unsigned long)sizeof(GLuint));
+                    (unsigned long)radiance->count, each, radiance->size, radiance->size,
+                    radiance->size, (unsigned long)sizeof(GLuint));
 }
 
 void radiance_delete(Render *render)

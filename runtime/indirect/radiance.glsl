@@ -1,8 +1,11 @@
-// What a surface sends that a ray meets in a voxel, by cached radiance (radiance.h). Behind voxel_map.glsl.
+// What a surface sends that a ray meets in a voxel, by cached radiance (radiance.h). Behind
+// voxel_map.glsl.
 //
-// A surface that is half in a voxel may have its nodes in the next one along the ray: both are asked. A node counts by the area of it that the ray sees: what parallel rays along
-// three axes see of a surface is as dense as the sum of its normal's lanes, and the ray sees as much of it as the cosine to its normal. It counts only if it is seen from its
-// front, and if the ray's point lies before its plane: so no wall is too thin to keep light of its other side from its own.
+// A surface that is half in a voxel may have its nodes in the next one along the ray: both are
+// asked. A node counts by the area of it that the ray sees: what parallel rays along three axes see
+// of a surface is as dense as the sum of its normal's lanes, and the ray sees as much of it as the
+// cosine to its normal. It counts only if it is seen from its front, and if the ray's point lies
+// before its plane: so no wall is too thin to keep light of its other side from its own.
 uniform usamplerBuffer radiance_faces;
 uniform samplerBuffer radiance_kept;
 uniform int radiance_size, radiance_shift; // voxels along an edge: 2^shift of the map are one
@@ -33,7 +36,8 @@ uint radianceWord(ivec3 at)
     return texelFetch(radiance_faces, RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
 }
 
-// Adds a node seen along `way`, of length 1, if it is seen from its front, `point` lies before it, and it does not lie within a body.
+// Adds a node seen along `way`, of length 1, if it is seen from its front, `point` lies before it,
+// and it does not lie within a body.
 void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
 {
     vec4 first = texelFetch(radiance_kept, node);
@@ -48,8 +52,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     sum.weight += share;
 }
 
-// What a ray's end sends. Where it begins in a full voxel and meets a surface there, another than its own, as in a corner, it ends there: t is 0. Where nodes are coarser than the
-// map, their rays may have missed what is at the end: then voxels around are asked.
+// What a ray's end sends. Where it begins in a full voxel and meets a surface there, another than
+// its own, as in a corner, it ends there: t is 0. Where nodes are coarser than the map, their rays
+// may have missed what is at the end: then voxels around are asked.
 RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;

@@ -1,5 +1,7 @@
-// One more bounce of cached radiance: each node sends rays through the voxels, as the pass rays does for pixels, and finds what nodes there send; what it sends of that is written
-// beside what it sent before, and put in its place when all are done. Before it stand voxel_ray.glsl, radiance.glsl, radiance_place.glsl, indirect_basis.glsl.
+// One more bounce of cached radiance: each node sends rays through the voxels, as the pass rays
+// does for pixels, and finds what nodes there send; what it sends of that is written beside what it
+// sent before, and put in its place when all are done. Before it stand voxel_ray.glsl,
+// radiance.glsl, radiance_place.glsl, indirect_basis.glsl.
 uniform int bounce_step;   // 0: rays; 1: put in place
 uniform float bounce_far;  // of the map's voxels
 

@@ -1,17 +1,21 @@
-// What nodes of cached radiance send of the light of lamps: that which they send evenly. Before it stand lighting.glsl, LISTS_TEXELS, voxel_map.glsl, and
-// radiance_place.glsl.
+// What nodes of cached radiance send of the light of lamps: that which they send evenly. Before it
+// stand lighting.glsl, LISTS_TEXELS, voxel_map.glsl, and radiance_place.glsl.
 //
-// Where bodies cross, surfaces of one lie within the other: no ray should meet their nodes, and rays from them may get out on its other side. Of a body the first voxel before the
-// surface along the axis has its middle outside of it, and is full only if another body has it there; of a surface that is the one before its own.
+// Where bodies cross, surfaces of one lie within the other: no ray should meet their nodes, and
+// rays from them may get out on its other side. Of a body the first voxel before the surface along
+// the axis has its middle outside of it, and is full only if another body has it there; of a
+// surface that is the one before its own.
 //
-// Of a cut-out, whether a voxel is full was asked at points, and its node has means over a voxel: it counts unless it is cut away nearly whole.
+// Of a cut-out, whether a voxel is full was asked at points, and its node has means over a voxel:
+// it counts unless it is cut away nearly whole.
 const float RADIANCE_AWAY = 0.99;
 uniform int radiance_size, radiance_shift;
 uniform mat4 radiance_eye; // the eye's space from voxels
 
 #define LISTS_WORD(word) radiance_nodes[node + uint(word)]
 
-// A unit vector as a whole number below 2^24: its octahedron's place in steps of 2/4095, 0.03 degrees off at most.
+// A unit vector as a whole number below 2^24: its octahedron's place in steps of 2/4095, 0.03
+// degrees off at most.
 float radianceDirection(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);

@@ -1,4 +1,5 @@
-// Gives the nodes of each voxel their numbers, one after the other. Voxels that find no room are counted all the same.
+// Gives the nodes of each voxel their numbers, one after the other. Voxels that find no room are
+// counted all the same.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) buffer RadianceFaces {
 #include "radiance.layout.def"

@@ -1,4 +1,5 @@
-// Nodes of cached radiance (radiance.h), for passes that have an invocation for each. LISTS_STRIDE words each, RADIANCE_TEXELS texels.
+// Nodes of cached radiance (radiance.h), for passes that have an invocation for each. LISTS_STRIDE
+// words each, RADIANCE_TEXELS texels.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer RadianceFaces {
 #include "radiance.layout.def"

@@ -1,5 +1,6 @@
-// The end of an opaque material's program that is seen along an axis: its fragment becomes a node of cached radiance (radiance.h). Three times over: voxels are told
-// from which sides they have a fragment; nodes, which one is the nearest; that one is kept.
+// The end of an opaque material's program that is seen along an axis: its fragment becomes a node
+// of cached radiance (radiance.h). Three times over: voxels are told from which sides they have a
+// fragment; nodes, which one is the nearest; that one is kept.
 layout(std430, binding = 2) buffer RadianceFaces {
 #include "radiance.layout.def"
     uint radiance_faces[];

@@ -1,14 +1,17 @@
 /* Which objects are bodies, and which of these are drawn together. No GL.
  *
- *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls that face each other, wave 2; the others, wave 3 */
+ *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls
+ *     that face each other, wave 2; the others, wave 3 */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* Voxels: of a flat wall as thick as one, each line through middles along the axis that is nearest to its normal has a middle in it. */
+/* Voxels: of a flat wall as thick as one, each line through middles along the axis that is nearest
+ * to its normal has a middle in it. */
 #define THINNEST 1.5
-/* Voxels: no edge is longer of a surface whose triangles are taken one by one, so that none of them takes long, and areas are whole numbers of 32 bits. */
+/* Voxels: no edge is longer of a surface whose triangles are taken one by one, so that none of them
+ * takes long, and areas are whole numbers of 32 bits. */
 #define FINEST 8
 
 /* -- meshes */
@@ -17,7 +20,8 @@ static void cross(const float *a, const float *b, const float *c, double out[3])
 {
     for (int k = 0; k < 3; k++) {
         const int i = (k + 1) % 3, j = (k + 2) % 3;
-        out[k] = ((double)b[i] - a[i]) * ((double)c[j] - a[j]) - ((double)b[j] - a[j]) * ((double)c[i] - a[i]);
+        out[k] = ((double)b[i] - a[i]) * ((double)c[j] - a[j]) -
+                 ((double)b[j] - a[j]) * ((double)c[i] - a[i]);
     }
 }
 
@@ -36,13 +40,14 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
 {
     VoxelShape made = {.closed = body != SHAPE_BODY_none};
     for (int i = 0; i < shape->index_count; i += 3) {
-        const float *first = shape->vertices[0].position, *a = shape->vertices[shape->indices[i]].position;
+        const float *first = shape->vertices[0].position,
+                    *a = shape->vertices[shape->indices[i]].position;
         double face[3];
-        cross(a, shape->vertices[shape->indices[i + 1]].position, shape->vertices[shape->indices[i + 2]].position,
-              face);
+        cross(a, shape->vertices[shape->indices[i + 1]].position,
+              shape->vertices[shape->indices[i + 2]].position, face);
         for (int k = 0; k < 3; k++)
-            made.longest =
-                fmax(made.longest, distance_of(shape, shape->indices[i + k], shape->indices[i + (k + 1) % 3]));
+            made.longest = fmax(made.longest, distance_of(shape, shape->indices[i + k],
+                                                          shape->indices[i + (k + 1) % 3]));
         made.area += sqrt(face[0] * face[0] + face[1] * face[1] + face[2] * face[2]) / 2;
         for (int k = 0; k < 3; k++)
             made.volume += face[k] * ((double)a[k] - first[k]) / 6;
@@ -69,9 +74,9 @@ bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
         known[mesh] = true;
         fine = object->kind == SCENE_Mesh || scene_solid(object, &made);
         if (fine)
-            voxels->shapes[mesh] =
-                measure(object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
-                        cache->meshes[mesh].body);
+            voxels->shapes[mesh] = measure(
+                object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
+                cache->meshes[mesh].body);
         shape_free(&made);
     }
     free(known);
@@ -86,16 +91,21 @@ static double thickness(const VoxelShape *shape, const SceneMatrix *world_from_l
     const double *m = world_from_local->m;
     double lengths[3], least = INFINITY, product = 1;
     for (int k = 0; k < 3; k++) {
-        lengths[k] = sqrt(m[4 * k] * m[4 * k] + m[4 * k + 1] * m[4 * k + 1] + m[4 * k + 2] * m[4 * k + 2]);
+        lengths[k] =
+            sqrt(m[4 * k] * m[4 * k] + m[4 * k + 1] * m[4 * k + 1] + m[4 * k + 2] * m[4 * k + 2]);
         least = fmin(least, lengths[k]);
         product *= lengths[k];
     }
-    const double determinant =
-        m[0] * (m[5] * m[10] - m[6] * m[9]) - m[4] * (m[1] * m[10] - m[2] * m[9]) + m[8] * (m[1] * m[6] - m[2] * m[5]);
-    return product > 0 && shape->area > 0 ? 2 * shape->volume / shape->area * fabs(determinant) / (product / least) : 0;
+    const double determinant = m[0] * (m[5] * m[10] - m[6] * m[9]) -
+                               m[4] * (m[1] * m[10] - m[2] * m[9]) +
+                               m[8] * (m[1] * m[6] - m[2] * m[5]);
+    return product > 0 && shape->area > 0
+               ? 2 * shape->volume / shape->area * fabs(determinant) / (product / least)
+               : 0;
 }
 
-/* How much longer a matrix makes anything, at most; of axes that stay across each other, just that. */
+/* How much longer a matrix makes anything, at most; of axes that stay across each other, just
+ * that. */
 static double stretch(const SceneMatrix *world_from_local)
 {
     double most = 0;
@@ -115,14 +125,17 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
     return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MOST;
 }
 
-/* What is cut out asks its material, and what the driver displaces has its triangles there alone: both are the rasteriser's. */
+/* What is cut out asks its material, and what the driver displaces has its triangles there alone:
+ * both are the rasteriser's. */
 unsigned char voxel_bodies_surface(const Render *render, int number)
 {
     const FrameVoxels *voxels = render->voxels;
     const CachePlace *place = &render->cache.places[number];
     const double longest = voxels->shapes[place->mesh].longest *
-                           stretch(&render->scene->objects[place->object].world_from_local) / voxels->grid.edge;
-    return render->compute && !place->transparent && !render->cache.displaced[place->mesh].patches && longest <= FINEST
+                           stretch(&render->scene->objects[place->object].world_from_local) /
+                           voxels->grid.edge;
+    return render->compute && !place->transparent &&
+                   !render->cache.displaced[place->mesh].patches && longest <= FINEST
                ? VOXELS_FINE
                : 0;
 }
@@ -168,9 +181,11 @@ static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bo
         const CachePlace *place = &cache->places[i];
         const VoxelShape *shape = &voxels->shapes[place->mesh];
         const SceneMatrix *matrix = &render->scene->objects[place->object].world_from_local;
-        if (place->transparent || !shape->closed || !(thickness(shape, matrix) >= THINNEST * voxels->grid.edge))
+        if (place->transparent || !shape->closed ||
+            !(thickness(shape, matrix) >= THINNEST * voxels->grid.edge))
             continue;
-        bodies[count] = (Body){{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, 0, i};
+        bodies[count] =
+            (Body){{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, 0, i};
         voxel_grid_add(&cache->boxes[place->mesh], matrix, &bodies[count++].range);
     }
     return count;
@@ -191,7 +206,8 @@ static int axis_of(const Body *bodies, int count)
     return spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;
 }
 
-/* The first wave that none of the bodies has whose boxes meet; 0: there is none. What ends before it is taken off the list. */
+/* The first wave that none of the bodies has whose boxes meet; 0: there is none. What ends before
+ * it is taken off the list. */
 static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *list, int *count)
 {
     const unsigned all = (1u << VOXELS_WAVES_MOST) - 1;

@@ -1,4 +1,5 @@
-/* Bricks: the slice map as rays read it, 4 x 4 x 4 voxels in 64 bits, and levels above, the last of which is one brick. */
+/* Bricks: the slice map as rays read it, 4 x 4 x 4 voxels in 64 bits, and levels above, the last of
+ * which is one brick. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
@@ -25,8 +26,8 @@ bool voxel_bricks_make(Render *render)
     GlContext *gl = render->gl;
     FrameVoxels *voxels = render->voxels;
     const bool modern = gl->major * 10 + gl->minor >= 45;
-    const ProgramText text = {
-        .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", render_text_voxel_bricks}};
+    const ProgramText text = {.compute = {modern ? "#version 450 core\n" : "#version 430 core\n",
+                                          render_text_voxel_bricks}};
     gl->GenBuffers(1, &voxels->buffer);
     gl->BindBuffer(GL_TEXTURE_BUFFER, voxels->buffer);
     gl->BufferData(GL_TEXTURE_BUFFER, bytes_of(voxels), NULL, GL_STATIC_COPY);

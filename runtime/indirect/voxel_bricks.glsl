@@ -1,5 +1,7 @@
-// Bricks of a level, for rays: 4 x 4 x 4 voxels in 64 bits, those of the lowest level from the slice map, of others from 2 x 2 x 2 bricks below, whose 2 x 2 x 2 voxels are one that is
-// full where any of them is. Where a brick of a level lies, and where a voxel in it, says voxel_map.glsl.
+// Bricks of a level, for rays: 4 x 4 x 4 voxels in 64 bits, those of the lowest level from the
+// slice map, of others from 2 x 2 x 2 bricks below, whose 2 x 2 x 2 voxels are one that is full
+// where any of them is. Where a brick of a level lies, and where a voxel in it, says
+// voxel_map.glsl.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(std430, binding = 2) buffer VoxelBricks {
     uvec2 bricks[];
@@ -28,7 +30,8 @@ void bricksOfMap(ivec3 at)
     }
 }
 
-// Of two planes of 4 x 4 voxels, in 16 bits each, the 2 x 2 that are one voxel each, as voxels 0, 1, 4, and 5.
+// Of two planes of 4 x 4 voxels, in 16 bits each, the 2 x 2 that are one voxel each, as voxels 0,
+// 1, 4, and 5.
 uint brickQuarter(uint planes)
 {
     uint any = (planes | planes >> 16u) & 0xFFFFu;

@@ -1,4 +1,5 @@
-/* Surfaces of triangles that are small against voxels: no rasteriser, which takes each triangle three times and finds nothing in most. A mesh goes to it as a whole (voxel_bodies.c). */
+/* Surfaces of triangles that are small against voxels: no rasteriser, which takes each triangle
+ * three times and finds nothing in most. A mesh goes to it as a whole (voxel_bodies.c). */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels.h"
@@ -12,11 +13,13 @@ bool voxel_fine_make(Render *render)
     GlContext *gl = render->gl;
     const bool modern = gl->major * 10 + gl->minor >= 45;
     char defined[64];
-    const ProgramText text = {
-        .compute = {modern ? "#version 450 core\n" : "#version 430 core\n", defined, render_text_voxel_fine}};
-    snprintf(defined, sizeof defined, "#define FINE_STRIDE %d\n", (int)(sizeof(ShapeVertex) / sizeof(float)));
+    const ProgramText text = {.compute = {modern ? "#version 450 core\n" : "#version 430 core\n",
+                                          defined, render_text_voxel_fine}};
+    snprintf(defined, sizeof defined, "#define FINE_STRIDE %d\n",
+             (int)(sizeof(ShapeVertex) / sizeof(float)));
     gl->GenBuffers(1, &render->voxels->fine_places);
-    render->voxels->fine_rows = malloc((size_t)render->cache.place_count * sizeof *render->voxels->fine_rows + 1);
+    render->voxels->fine_rows =
+        malloc((size_t)render->cache.place_count * sizeof *render->voxels->fine_rows + 1);
     if (!render->voxels->fine_rows)
         return gl_fail(gl, "out of memory");
     return material_make(render->store, NULL, &text, &render->voxels->fine) &&
@@ -24,12 +27,14 @@ bool voxel_fine_make(Render *render)
 }
 
 /* Rows of the matrix from a mesh's space to voxels. */
-static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local, float rows[ROWS][4])
+static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local,
+                      float rows[ROWS][4])
 {
     const double *m = world_from_local->m;
     for (int k = 0; k < ROWS; k++)
         for (int column = 0; column < 4; column++)
-            rows[k][column] = (float)((m[4 * column + k] - (column == 3 ? grid->low[k] : 0)) / grid->edge);
+            rows[k][column] =
+                (float)((m[4 * column + k] - (column == 3 ? grid->low[k] : 0)) / grid->edge);
 }
 
 /* So many places of a mesh: their rows. */
@@ -40,8 +45,8 @@ static void touch(Render *render, int mesh, int count)
     const Mesh *drawn = &render->cache.meshes[mesh];
     const GLuint groups = (GLuint)((drawn->index_count / 3 + GROUP - 1) / GROUP);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, voxels->fine_places);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *voxels->fine_rows * count, voxels->fine_rows,
-                   GL_STREAM_DRAW);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *voxels->fine_rows * count,
+                   voxels->fine_rows, GL_STREAM_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES, voxels->fine_places);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, VERTICES, drawn->buffers[0]);
@@ -59,7 +64,8 @@ void voxel_fine_draw(Render *render)
     material_use(&voxels->fine);
     for (int i = 0, count = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
-        const bool ends = i + 1 == cache->cast_count || cache->places[cache->cast_order[i + 1]].mesh != place->mesh;
+        const bool ends = i + 1 == cache->cast_count ||
+                          cache->places[cache->cast_order[i + 1]].mesh != place->mesh;
         if (voxels->waves[cache->cast_order[i]] == VOXELS_FINE)
             put_place(&voxels->grid, &render->scene->objects[place->object].world_from_local,
                       voxels->fine_rows[count++]);

@@ -1,10 +1,14 @@
-// Surfaces of triangles that are small against voxels, one invocation a triangle: which lines through voxels' middles, along each axis, meet it, as voxel_touch.glsl has it of a rasteriser. Of
+// Surfaces of triangles that are small against voxels, one invocation a triangle: which lines
+// through voxels' middles, along each axis, meet it, as voxel_touch.glsl has it of a rasteriser. Of
 // most such triangles it is one, or none.
 //
-// Corners are put on places 1/256 of a voxel apart, and areas are whole numbers: so a line over an edge is on the same side of it for both triangles that share it, or on both, and no line gets through between.
-// A line on an edge meets both, as what is set twice is set. FINE_STRIDE: floats of a vertex, whose position comes first.
+// Corners are put on places 1/256 of a voxel apart, and areas are whole numbers: so a line over an
+// edge is on the same side of it for both triangles that share it, or on both, and no line gets
+// through between. A line on an edge meets both, as what is set twice is set. FINE_STRIDE: floats
+// of a vertex, whose position comes first.
 //
-//     corners (0, 0), (1, 0), (0, 1), in voxels: the line at (1/2, 1/2) is on the long edge, and meets it; its area is 0 there
+//     corners (0, 0), (1, 0), (0, 1), in voxels: the line at (1/2, 1/2) is on the long edge, and
+//     meets it; its area is 0 there
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer FinePlaces {
     vec4 fine_places[]; // of each place: rows of the matrix from the mesh's space to voxels

@@ -1,6 +1,7 @@
 /* Where voxels stand. No GL.
  *
- *     objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 of them take the 4, so that each is 4 / 62 wide, and one is left on each side */
+ *     objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 of them take the 4, so that each is 4 / 62
+ *     wide, and one is left on each side */
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <string.h>
@@ -13,7 +14,8 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
         for (int k = 0; k < 3; k++)
             local[k] = corner >> k & 1 ? box->high[k] : box->low[k];
         for (int k = 0; k < 3; k++) {
-            const double world = m[k] * local[0] + m[4 + k] * local[1] + m[8 + k] * local[2] + m[12 + k];
+            const double world =
+                m[k] * local[0] + m[4 + k] * local[1] + m[8 + k] * local[2] + m[12 + k];
             range->low[k] = fmin(range->low[k], world);
             range->high[k] = fmax(range->high[k], world);
         }

@@ -1,17 +1,22 @@
-// The scene's voxels as rays read them, and a ray through them: where it crosses the planes between voxels. Places are in the grid's units: voxels, from the map's lowest corner.
+// The scene's voxels as rays read them, and a ray through them: where it crosses the planes between
+// voxels. Places are in the grid's units: voxels, from the map's lowest corner.
 //
-// A ray is walked as if it went up along each axis: where it goes down, voxels are counted from the other end, and its place is turned. It is in voxel after voxel,
-// and which is next says one rule: of the planes that it has yet to cross, the one with the least t, and of several with the same t that across z before y before x. t of
-// a plane is one formula of floats, voxelCrossings, whoever asks: so all ways through the map, by single voxels or by blocks of them, meet the same voxel at
+// A ray is walked as if it went up along each axis: where it goes down, voxels are counted from the
+// other end, and its place is turned. It is in voxel after voxel, and which is next says one rule:
+// of the planes that it has yet to cross, the one with the least t, and of several with the same t
+// that across z before y before x. t of a plane is one formula of floats, voxelCrossings, whoever
+// asks: so all ways through the map, by single voxels or by blocks of them, meet the same voxel at
 // the same t, bit for bit.
 //
-//     from (0.5, 0.5, 0.5) along (1, 1, 0): both planes at 1 are crossed at t = 0.5, y first: voxels (0, 0, 0), (0, 1, 0), (1, 1, 0)
+//     from (0.5, 0.5, 0.5) along (1, 1, 0): both planes at 1 are crossed at t = 0.5, y first:
+//     voxels (0, 0, 0), (0, 1, 0), (1, 1, 0)
 #if __VERSION__ >= 400
 #define VOXEL_EXACT precise
 #else
 #define VOXEL_EXACT
 #endif
-// Bricks of all levels: 4 x 4 x 4 voxels, 2^level wide, in 64 bits: bit x + 4 y + 16 z. The highest level is one brick, the buffer's first; each other has 8 times as many as the one above it.
+// Bricks of all levels: 4 x 4 x 4 voxels, 2^level wide, in 64 bits: bit x + 4 y + 16 z. The highest
+// level is one brick, the buffer's first; each other has 8 times as many as the one above it.
 uniform usamplerBuffer voxel_bricks;
 #ifdef VOXEL_SIZE
 const int voxel_size = VOXEL_SIZE;
@@ -32,14 +37,17 @@ vec3 voxelDirection(vec3 eye)
     return mat3(voxel_from_eye) * eye;
 }
 
-// Where a ray from a surface begins whose unit normal that is: half of what a voxel is wide along the normal above it, so that no voxel of a flat surface of bodies,
-// whose middles lie below it, is before the ray; where open meshes are full voxels as well, whose middles lie beside it, a little more.
+// Where a ray from a surface begins whose unit normal that is: half of what a voxel is wide along
+// the normal above it, so that no voxel of a flat surface of bodies, whose middles lie below it, is
+// before the ray; where open meshes are full voxels as well, whose middles lie beside it, a little
+// more.
 vec3 voxelStart(vec3 place, vec3 normal)
 {
     return place + voxel_off * dot(abs(normal), vec3(1.0)) * normal;
 }
 
-// The number of a level's brick. How many are in the levels above is a sum of powers of 8: as many bits as there are of these.
+// The number of a level's brick. How many are in the levels above is a sum of powers of 8: as many
+// bits as there are of these.
 int voxelBrickNumber(ivec3 at, int level)
 {
     int edge = voxel_size >> (level + 2);
@@ -74,8 +82,9 @@ struct VoxelWay {
     int axis;          // across which it comes in; 3: it begins there
 };
 
-// Lanes of a direction that are less than 1e-20 of the greatest count as that, so that none is 0. False: the ray, as long as it is, does not come to the map, or its
-// direction is not between 1e-30 and 1e30 long, or a lane is no number.
+// Lanes of a direction that are less than 1e-20 of the greatest count as that, so that none is 0.
+// False: the ray, as long as it is, does not come to the map, or its direction is not between 1e-30
+// and 1e30 long, or a lane is no number.
 bool voxelSetOut(vec3 from, vec3 direction, float far, out VoxelWay way)
 {
     const float least = 1e-20, shortest = 1e-30, longest = 1e30;

@@ -1,19 +1,25 @@
-// Rays through voxels by bricks: what a walk through single voxels meets, at the same t bit for bit, in fewer steps. Behind voxel_map.glsl.
+// Rays through voxels by bricks: what a walk through single voxels meets, at the same t bit for
+// bit, in fewer steps. Behind voxel_map.glsl.
 //
-// A step passes through a block, 2^k voxels wide: a brick of some level, or a part of one of the lowest: of 2 x 2 x 2 voxels, or of one. Those voxels of the brick count that lie in the box from
-// where the ray comes in to where it goes out of the block: one mask of 64 bits. If none of these is full, the ray goes on to the block's end, and the next is twice as wide; else a quarter as
+// A step passes through a block, 2^k voxels wide: a brick of some level, or a part of one of the
+// lowest: of 2 x 2 x 2 voxels, or of one. Those voxels of the brick count that lie in the box from
+// where the ray comes in to where it goes out of the block: one mask of 64 bits. If none of these
+// is full, the ray goes on to the block's end, and the next is twice as wide; else a quarter as
 // wide. A single voxel that is full is the hit.
 //
-//     a ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide, which have the floor, but not in the box that the ray passes
+//     a ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
+//     which have the floor, but not in the box that the ray passes
 struct VoxelMeeting {
     float t;    // in multiples of the ray's direction
     ivec3 at;   // the voxel
     int bricks; // that were read
 };
 
-// The voxels of a brick from one corner of a box to the other, both within: planes of 16 bits, of four rows.
+// The voxels of a brick from one corner of a box to the other, both within: planes of 16 bits, of
+// four rows.
 //
-//     from (1, 0, 0) to (2, 1, 3): rows 0x6, planes 0x0066, all four of them: 0x00660066, 0x00660066
+//     from (1, 0, 0) to (2, 1, 3): rows 0x6, planes 0x0066, all four of them: 0x00660066,
+//     0x00660066
 uvec2 voxelBox(ivec3 low, ivec3 high)
 {
     uvec3 ones = (uvec3(15u) << uvec3(low)) & (uvec3(15u) >> uvec3(3 - high)); // of each axis
@@ -61,8 +67,10 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     return met && entered <= way.most;
 }
 
-// A ray from a place of the grid along `way`, of any length from 1e-30 to 1e30, meets a full voxel at 0 <= t <= far; t, where it enters it, and far are in multiples of `way`.
-// Full voxels in which it begins do not count, up to the first empty one: what begins where voxelStart says does not meet the surface that it comes from.
+// A ray from a place of the grid along `way`, of any length from 1e-30 to 1e30, meets a full voxel
+// at 0 <= t <= far; t, where it enters it, and far are in multiples of `way`. Full voxels in which
+// it begins do not count, up to the first empty one: what begins where voxelStart says does not
+// meet the surface that it comes from.
 bool voxelRay(vec3 from, vec3 way, float far, out float t)
 {
     VoxelMeeting meeting;

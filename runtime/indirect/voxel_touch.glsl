@@ -1,5 +1,6 @@
-// A triangle of a mesh that is not closed, seen along one axis: the voxel is full in which it meets the line through the pixel's middle. VOXEL_CUT: unless its material is cut away there,
-// so that surfaceMain() discards it.
+// A triangle of a mesh that is not closed, seen along one axis: the voxel is full in which it meets
+// the line through the pixel's middle. VOXEL_CUT: unless its material is cut away there, so that
+// surfaceMain() discards it.
 layout(r32ui) uniform uimage2DArray voxel_surface;
 uniform int voxel_axis;
 

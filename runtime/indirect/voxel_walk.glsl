@@ -12,8 +12,9 @@ bool voxelSliceHas(ivec3 at, int level)
     return (texelFetch(voxel_slices, ivec3(at.xy, at.z >> 7), level)[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
 }
 
-// From a place along a direction, at most so many times it. On a level above, voxels are 2^level wide along x and y. `own`: of a ray that begins in full voxels those
-// count only behind the first empty one.
+// From a place along a direction, at most so many times it. On a level above, voxels are 2^level
+// wide along x and y. `own`: of a ray that begins in full voxels those count only behind the first
+// empty one.
 VoxelHit voxelWalk(vec3 from, vec3 direction, float far, int level, bool own)
 {
     VoxelWay way;

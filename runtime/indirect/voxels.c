@@ -27,8 +27,9 @@ void voxels_put(Text *out, const Render *render)
     }
     text_format(out, "voxels    %d x %d x %d, each ", size, size, size);
     text_rounded(out, voxels->grid.edge, DIGITS);
-    text_format(out, " wide\nvoxels    %d bodies, drawn in %d waves; %d surfaces", counts[VOXEL_body],
-                voxels->wave_count, counts[VOXEL_open] + counts[VOXEL_thin] + counts[VOXEL_crossing] + cut);
+    text_format(out, " wide\nvoxels    %d bodies, drawn in %d waves; %d surfaces",
+                counts[VOXEL_body], voxels->wave_count,
+                counts[VOXEL_open] + counts[VOXEL_thin] + counts[VOXEL_crossing] + cut);
     if (counts[VOXEL_open])
         text_format(out, "; %d of these are not closed", counts[VOXEL_open]);
     if (counts[VOXEL_thin])

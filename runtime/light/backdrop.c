@@ -1,4 +1,5 @@
-/* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is transparent, by the pass light as light. */
+/* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is
+ * transparent, by the pass light as light. */
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
@@ -11,7 +12,10 @@ static bool is_there(const Render *render)
            (!view || !strcmp(view, "shown"));
 }
 
-const char *backdrop_text(const Render *render) { return is_there(render) ? render_text_backdrop : ""; }
+const char *backdrop_text(const Render *render)
+{
+    return is_there(render) ? render_text_backdrop : "";
+}
 
 const char *backdrop_light_text(const Render *render)
 {
@@ -28,6 +32,7 @@ void backdrop_set(const Render *render, bool light, ScreenPass *pass)
     const float place[4] = {(float)render->at[0], (float)render->at[1], (float)render->whole[0],
                             (float)render->whole[1]};
     material_set(&pass->material, &(MaterialValue){"backdrop_place", 4, place});
-    material_set_number(&pass->material, "backdrop_tile", (float)(tiles ? TILE * render->samples : 0));
+    material_set_number(&pass->material, "backdrop_tile",
+                        (float)(tiles ? TILE * render->samples : 0));
     material_set_number(&pass->material, "backdrop_share", (float)(share < most ? share : most));
 }

@@ -1,6 +1,7 @@
-// What the light of many lamps is kept in between dispatches: for each block of 32 x 32 pixels FAR_GROUPS groups of them, each with its centre, 1 over its
-// radius, its sums in four by four terms of red, green and blue, those of gloss (far_lobe.glsl) and the mirrored view that they are around, and which
-// lights are near: a pixel sums these by itself. Before it stand FAR_LIGHTS, how
+// What the light of many lamps is kept in between dispatches: for each block of 32 x 32 pixels
+// FAR_GROUPS groups of them, each with its centre, 1 over its radius, its sums in four by four
+// terms of red, green and blue, those of gloss (far_lobe.glsl) and the mirrored view that they are
+// around, and which lights are near: a pixel sums these by itself. Before it stand FAR_LIGHTS, how
 // many there are at most, 32 times a power of two, and FAR_OTHERS, if not all are plain.
 const int FAR_SPAN = 4, FAR_BLOCK = 8 * FAR_SPAN, FAR_GROUPS = 4; // pixels of an invocation of 8 x 8, and of all, along x and y
 const int FAR_LOBES = 7;                         // terms of gloss: itself, its slopes along three axes, and by the mirrored view

@@ -1,5 +1,5 @@
-// A light as a group of pixels sees it, for pass_near.glsl and pass_gather.glsl, each group having invocations of its own. Before it stand lighting.glsl,
-// far_group.glsl and far_lobe.glsl.
+// A light as a group of pixels sees it, for pass_near.glsl and pass_gather.glsl, each group having
+// invocations of its own. Before it stand lighting.glsl, far_group.glsl and far_lobe.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1; // invocations; between rows of parts of sums, so that neighbours in a column are in other banks
 

@@ -1,17 +1,23 @@
-// The light of many points around c, at points p that are nearer to c than any of them. Without the cosine's clamp, a lamp at l gives a surface n.V, where
-// V = (l - p) / |l - p|^3 is the slope of 1 / |l - p|, in p. With u = p - c and d = |l - c| that is a sum over k from 0 on of
-// |u|^k / d^(k + 1) P_k(cos(u, l - c)), and P_k a sum of products of 2 k + 1 harmonics of each direction: so lamps add up in their harmonics alone.
-// FAR_TERMS are those of k = 1 to N = 6. What is left out: the slope of |u|^k P_k is at most k |u|^(k - 1) (Bernstein's and Szego's
-// inequality for P_k as a polynomial of the angle's cosine), and with q = |u| / d the sum of k q^(k - 1) from N + 1 on is
+// The light of many points around c, at points p that are nearer to c than any of them. Without the
+// cosine's clamp, a lamp at l gives a surface n.V, where V = (l - p) / |l - p|^3 is the slope of 1
+// / |l - p|, in p. With u = p - c and d = |l - c| that is a sum over k from 0 on of |u|^k / d^(k +
+// 1) P_k(cos(u, l - c)), and P_k a sum of products of 2 k + 1 harmonics of each direction: so lamps
+// add up in their harmonics alone. FAR_TERMS are those of k = 1 to N = 6. What is left out: the
+// slope of |u|^k P_k is at most k |u|^(k - 1) (Bernstein's and Szego's inequality for P_k as a
+// polynomial of the angle's cosine), and with q = |u| / d the sum of k q^(k - 1) from N + 1 on is
 // q^N (N + 1 - N q) / (1 - q)^2, times 1 / d^2.
-// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): 1 is the truth, and 1/4 (1 + 2/2 + 3/4 + 4/8 + 5/16 + 6/32) = 0.9375; left out is 0.0625,
-// and the bound says (7 - 3) / 64 / (1/4) / 4 = 0.0625: so it is met where all lie on one line.
+// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): 1 is the truth, and 1/4 (1 + 2/2 +
+// 3/4 + 4/8 + 5/16 + 6/32) = 0.9375; left out is 0.0625, and the bound says (7 - 3) / 64 / (1/4) /
+// 4 = 0.0625: so it is met where all lie on one line.
 //
-// Harmonics are complex, real and imaginary part in a vec2, as recurrences have them (Epton and Dembart, 1995; P_km without (-1)^m):
-//   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!, and S_km(w) = (k - m)! P_km(cos t) e^(i m f) of a direction w
-//   1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im S_km), m from 1 to k, where u is in units of the greatest |u|
-//   along z: ((k + 1)^2 - m^2) R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2) S_(k-1)m
-//   slopes: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy) R_km = -R_(k-1)(m+1)
+// Harmonics are complex, real and imaginary part in a vec2, as recurrences have them (Epton and
+// Dembart, 1995; P_km without (-1)^m):
+//   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!, and S_km(w) = (k - m)! P_km(cos t) e^(i m f)
+//   of a direction w 1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im
+//   S_km), m from 1 to k, where u is in units of the greatest |u| along z: ((k + 1)^2 - m^2)
+//   R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2)
+//   S_(k-1)m slopes: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy)
+//   R_km = -R_(k-1)(m+1)
 #define FAR_TERMS 48
 // By name: a loop that some compiler leaves as it is would keep an array in memory.
 #define FAR_EACH_OF_24(f, k)                                                                                           \
@@ -32,7 +38,8 @@ vec2 farTimes(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a
 #define FAR_ADD(at, s) sums[at] += p * (s);
 #define FAR_ADD2(at, s) sums[at] += pp * (s).x; sums[at + 1] += pp * (s).y;
 
-// A lamp that gives `power` at c, from the direction w, where the greatest |u| is `ratio` of its distance.
+// A lamp that gives `power` at c, from the direction w, where the greatest |u| is `ratio` of its
+// distance.
 void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])
 {
     vec2 xy = w.xy;

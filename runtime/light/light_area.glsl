@@ -1,19 +1,25 @@
-// Light of radiance 1 from a polygon, on a point at the origin. Its edges, as the point sees them, are arcs of great circles, and integrals
-// over the polygon are sums over these arcs: Stokes' theorem on the sphere.
+// Light of radiance 1 from a polygon, on a point at the origin. Its edges, as the point sees them,
+// are arcs of great circles, and integrals over the polygon are sums over these arcs: Stokes'
+// theorem on the sphere.
 //
-// The cosine's integral is Lambert's formula, half of the sum of angle * dot(m, n), m the unit normal of an arc's plane, turned inward. A power
-// of a cosine times a cosine is Arvo's double axis moment (SIGGRAPH 1995). He sums over whole exponents; here any exponent k has
-//   (k + 2) integral of (w.u)^k (n.u) du = sum over arcs of the integral of (n.w) (m.w) h(c) + (n.m) c^k, with c = w.u, h = (1 - c^k) / (1 - c^2)
-// over the arc's length s, which is smooth: h is k / 2 where c is 1, and 1 + c^2 + c^4 + ... + c^(k-2) for even k. With s from the arc's point
-// nearest to w, both are as wide as r, r^2 = (m.w)^2 + 4 / (k + 1); tan s = r tan t spreads that evenly over t, where eight Gauss points
-// are within 3e-4 of the lobe's whole, 2 pi / (k + 2), for all k to 65504.
+// The cosine's integral is Lambert's formula, half of the sum of angle * dot(m, n), m the unit
+// normal of an arc's plane, turned inward. A power of a cosine times a cosine is Arvo's double axis
+// moment (SIGGRAPH 1995). He sums over whole exponents; here any exponent k has
+//   (k + 2) integral of (w.u)^k (n.u) du = sum over arcs of the integral of (n.w) (m.w) h(c) +
+//   (n.m) c^k, with c = w.u, h = (1 - c^k) / (1 - c^2)
+// over the arc's length s, which is smooth: h is k / 2 where c is 1, and 1 + c^2 + c^4 + ... +
+// c^(k-2) for even k. With s from the arc's point nearest to w, both are as wide as r, r^2 =
+// (m.w)^2 + 4 / (k + 1); tan s = r tan t spreads that evenly over t, where eight Gauss points are
+// within 3e-4 of the lobe's whole, 2 pi / (k + 2), for all k to 65504.
 //
-// Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m = n, so the cosine's integral is
-// half of 2 pi. With w = n: c is 0 and h 1 all along them, and the moment is 2 pi / (k + 2).
+// Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m
+// = n, so the cosine's integral is half of 2 pi. With w = n: c is 0 and h 1 all along them, and the
+// moment is 2 pi / (k + 2).
 #define LIGHT_HAS_AREAS
 const float AREA_PI = 3.14159265358979;
 
-// A parallelogram as a point at the origin sees it: corner + s u + t v, s and t from 0 to 1; its corners in the order (0, 0), (1, 0), (1, 1), (0, 1) go round clockwise, so that cross products of
+// A parallelogram as a point at the origin sees it: corner + s u + t v, s and t from 0 to 1; its
+// corners in the order (0, 0), (1, 0), (1, 1), (0, 1) go round clockwise, so that cross products of
 // neighbours point inward.
 struct Area {
     vec3 corner, u, v;
@@ -42,14 +48,16 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
 // The parallelogram in other directions: each times a matrix.
 Area areaInto(Area area, mat3 into) { return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen); }
 
-// Half spaces, by what they leave of a parallelogram: (s, t) where h.x + h.y s + h.z t is not below 0.
+// Half spaces, by what they leave of a parallelogram: (s, t) where h.x + h.y s + h.z t is not below
+// 0.
 const vec3 AREA_ALL = vec3(1.0, 0.0, 0.0);
 vec3 areaHalf(Area area, vec3 normal) { return vec3(dot(area.corner, normal), dot(area.u, normal), dot(area.v, normal)); }
 float areaLowest(vec3 h) { return h.x + min(h.y, 0.0) + min(h.z, 0.0); }
 float areaHighest(vec3 h) { return h.x + max(h.y, 0.0) + max(h.z, 0.0); }
 vec2 areaHeights(vec4 line, vec3 h) { return h.x + vec2(dot(h.yz, line.xy), dot(h.yz, line.zw)); }
 
-// Lines from (s, t) to (s, t): an edge; where a line crosses the border of a half space; what of it is within, or a line of no length.
+// Lines from (s, t) to (s, t): an edge; where a line crosses the border of a half space; what of it
+// is within, or a line of no length.
 vec4 areaEdge(int i) { return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3 ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0); }
 vec2 areaCrossing(vec4 line, vec2 heights) { return mix(line.xy, line.zw, heights.x / (heights.x - heights.y)); }
 vec4 areaWithin(vec4 line, vec3 h)
@@ -61,9 +69,11 @@ vec4 areaWithin(vec4 line, vec3 h)
     return heights.x < 0.0 ? vec4(crossing, line.zw) : vec4(line.xy, crossing);
 }
 
-// The border of what two half spaces leave, one cut behind the other, so that it is closed even where they are the same: the parts of the edges, and what closes them along the first and then along the
-// second, from where lines leave a half space to where they come back.
-//   Worked example, h = (-0.25, 1, 0): s is 0.25 or more. Edge 0 is from (0.25, 0) to (1, 0), edge 2 from (1, 1) to (0.25, 1), edge 3 has no length, and from (0.25, 1) to (0.25, 0) it is closed.
+// The border of what two half spaces leave, one cut behind the other, so that it is closed even
+// where they are the same: the parts of the edges, and what closes them along the first and then
+// along the second, from where lines leave a half space to where they come back.
+//   Worked example, h = (-0.25, 1, 0): s is 0.25 or more. Edge 0 is from (0.25, 0) to (1, 0), edge
+//   2 from (1, 1) to (0.25, 1), edge 3 has no length, and from (0.25, 1) to (0.25, 0) it is closed.
 const int AREA_LINES = 6;
 struct AreaBorder {
     vec3 first, second;
@@ -107,7 +117,8 @@ float areaLogarithm(float q)
     return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
 }
 
-// Gauss' points, three each way, of all of it. Arcs would lose a small polygon's area, which is what is left of their sum, to rounding.
+// Gauss' points, three each way, of all of it. Arcs would lose a small polygon's area, which is
+// what is left of their sum, to rounding.
 float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[3] = float[3](0.1127016654, 0.5, 0.8872983346);
@@ -125,8 +136,9 @@ float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
     return sum / AREA_PI;
 }
 
-// Of a sine, not below 0, and a cosine, of any length; from 0 to pi, within 2e-7 of itself, where a driver's arctangent may have less. A
-// quarter of it is an arctangent of at most 0.42, whose powers fall fast.
+// Of a sine, not below 0, and a cosine, of any length; from 0 to pi, within 2e-7 of itself, where a
+// driver's arctangent may have less. A quarter of it is an arctangent of at most 0.42, whose powers
+// fall fast.
 float areaAngle(float sine, float cosine)
 {
     float t = sine / max(length(vec2(sine, cosine)) + abs(cosine), 1e-37);
@@ -136,7 +148,8 @@ float areaAngle(float sine, float cosine)
     return cosine < 0.0 ? AREA_PI - 4.0 * t * sum : 4.0 * t * sum;
 }
 
-// The integral of the cosine over pi, of what is above the horizon of the normal and in another half space: the share of the light that would fill the first.
+// The integral of the cosine over pi, of what is above the horizon of the normal and in another
+// half space: the share of the light that would fill the first.
 float areaCosine(Area area, vec3 normal, vec3 other)
 {
     vec3 above = areaHalf(area, normal);
@@ -186,7 +199,8 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     return sum * half_ * r;
 }
 
-// The integral of (w.u)^exponent (normal.u) over pi, of what is in a half space and in that of w, too.
+// The integral of (w.u)^exponent (normal.u) over pi, of what is in a half space and in that of w,
+// too.
 float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 {
     bool even = exponent <= 0.0; // what is left is areaCosine, which needs no text of its own here: compilers take seconds for each
@@ -202,8 +216,10 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
 
-// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the cosine's power counted in; or, where the exponent is below 0, evenly of
-// directions times a matrix. A model gives it (surface_model.h), so that the code of the integrals above stands in a program once.
+// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the
+// cosine's power counted in; or, where the exponent is below 0, evenly of directions times a
+// matrix. A model gives it (surface_model.h), so that the code of the integrals above stands in a
+// program once.
 struct AreaSide {
     vec3 normal, even;        // the side, and the share that it sends evenly
     vec3 gloss, axis, across; // the lobe: gloss max(axis.l, 0)^exponent across.l

@@ -1,4 +1,5 @@
-/* What the passes gather and light both go by where lights are many: the GLSL's constants, what may be left out, the buffers of light_room.c. */
+/* What the passes gather and light both go by where lights are many: the GLSL's constants, what may
+ * be left out, the buffers of light_room.c. */
 #include "runtime/light/light_far.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
@@ -6,7 +7,8 @@
 
 /* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
-/* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and sums wait for nobody but a warp. */
+/* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and
+ * sums wait for nobody but a warp. */
 static const int invocations_hardware[] = {
     [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
 enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's lanes */ };
@@ -14,8 +16,9 @@ enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS])
 {
-    snprintf(defined, LIGHT_FAR_DEFINITIONS, "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s",
-             light_far_most(render), render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
+    snprintf(defined, LIGHT_FAR_DEFINITIONS,
+             "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s", light_far_most(render),
+             render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
              render->light->counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
 }
 
@@ -26,7 +29,8 @@ void light_far_set(const Render *render, ScreenPass *pass)
     double budget[2] = {0};
     light_far_budget(render->scene->tone, render->options.linear, budget);
     material_set_number(&pass->material, "far_relative", (float)budget[0]);
-    material_set_number(&pass->material, "far_absolute", (float)(covered ? 0 : budget[1] / render->scene->exposure));
+    material_set_number(&pass->material, "far_absolute",
+                        (float)(covered ? 0 : budget[1] / render->scene->exposure));
     screen_pass_sampler(pass, "far_texels", TEXELS_UNIT);
     screen_pass_sampler(pass, "far_bits", BITS_UNIT);
     material_set_number(&pass->material, "far_row", (float)light_far_blocks(render->size[0]));
@@ -34,7 +38,8 @@ void light_far_set(const Render *render, ScreenPass *pass)
 
 void light_far_bind(const Render *render)
 {
-    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING, render->light->far.numbers);
+    render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, NUMBERS_BINDING,
+                               render->light->far.numbers);
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, WORDS_BINDING, render->light->far.words);
 }
 

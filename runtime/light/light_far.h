@@ -1,5 +1,5 @@
-/* Many lights: which are far from a block of pixels and are taken together (light_bound.c), what is kept of that (light_room.c), and what the passes
- * gather and light go by (light_far.c). */
+/* Many lights: which are far from a block of pixels and are taken together (light_bound.c), what is
+ * kept of that (light_room.c), and what the passes gather and light go by (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H
 #include "runtime/light/light_state.h"
@@ -11,25 +11,32 @@ const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
 /* Lights, at most: programs are shared by numbers of lights that are near. A multiple of 32. */
 int light_far_most(const Render *render);
-/* What light may be off, at exposure 0: times itself, and besides; `linear`: of a picture of light as halves. False: it may not. */
+/* What light may be off, at exposure 0: times itself, and besides; `linear`: of a picture of light
+ * as halves. False: it may not. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 /* Blocks in a row of so many pixels. */
-enum { LIGHT_FAR_BLOCK = 32 /* the edge of one, in pixels */, LIGHT_FAR_GROUPS = 4 /* of its pixels, at most */ };
+enum {
+    LIGHT_FAR_BLOCK = 32 /* the edge of one, in pixels */,
+    LIGHT_FAR_GROUPS = 4 /* of its pixels, at most */
+};
 int light_far_blocks(int pixels);
-/* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of the blocks of pixels that take them, or 1; the most
- * rows of a tile so wide; a line on them, once they are there. */
+/* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of
+ * the blocks of pixels that take them, or 1; the most rows of a tile so wide; a line on them, once
+ * they are there. */
 int light_far_bytes(const Render *render);
 int light_far_block(const Render *render);
 int light_far_rows(const Render *render, int width);
 void light_far_put(Text *out, const Render *render);
 bool light_far_make(Render *render);
 void light_far_delete(Render *render);
-/* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in space are neighbours. False: out of memory.
- * light_order.c */
+/* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in
+ * space are neighbours. False: out of memory. light_order.c */
 bool light_order(float (*lights)[2][4], int count);
-/* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass light. */
+/* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass
+ * light. */
 enum { LIGHT_FAR_DEFINITIONS = 128 };
-typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse; /* in this order */
+/* in this order */
+typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS]);
 void light_far_set(const Render *render, ScreenPass *pass);
 void light_far_bind(const Render *render);

@@ -1,4 +1,5 @@
-// Light of hemispheres, from all around, by the formulas of scene.def; directions in the eye's space.
+// Light of hemispheres, from all around, by the formulas of scene.def; directions in the eye's
+// space.
 #define LIGHT_HAS_HEMISPHERE
 layout(std140) uniform Hemisphere {
     vec4 hemisphere_up, hemisphere_above, hemisphere_below;

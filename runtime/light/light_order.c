@@ -1,7 +1,9 @@
-/* Many lights by where they are: Morton's curve, on which neighbours in space are mostly neighbours. Lights that are near a group of pixels then share few
- * of the words that far_blocks.glsl has their bits in, and a pixel reads no more.
+/* Many lights by where they are: Morton's curve, on which neighbours in space are mostly
+ * neighbours. Lights that are near a group of pixels then share few of the words that
+ * far_blocks.glsl has their bits in, and a pixel reads no more.
  *
- *     a cell's number has the bits of its places along x, y, z in turns: cell (3, 0, 1) is binary 001 101, 13, where bits of z, y, x stand in this order */
+ *     a cell's number has the bits of its places along x, y, z in turns: cell (3, 0, 1) is binary
+ *     001 101, 13, where bits of z, y, x stand in this order */
 #include "runtime/light/light_far.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two buffers, and the room that they take. */
+/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two
+ * buffers, and the room that they take. */
 #include "runtime/light/light_far.h"
 #include <limits.h>
 
@@ -16,12 +17,16 @@ static size_t words_bytes(const Render *render)
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }
 
-static bool is_there(const Render *render) { return render->targets.plan.there >> FRAME_TARGET_far & 1; }
+static bool is_there(const Render *render)
+{
+    return render->targets.plan.there >> FRAME_TARGET_far & 1;
+}
 
 int light_far_bytes(const Render *render)
 {
     const size_t pixels = LIGHT_FAR_BLOCK * LIGHT_FAR_BLOCK;
-    return is_there(render) ? (int)((numbers_bytes + words_bytes(render) + pixels - 1) / pixels) : 0;
+    return is_there(render) ? (int)((numbers_bytes + words_bytes(render) + pixels - 1) / pixels)
+                            : 0;
 }
 
 int light_far_block(const Render *render) { return is_there(render) ? LIGHT_FAR_BLOCK : 1; }
@@ -34,9 +39,11 @@ int light_far_rows(const Render *render, int width)
     render->gl->GetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &storage);
     render->gl->GetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
     const size_t words = words_bytes(render), bytes = words > numbers_bytes ? words : numbers_bytes;
-    const size_t count = words / sizeof(GLuint), most = count > GROUPS * TEXELS ? count : GROUPS * TEXELS;
+    const size_t count = words / sizeof(GLuint),
+                 most = count > GROUPS * TEXELS ? count : GROUPS * TEXELS;
     const size_t by_storage = (size_t)storage / bytes, by_texels = (size_t)texels / most;
-    const size_t rows = (by_storage < by_texels ? by_storage : by_texels) / (size_t)light_far_blocks(width);
+    const size_t rows =
+        (by_storage < by_texels ? by_storage : by_texels) / (size_t)light_far_blocks(width);
     return rows < INT_MAX / LIGHT_FAR_BLOCK ? (int)rows * LIGHT_FAR_BLOCK : INT_MAX;
 }
 
@@ -50,8 +57,8 @@ void light_far_put(Text *out, const Render *render)
     if (is_there(render))
         text_format(out, "%-8s  %-24s  %d: %lu bytes for blocks of %d x %d\n", "far", "two buffers",
                     light_far_bytes(render),
-                    (unsigned long)(block_count(render) * (numbers_bytes + words_bytes(render))), LIGHT_FAR_BLOCK,
-                    LIGHT_FAR_BLOCK);
+                    (unsigned long)(block_count(render) * (numbers_bytes + words_bytes(render))),
+                    LIGHT_FAR_BLOCK, LIGHT_FAR_BLOCK);
     else
         text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
@@ -62,7 +69,8 @@ static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
     const GlContext *gl = render->gl;
     gl->GenBuffers(1, buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, *buffer);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(render) * bytes), NULL, GL_DYNAMIC_COPY);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)(block_count(render) * bytes), NULL,
+                   GL_DYNAMIC_COPY);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 

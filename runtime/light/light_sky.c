@@ -1,9 +1,11 @@
-/* The sky as a light: its program is drawn into the faces of a cube around the world's origin, which is read back and summed. The GLSL is
- * light_sky.glsl.
+/* The sky as a light: its program is drawn into the faces of a cube around the world's origin,
+ * which is read back and summed. The GLSL is light_sky.glsl.
  *
- * Irradiance over pi is the sum over bands l of (2l+1)/(4 pi) A_l/pi P_l(n.u), times the radiance from u, integrated; A_l = pi, 2 pi/3, pi/4,
- * -pi/24, pi/64 for l = 0, 1, 2, 4, 6, and 0 for other odd ones (Ramamoorthi and Hanrahan 2001). Of the even ones, each power (n.u)^2m becomes
- * (n.u)^2m |n|^(6-2m), since |n| is 1, so that they are one polynomial in n, all of whose 28 terms are of degree 6. */
+ * Irradiance over pi is the sum over bands l of (2l+1)/(4 pi) A_l/pi P_l(n.u), times the radiance
+ * from u, integrated; A_l = pi, 2 pi/3, pi/4, -pi/24, pi/64 for l = 0, 1, 2, 4, 6, and 0 for other
+ * odd ones (Ramamoorthi and Hanrahan 2001). Of the even ones, each power (n.u)^2m becomes (n.u)^2m
+ * |n|^(6-2m), since |n| is 1, so that they are one polynomial in n, all of whose 28 terms are of
+ * degree 6. */
 #include "runtime/light/lighting.h"
 #include <math.h>
 #include <stdlib.h>
@@ -18,7 +20,8 @@ enum {
 #define PI 3.14159265358979323846
 
 /* Of bands 0, 1, 2, 4, 6: (2l+1)/(4 pi) A_l/pi. */
-static const double bands[] = {1 / (4 * PI), 1 / (2 * PI), 5 / (16 * PI), -3 / (32 * PI), 13 / (256 * PI)};
+static const double bands[] = {1 / (4 * PI), 1 / (2 * PI), 5 / (16 * PI), -3 / (32 * PI),
+                               13 / (256 * PI)};
 
 /* A polynomial in x, y, z of one degree: [i][j] belongs to x^i y^j z^(degree-i-j); and lanes. */
 typedef double Polynomial[POWERS][POWERS][3];
@@ -37,8 +40,9 @@ bool light_sky_shines(const Scene *scene)
 
 /* Columns of OpenGL's table of cube faces: to the middle, and along s and t. */
 static const double faces[FACES][3][3] = {
-    {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}}, {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-    {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
+    {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+    {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
+    {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
 };
 
 /* u^2m times the factor, all terms of the degree. */
@@ -106,7 +110,8 @@ static void add_power(Polynomial moments, int degree, double factor, Polynomial 
 {
     for (int i = 0; i <= degree; i++)
         for (int j = 0; i + j <= degree; j++) {
-            const double count = factorial(degree) / (factorial(i) * factorial(j) * factorial(degree - i - j));
+            const double count =
+                factorial(degree) / (factorial(i) * factorial(j) * factorial(degree - i - j));
             for (int lane = 0; lane < 3; lane++)
                 sum[i][j][lane] += factor * count * moments[i][j][lane];
         }
@@ -130,8 +135,9 @@ static void make_numbers(Moments *m, float out[SKY_NUMBERS][4])
 {
     const double b0 = bands[0], b2 = bands[2], b4 = bands[3], b6 = bands[4];
     /* Legendre's polynomials, by powers of n.u: 0, 2, 4, 6 */
-    const double powers[] = {b0 - b2 / 2 + 3 * b4 / 8 - 5 * b6 / 16, 3 * b2 / 2 - 30 * b4 / 8 + 105 * b6 / 16,
-                             35 * b4 / 8 - 315 * b6 / 16, 231 * b6 / 16};
+    const double powers[] = {b0 - b2 / 2 + 3 * b4 / 8 - 5 * b6 / 16,
+                             3 * b2 / 2 - 30 * b4 / 8 + 105 * b6 / 16, 35 * b4 / 8 - 315 * b6 / 16,
+                             231 * b6 / 16};
     Polynomial sum = {{{0}}};
     for (int half = DEGREE / 2 - 1; half >= 0; half--)
         lower_degree(m->even[half + 1], 2 * half, m->even[half]);
@@ -162,17 +168,18 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
     screen_draw(gl, &render->screen);
     if (!framebuffer_read(gl, target, 0, rgba))
         return false;
-    for (int i = 0; i < 4 * FACE * FACE; i++) /* what a half float holds, and no more; not a number is black */
+    /* what a half float holds, and no more; not a number is black */
+    for (int i = 0; i < 4 * FACE * FACE; i++)
         rgba[i] = rgba[i] > 0 ? fminf(rgba[i], 65504) : 0;
     for (int i = 0; i < 4 * FACE * FACE; i += 4)
-        render->light->sky.uneven |=
-            memcmp(rgba + i, face ? render->light->sky.first : rgba, sizeof render->light->sky.first) != 0;
+        render->light->sky.uneven |= memcmp(rgba + i, face ? render->light->sky.first : rgba,
+                                            sizeof render->light->sky.first) != 0;
     if (!face)
         memcpy(render->light->sky.first, rgba, sizeof render->light->sky.first);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_CUBE_MAP, render->light->sky.map);
-    gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, GL_RGBA16F, FACE, FACE, 0, GL_RGBA, GL_FLOAT,
-                   rgba);
+    gl->TexImage2D(GL_TEXTURE_CUBE_MAP_POSITIVE_X + (GLenum)face, 0, GL_RGBA16F, FACE, FACE, 0,
+                   GL_RGBA, GL_FLOAT, rgba);
     return gl_check(gl, "drawing the sky");
 }
 
@@ -190,7 +197,8 @@ static void make_map(Render *render)
 bool light_sky_make(Render *render)
 {
     GlContext *gl = render->gl;
-    const FramebufferSpec spec = {.width = FACE, .height = FACE, .color_count = 1, .color_format = GL_RGBA32F};
+    const FramebufferSpec spec = {
+        .width = FACE, .height = FACE, .color_count = 1, .color_format = GL_RGBA32F};
     float *rgba = malloc(4 * FACE * FACE * sizeof *rgba);
     Moments *moments = calloc(1, sizeof *moments);
     Framebuffer target = {0};

@@ -1,7 +1,9 @@
-// Light of a sky, from all around. Its irradiance over pi is a polynomial of the unit normal n in the world: convolving with a cosine that is cut
-// at 0 leaves of the sky's spherical harmonics band 1 and the even bands, which fall fast (Ramamoorthi and Hanrahan 2001). To band 6 that is
-// b.n + the sum of c[i][j] x^i y^j z^(6-i-j): 3 and 28 numbers, within 0.3 % of the greatest irradiance for clear skies with the sun at 5
-// degrees and above. A lobe is SAMPLES look-ups in a cube, each as blurred as its share of the lobe is wide.
+// Light of a sky, from all around. Its irradiance over pi is a polynomial of the unit normal n in
+// the world: convolving with a cosine that is cut at 0 leaves of the sky's spherical harmonics band
+// 1 and the even bands, which fall fast (Ramamoorthi and Hanrahan 2001). To band 6 that is b.n +
+// the sum of c[i][j] x^i y^j z^(6-i-j): 3 and 28 numbers, within 0.3 % of the greatest irradiance
+// for clear skies with the sun at 5 degrees and above. A lobe is SAMPLES look-ups in a cube, each
+// as blurred as its share of the lobe is wide.
 #define LIGHT_HAS_SKY
 layout(std140) uniform Sky {
     vec4 sky_irradiance[31];
@@ -15,7 +17,8 @@ const float SKY_PI = 3.14159265358979;
 
 vec3 skyWorld(vec3 v) { return vec3(dot(sky_world[0].xyz, v), dot(sky_world[1].xyz, v), dot(sky_world[2].xyz, v)); }
 
-// Over pi, at a surface with this normal. Horner's rule in x, then in y, with the powers of z as they come.
+// Over pi, at a surface with this normal. Horner's rule in x, then in y, with the powers of z as
+// they come.
 vec3 skyIrradiance(vec3 normal)
 {
     vec3 n = skyWorld(normal), sum = vec3(0.0);
@@ -33,8 +36,9 @@ vec3 skyIrradiance(vec3 normal)
     return sky_light.xyz * max(sum, 0.0);
 }
 
-// The integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces. Directions are spread by the power, in a spiral; each
-// stands for 1 / SKY_SAMPLES of its integral, and is looked up at the level of the cube whose texels are as large as the solid angle around it.
+// The integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces.
+// Directions are spread by the power, in a spiral; each stands for 1 / SKY_SAMPLES of its integral,
+// and is looked up at the level of the cube whose texels are as large as the solid angle around it.
 vec3 skyLobe(vec3 normal, vec3 w, float exponent)
 {
     vec3 n = skyWorld(normal), axis = skyWorld(w), sum = vec3(0.0);

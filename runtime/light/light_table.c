@@ -1,5 +1,6 @@
-/* Numbers of lights on the driver's side: as a block of each program that lights, where the driver's blocks have room for them all, else as a
- * texture; so, too, for the pass gather, whose invocations read different lights, which a block gives one after the other. */
+/* Numbers of lights on the driver's side: as a block of each program that lights, where the
+ * driver's blocks have room for them all, else as a texture; so, too, for the pass gather, whose
+ * invocations read different lights, which a block gives one after the other. */
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 #include "runtime/shadow/shadow.h"
@@ -46,18 +47,24 @@ bool light_table_write(Render *render, int unit)
     const bool others = render->light->counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
         lights->texels =
-            calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS), sizeof *lights->texels);
+            calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS),
+                   sizeof *lights->texels);
     if (!lights->texels)
         return gl_fail(render->gl, "out of memory");
-    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels, render->light->counts);
-    if (light_far_used(render) && !light_order((float(*)[2][4])lights->texels, render->light->counts[VIEW_SPACE_PLAIN]))
+    view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels,
+                      render->light->counts);
+    if (light_far_used(render) &&
+        !light_order((float(*)[2][4])lights->texels, render->light->counts[VIEW_SPACE_PLAIN]))
         return gl_fail(render->gl, "out of memory");
     shadow_put_lights(render, render->light->counts, lights->texels);
     if (render->light->far.numbers && others != (render->light->counts[VIEW_SPACE_POINTS] > 0))
-        return gl_fail(render->gl, "lights cast shadows, or do not, where none did otherwise: this is another scene");
+        return gl_fail(
+            render->gl,
+            "lights cast shadows, or do not, where none did otherwise: this is another scene");
     const int count = room_for(view_space_texels(render->light->counts, VIEW_SPACE_SECTIONS));
     if (lights->count && count > lights->count)
-        return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene", count, lights->count);
+        return gl_fail(render->gl, "the lights take %d texels, not %d: this is another scene",
+                       count, lights->count);
     lights->count = lights->count ? lights->count : count;
     return (fits_block(render) && !light_far_used(render)) || write_texture(render, unit);
 }
@@ -66,7 +73,8 @@ void light_table_define(const Render *render, bool scattered, char defined[LIGHT
 {
     *defined = 0;
     if (fits_block(render) && !scattered)
-        snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n", render->light->table.count);
+        snprintf(defined, LIGHT_TABLE_DEFINITION, "#define LIGHT_BLOCK %d\n",
+                 render->light->table.count);
 }
 
 void light_table_set(const Render *render, int unit, ScreenPass *pass)
@@ -75,7 +83,8 @@ void light_table_set(const Render *render, int unit, ScreenPass *pass)
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
     if (fits_block(render)) /* a program has the one or the other */
-        material_write(&pass->material, "Lights", lights->texels, (size_t)lights->count * sizeof *lights->texels);
+        material_write(&pass->material, "Lights", lights->texels,
+                       (size_t)lights->count * sizeof *lights->texels);
 }
 
 void light_table_bind(const Render *render, int unit)

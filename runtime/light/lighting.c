@@ -1,4 +1,5 @@
-/* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's own, numbers, textures. */
+/* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's
+ * own, numbers, textures. */
 #include "runtime/light/lighting.h"
 #include "gen/render_text.h"
 #include "runtime/exact/exact.h"
@@ -7,11 +8,17 @@
 #include <stdio.h>
 
 /* Units behind those of the G-buffer. */
-enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT, EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS };
+enum {
+    DEPTH_UNIT = FRAMEBUFFER_COLORS,
+    LIGHTS_UNIT,
+    SKY_UNIT,
+    SHADOW_UNIT,
+    EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS
+};
 
 /* What stands for a layout where no surface has one. */
-static const char no_surface[] =
-    "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 pixel) { return Surface(0.0); }\n";
+static const char no_surface[] = "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 "
+                                 "pixel) { return Surface(0.0); }\n";
 
 static int targets_of(const Render *render)
 {
@@ -45,9 +52,12 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     lighting_place(render, pass);
     set(pass, "light_view", render->space.depth);
     set(pass, "light_ambient", ambient);
-    material_set_number(&pass->material, "light_plain", (float)render->light->counts[VIEW_SPACE_PLAIN]);
-    material_set_number(&pass->material, "light_points", (float)render->light->counts[VIEW_SPACE_POINTS]);
-    material_set_number(&pass->material, "light_areas", (float)render->light->counts[VIEW_SPACE_AREAS]);
+    material_set_number(&pass->material, "light_plain",
+                        (float)render->light->counts[VIEW_SPACE_PLAIN]);
+    material_set_number(&pass->material, "light_points",
+                        (float)render->light->counts[VIEW_SPACE_POINTS]);
+    material_set_number(&pass->material, "light_areas",
+                        (float)render->light->counts[VIEW_SPACE_AREAS]);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
@@ -86,7 +96,8 @@ static void add_surface(const Render *render, bool places, ScreenPassText *text)
 }
 
 /* How lights that have a place cast shadows. */
-static void add_shadows(const Render *render, bool nearest, char defined[SHADOW_DEFINITIONS], ScreenPassText *text)
+static void add_shadows(const Render *render, bool nearest, char defined[SHADOW_DEFINITIONS],
+                        ScreenPassText *text)
 {
     const char *exact[EXACT_TEXTS], *shadows = shadow_text(render, nearest, defined);
     const bool volumes = volume_lights_cast(render);
@@ -128,7 +139,8 @@ static bool make_what_it_reads(Render *render)
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
     char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
-    const bool places = own->of != LIGHTING_around, scattered = own->block > 0 && own->of != LIGHTING_nodes;
+    const bool places = own->of != LIGHTING_around,
+               scattered = own->block > 0 && own->of != LIGHTING_nodes;
     ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_light, 0),
                            .compute = render->compute || own->of == LIGHTING_nodes,
                            .over = own->over,

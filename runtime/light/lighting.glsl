@@ -1,5 +1,6 @@
-// What a surface sends to the eye, summed over all lights, in the eye's space: for every pass that lights surfaces. view_space.h says what
-// the block and the texels hold. Before it stand the texts that declare Surface and the surface model.
+// What a surface sends to the eye, summed over all lights, in the eye's space: for every pass that
+// lights surfaces. view_space.h says what the block and the texels hold. Before it stand the texts
+// that declare Surface and the surface model.
 layout(std140) uniform Light {
     vec4 light_ray;
     vec4 light_view;
@@ -7,7 +8,8 @@ layout(std140) uniform Light {
     int light_plain, light_points, light_areas;
 };
 
-// LIGHT_BLOCK texels of all lights, as a block: all pixels read the same one at a time, which takes less than a texture does.
+// LIGHT_BLOCK texels of all lights, as a block: all pixels read the same one at a time, which takes
+// less than a texture does.
 #ifdef LIGHT_BLOCK
 layout(std140) uniform Lights {
     vec4 light_texels[LIGHT_BLOCK];
@@ -98,7 +100,8 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, lightToEye(pixel)));
 }
 
-// Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no list is lit in the first.
+// Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no
+// list is lit in the first.
 bool lightIsFirst()
 {
 #ifdef SHADOW_PARTS
@@ -132,7 +135,8 @@ vec3 lightAround(Seen seen)
     return sum;
 }
 
-// What it sends of all light but that of plain lights and of others that shine from one direction. What indirect light dims is added later.
+// What it sends of all light but that of plain lights and of others that shine from one direction.
+// What indirect light dims is added later.
 vec3 lightEven(Seen seen)
 {
 #ifdef LIGHT_AROUND_LATER

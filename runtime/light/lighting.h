@@ -1,4 +1,5 @@
-/* Light on surfaces: its passes, what lights are as numbers, the sky as a light, what stands behind everything. */
+/* Light on surfaces: its passes, what lights are as numbers, the sky as a light, what stands behind
+ * everything. */
 #ifndef MATC_LIGHT_LIGHTING_H
 #define MATC_LIGHT_LIGHTING_H
 #include "runtime/light/light_state.h"
@@ -12,17 +13,19 @@ void light_sky_set(const Render *render, int unit, ScreenPass *pass);
 void light_sky_bind(const Render *render, int unit);
 extern const FramePass pass_gather, pass_light;
 
-/* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at which hybrid shadows were counted, by all lights but
- * those that indirect light dims; or that by light from all around alone, without any that has a place, and without shadows; nodes of cached radiance, by the lights of what is
- * nearest. */
+/* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, at
+ * which hybrid shadows were counted, by all lights but those that indirect light dims; or that by
+ * light from all around alone, without any that has a place, and without shadows; nodes of cached
+ * radiance, by the lights of what is nearest. */
 typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_nodes } LightingOf;
 
-/* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface model and lighting.glsl. */
+/* A pass that lights surfaces: its own GLSL stands behind what reads the G-buffer, the surface
+ * model and lighting.glsl. */
 enum { LIGHTING_PIECES = 7 };
 typedef struct {
     const char *body[LIGHTING_PIECES]; /* NULL where there is none */
-    bool over; /* it is passOver() */
-    int block; /* of screen_pass.h */
+    bool over;                         /* it is passOver() */
+    int block;                         /* of screen_pass.h */
     LightingOf of;
 } LightingText;
 enum {
@@ -30,13 +33,15 @@ enum {
     LIGHTING_FREE_UNIT = LIGHTING_UNITS /* for a texture of the pass's own */
 };
 bool lighting_make(Render *render, const LightingText *text, ScreenPass *made);
-/* GLSL of backdropAt(), or "": for the pass tone; for passes that light, if something is transparent. What a pass shows of it may be light. */
+/* GLSL of backdropAt(), or "": for the pass tone; for passes that light, if something is
+ * transparent. What a pass shows of it may be light. */
 const char *backdrop_text(const Render *render);
 const char *backdrop_light_text(const Render *render);
 void backdrop_set(const Render *render, bool light, ScreenPass *pass);
 /* Counts the lights, and writes their numbers. */
 bool lighting_lights(Render *render);
-/* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass that lights; bound to a unit; deleted. */
+/* Numbers of lights: written, or written again; what the lighting's GLSL goes by; handed to a pass
+ * that lights; bound to a unit; deleted. */
 enum { LIGHT_TABLE_DEFINITION = 64 };
 bool light_table_write(Render *render, int unit);
 void light_table_define(const Render *render, bool scattered, char defined[LIGHT_TABLE_DEFINITION]);
@@ -49,7 +54,8 @@ void lighting_place(const Render *render, ScreenPass *pass);
  * number), and after objects moved. */
 bool lighting_changed(Render *render, unsigned what, ScreenPass *pass);
 void lighting_moved(const Render *render, ScreenPass *pass);
-/* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a texture of its own, or 0. */
+/* Runs it over the light, once for each part of shadows' lists. It reads these targets, and a
+ * texture of its own, or 0. */
 typedef struct {
     FrameTarget surfaces, depth;
     GLuint own;

@@ -1,22 +1,27 @@
-/* The pass gather: from the G-buffer, depth and lights to what far lights give together to each block of pixels, and which are near, as light_bound.c
- * says. Three dispatches: pass_groups.glsl finds groups of pixels; pass_near.glsl goes through the lights for each group by itself, and says which are near;
- * pass_gather.glsl sums the others. So what sums, which needs many registers, has to do nothing else. light_room.c has the buffers. */
+/* The pass gather: from the G-buffer, depth and lights to what far lights give together to each
+ * block of pixels, and which are near, as light_bound.c says. Three dispatches: pass_groups.glsl
+ * finds groups of pixels; pass_near.glsl goes through the lights for each group by itself, and says
+ * which are near; pass_gather.glsl sums the others. So what sums, which needs many registers, has
+ * to do nothing else. light_room.c has the buffers. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 
-static bool pass_gather_needed(const Render *render) { return render->scene && light_far_used(render); }
+static bool pass_gather_needed(const Render *render)
+{
+    return render->scene && light_far_used(render);
+}
 
 /* `texts` stand behind what all have, the pass's own last. */
 static bool make(Render *render, LightFarUse use, const char *const texts[3], ScreenPass *made)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
     light_far_define(render, use, defined);
-    const LightingText text = {
-        {defined, render_text_far_terms, render_text_far_blocks, render_text_far_group, texts[0], texts[1], texts[2]},
-        false,
-        LIGHT_FAR_BLOCK,
-        LIGHTING_nearest};
+    const LightingText text = {{defined, render_text_far_terms, render_text_far_blocks,
+                                render_text_far_group, texts[0], texts[1], texts[2]},
+                               false,
+                               LIGHT_FAR_BLOCK,
+                               LIGHTING_nearest};
     if (!lighting_make(render, &text, made))
         return false;
     light_far_set(render, made);
@@ -28,7 +33,8 @@ static bool pass_gather_make(Render *render)
     static const char *const texts[][3] = {
         [LIGHT_FAR_groups] = {render_text_pass_groups},
         [LIGHT_FAR_near] = {render_text_far_lobe, render_text_far_light, render_text_pass_near},
-        [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light, render_text_pass_gather}};
+        [LIGHT_FAR_gather] = {render_text_far_lobe, render_text_far_light,
+                              render_text_pass_gather}};
     FrameFar *far = &render->light->far;
     if ((!render->light->table.texels && !lighting_lights(render)) ||
         !make(render, LIGHT_FAR_groups, texts[LIGHT_FAR_groups], &far->groups) ||
@@ -43,17 +49,24 @@ static void pass_gather_draw(Render *render)
 {
     lighting_bind(render, FRAME_TARGET_gbuffer, FRAME_TARGET_depth);
     light_far_bind(render);
-    screen_pass_run(&render->light->far.groups, &render->targets.draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->light->far.near, &render->targets.draws[FRAME_DRAW_light], &render->screen);
-    screen_pass_run(&render->light->far.gather, &render->targets.draws[FRAME_DRAW_light], &render->screen);
+    screen_pass_run(&render->light->far.groups, &render->targets.draws[FRAME_DRAW_light],
+                    &render->screen);
+    screen_pass_run(&render->light->far.near, &render->targets.draws[FRAME_DRAW_light],
+                    &render->screen);
+    screen_pass_run(&render->light->far.gather, &render->targets.draws[FRAME_DRAW_light],
+                    &render->screen);
 }
 
-static void pass_gather_place(Render *render) { lighting_place(render, &render->light->far.groups); }
+static void pass_gather_place(Render *render)
+{
+    lighting_place(render, &render->light->far.groups);
+}
 
 static bool pass_gather_changed(Render *render, unsigned what)
 {
     FrameFar *far = &render->light->far;
-    return lighting_changed(render, what, &far->groups) && lighting_changed(render, what, &far->near) &&
+    return lighting_changed(render, what, &far->groups) &&
+           lighting_changed(render, what, &far->near) &&
            lighting_changed(render, what, &far->gather);
 }
 
@@ -67,7 +80,8 @@ static bool pass_gather_moved(Render *render, int first, int count)
 }
 
 const FramePass pass_gather = {
-    .plan = {"gather", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(mask), .fills = FRAME_BIT(far)},
+    .plan = {"gather", .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(mask),
+             .fills = FRAME_BIT(far)},
     .when = "lights are many, and far ones are taken together",
     .needed = pass_gather_needed,
     .lacks = light_far_lacks,

@@ -1,5 +1,5 @@
-// Before the pass light where lights are many: for each group of a block's pixels, what far lights give together. pass_near.glsl has said which these
-// are. Before it stands far_light.glsl.
+// Before the pass light where lights are many: for each group of a block's pixels, what far lights
+// give together. pass_near.glsl has said which these are. Before it stands far_light.glsl.
 const int ROWS = FAR_TERMS + FAR_LOBES;
 
 shared float far_parts[ROWS * PITCH]; // of the sums of a lane, a row for each
@@ -48,7 +48,8 @@ void farGather(Group group, int number)
 
 // -- what is kept
 
-// Of the texels of gloss: for each lane its slopes and itself, then its slopes by the view, and a lane of that.
+// Of the texels of gloss: for each lane its slopes and itself, then its slopes by the view, and a
+// lane of that.
 float farGlossNumber(Group group, int i)
 {
     int lane = i / 4 % 3, kind = i / 12, k = i % 4;
@@ -56,7 +57,8 @@ float farGlossNumber(Group group, int i)
     return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + lane];
 }
 
-// The sums lie four terms of a lane in a texel: texels 1 to 12 of red, 13 to 24 of green, 25 to 36 of blue.
+// The sums lie four terms of a lane in a texel: texels 1 to 12 of red, 13 to 24 of green, 25 to 36
+// of blue.
 void farKeep(Group group, int number)
 {
     int at = farPlace(number), self = int(gl_LocalInvocationIndex);

@@ -1,11 +1,13 @@
-// Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands far_group.glsl.
+// Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands
+// far_group.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 uniform sampler2D light_depth;
 
 const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP; // invocations; sets of pixels that one goes through
 const int PIXELS = FAR_SPAN * FAR_SPAN;                  // of a set: 8 apart, so that neighbours are of neighbouring invocations
 
-// The pixel that a group is made around: its point, normal and mirrored view, and the exponent of its gloss.
+// The pixel that a group is made around: its point, normal and mirrored view, and the exponent of
+// its gloss.
 struct Seed {
     vec3 point, axis, mirror;
     float exponent;
@@ -85,7 +87,8 @@ void farClear()
     barrier();
 }
 
-// The nearest pixel that waits; of those at one depth the first. It tells the others its point. False: none waits.
+// The nearest pixel that waits; of those at one depth the first. It tells the others its point.
+// False: none waits.
 bool farFindSeed(uint waiting[SETS])
 {
     float nearest = 0.0;
@@ -120,8 +123,8 @@ bool farIsAlike(Seen seen, Seed seed)
            (!farShines(seen.m) || abs(surfaceExponent(seen.m) - seed.exponent) <= sharper * seed.exponent);
 }
 
-// Takes those that wait and are like the seed into the group of that number, the last of which takes all. Each invocation puts its pixels together
-// before it tells the others of them.
+// Takes those that wait and are like the seed into the group of that number, the last of which
+// takes all. Each invocation puts its pixels together before it tells the others of them.
 void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
 {
     bool last = group == FAR_GROUPS - 1, some = false;

@@ -1,5 +1,6 @@
-/* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind lighting.glsl; where lights are many, it is
- * pass_light_far.glsl, by what the pass gather has summed. */
+/* The pass light: from the G-buffer, depth and lights to light. Its GLSL is pass_light.glsl, behind
+ * lighting.glsl; where lights are many, it is pass_light_far.glsl, by what the pass gather has
+ * summed. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
@@ -10,10 +11,11 @@ static bool make_far(Render *render)
 {
     char defined[LIGHT_FAR_DEFINITIONS];
     light_far_define(render, LIGHT_FAR_light, defined);
-    const LightingText text = {{defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far},
-                               false,
-                               0,
-                               LIGHTING_nearest};
+    const LightingText text = {
+        {defined, render_text_far_terms, render_text_far_blocks, render_text_pass_light_far},
+        false,
+        0,
+        LIGHTING_nearest};
     if (!lighting_make(render, &text, &render->light->pass))
         return false;
     light_far_set(render, &render->light->pass);
@@ -24,8 +26,10 @@ static bool pass_light_make(Render *render)
 {
     return light_far_used(render)
                ? make_far(render)
-               : lighting_make(render, &(LightingText){{render_text_pass_light}, render->parted, 0, LIGHTING_nearest},
-                               &render->light->pass);
+               : lighting_make(
+                     render,
+                     &(LightingText){{render_text_pass_light}, render->parted, 0, LIGHTING_nearest},
+                     &render->light->pass);
 }
 
 static void pass_light_draw(Render *render)
@@ -63,8 +67,8 @@ static void pass_light_forget(Render *render)
 
 const FramePass pass_light = {
     .plan = {"light",
-             .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(shadow) | FRAME_BIT(mask) | FRAME_BIT(seen) |
-                      FRAME_BIT(far),
+             .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(shadow) | FRAME_BIT(mask) |
+                      FRAME_BIT(seen) | FRAME_BIT(far),
              .fills = FRAME_BIT(light), .own = FRAME_BIT(gbuffer)},
     .when = "always: what is not lit is black",
     .needed = pass_light_needed,

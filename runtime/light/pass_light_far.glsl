@@ -1,5 +1,6 @@
-// The pass light where lights are many: what is far as pass_gather.glsl has summed it for the pixel's group, what is near by itself. Before it stand
-// lighting.glsl, far_terms.glsl and far_blocks.glsl.
+// The pass light where lights are many: what is far as pass_gather.glsl has summed it for the
+// pixel's group, what is near by itself. Before it stand lighting.glsl, far_terms.glsl and
+// far_blocks.glsl.
 uniform sampler2D light_depth;
 
 uniform samplerBuffer far_texels; // the buffers as textures: some software renderers read a storage buffer for one pixel after the other
@@ -38,7 +39,8 @@ vec3 farGloss(int at, vec3 point, vec3 mirror)
 }
 #endif
 
-// The group of its block that a pixel is in, as pass_groups.glsl counts pixels: those of an invocation are 8 apart.
+// The group of its block that a pixel is in, as pass_groups.glsl counts pixels: those of an
+// invocation are 8 apart.
 int farGroup(int block, ivec2 pixel)
 {
     ivec2 p = pixel % FAR_BLOCK, q = p / 8, own = p % 8;
@@ -60,7 +62,8 @@ uint farPlain(int word, uint lights)
 #endif
 }
 
-// Of words that are not 0. A loop of its own for each kind: some compilers run both sides of a branch.
+// Of words that are not 0. A loop of its own for each kind: some compilers run both sides of a
+// branch.
 vec3 farNear(int at, Seen seen)
 {
     vec3 sum = vec3(0.0);

@@ -1,12 +1,13 @@
-// Before the pass gather: for each group of a block's pixels, which lights each pixel is to sum by itself. light_bound.c says how. Before it stands
-// far_light.glsl.
+// Before the pass gather: for each group of a block's pixels, which lights each pixel is to sum by
+// itself. light_bound.c says how. Before it stands far_light.glsl.
 const int PARTS = max(3 * PITCH, FAR_LIGHTS);
 
 shared float far_parts[PARTS];  // parts of a sum; then shares of lights
 shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // as far_blocks.glsl has them
 shared uint far_shares[32];     // sums of lights' shares of the budget, by their size
 
-// What the light surely gives to each pixel of the group, but for what its surface sends back of that.
+// What the light surely gives to each pixel of the group, but for what its surface sends back of
+// that.
 vec3 farSure(Far far)
 {
     if (!far.whole || far.least <= 0.0) return vec3(0.0);
@@ -22,8 +23,8 @@ vec3 farRest(Far far)
     return far.power * (nearer * nearer * min(far.most * nearer, 1.0));
 }
 
-// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss` are 1 over that. Its last bit says that gloss is
-// expanded: else it is left out.
+// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss`
+// are 1 over that. Its last bit says that gloss is expanded: else it is left out.
 float farShare(Far far, Group group, vec3 even, vec3 gloss)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
@@ -62,9 +63,11 @@ vec3 farSureOfAll(Group group)
     return farSum(sure);
 }
 
-// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most. Shares are summed in units of 2^-19, rounded up, by
-// half octaves: those from 2^(-i/2 - 1/2) to 2^(-i/2), roughly, are the i-th; the last are all that are smaller. Each invocation leaves those of its
-// lights in far_parts for itself, DARK where no pixel sees the light. For example 0.9, 0.3, 0.3, 0.01: the last three, 0.61, are far, and 0.5 is returned.
+// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most.
+// Shares are summed in units of 2^-19, rounded up, by half octaves: those from 2^(-i/2 - 1/2) to
+// 2^(-i/2), roughly, are the i-th; the last are all that are smaller. Each invocation leaves those
+// of its lights in far_parts for itself, DARK where no pixel sees the light. For example 0.9, 0.3,
+// 0.3, 0.01: the last three, 0.61, are far, and 0.5 is returned.
 const float DARK = -1.0, UNITS = 524288.0;
 const uint HALF_OCTAVE = 22u, ONE = 0x3f800000u >> HALF_OCTAVE; // bits of a float below its exponent and the first of the rest; 1.0 without them
 
@@ -125,8 +128,9 @@ void farKeep(int number)
         far_words[at + FAR_NEAR + i] = far_linear[i];
 }
 
-// A pixel's even light is off by e R, its gloss by g G at most, of sums R and G over all lights that are taken together, and may be by r e E + a. The
-// one over the other is R / (r E + a / e) + G g / (r e E + a) at most, with the greatest e in the one and the least in the other.
+// A pixel's even light is off by e R, its gloss by g G at most, of sums R and G over all lights
+// that are taken together, and may be by r e E + a. The one over the other is R / (r E + a / e) + G
+// g / (r e E + a) at most, with the greatest e in the one and the least in the other.
 void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);

@@ -10,7 +10,8 @@ static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
         return true;
     MatcOptions quiet = *options;
     quiet.validate = quiet.measure = false;
-    MatcProgram *program = matc_compile(request->document, request->material, MATC_FRAGMENT, &quiet);
+    MatcProgram *program =
+        matc_compile(request->document, request->material, MATC_FRAGMENT, &quiet);
     bool ok = matc_ok(program);
     matc_program_free(program);
     return ok;
@@ -23,7 +24,8 @@ static MatcProgram *compile_variant(const MeasureRequest *request, const Variant
     options.pass = "gbuffer";
     if (!is_wanted(request, &options))
         return NULL;
-    return variant_compile(request->document, request->material, MATC_FRAGMENT | MATC_UNPACK, &options);
+    return variant_compile(request->document, request->material, MATC_FRAGMENT | MATC_UNPACK,
+                           &options);
 }
 
 /* Whether one of them has the same text. */

@@ -9,7 +9,7 @@ typedef struct {
     MatcProgram *program;
 } Candidate;
 
-/* From malloc, the given variant first unless it does not compile; the programs are the caller's. Counts in the list what is the
- * same as another, and what does not compile. */
+/* From malloc, the given variant first unless it does not compile; the programs are the caller's.
+ * Counts in the list what is the same as another, and what does not compile. */
 Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, int *count);
 #endif

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { REFERENCE_SIDE = 16 }; /* samples along a pixel's side, for a picture that others are compared with */
+/* samples along a pixel's side, for a picture that others are compared with */
+enum { REFERENCE_SIDE = 16 };
 
 static void *grow(void *list, int count, int *room, size_t size)
 {
@@ -46,7 +47,8 @@ bool errors_has_truth(Errors *e, const Variant *variant)
 {
     return !truth_of(e, variant)->unknown ||
            message_fail(e->meter->error, sizeof e->meter->error,
-                        "its values at %d points take the reference too many operations: filters within filters, over "
+                        "its values at %d points take the reference too many operations: filters "
+                        "within filters, over "
                         "maps that cost much",
                         POINTS);
 }
@@ -55,11 +57,14 @@ bool errors_open(Errors *e, Meter *m, const MeasureRequest *request)
 {
     FieldVertex plane[PLANE_VERTICES];
     double scale = request->scale > 0 ? request->scale : 1;
-    FramebufferSpec spec = {
-        .width = MEASURE_SIDE, .height = MEASURE_SIDE, .color_count = 1, .color_format = GL_RGBA32F};
+    FramebufferSpec spec = {.width = MEASURE_SIDE,
+                            .height = MEASURE_SIDE,
+                            .color_count = 1,
+                            .color_format = GL_RGBA32F};
     *e = (Errors){.meter = m, .request = request};
     sample_points(e->vertices, request->range);
-    sample_plane(plane, &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
+    sample_plane(plane,
+                 &(PlaneView){.yaw = 0.3, .scale = scale, .aspect = 1, .height = MEASURE_SIDE});
     return (field_make(m->gl, e->vertices, POINTS, GL_POINTS, &e->points) &&
             field_make(m->gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &e->view) &&
             framebuffer_make(m->gl, &spec, &e->picture)) ||
@@ -90,11 +95,13 @@ static const float *mean_of(Errors *e, const Variant *variant, int slot)
     plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
     plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
     plain.choice[AXIS_aa] = CHOICE_aa_none;
-    plain.choice[AXIS_coordinates] = CHOICE_coordinates_long; /* what rounds a coordinate is no reference */
+    /* what rounds a coordinate is no reference */
+    plain.choice[AXIS_coordinates] = CHOICE_coordinates_long;
     MatcOptions options = variant_options(&plain, e->request->options);
     options.pass = "value";
     options.slot = slot_table[slot].name;
-    MatcProgram *program = variant_compile(e->request->document, e->request->material, MATC_FRAGMENT, &options);
+    MatcProgram *program =
+        variant_compile(e->request->document, e->request->material, MATC_FRAGMENT, &options);
     Material material = {0};
     const MeterDraw draw = {&material, &e->view, &e->picture};
     float *mean = errors_room(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *mean);
@@ -115,8 +122,11 @@ static Distance picture_distance(int slot, const float *found, const float *want
     double most = 0, squares = 0;
     for (int i = 0; i < count; i++)
         for (int lane = 0; lane < lanes; lane++) {
-            double want = clamp(wanted[4 * i + lane], row->low, row->high), got = found[4 * i + lane];
-            double d = isfinite(got) ? fabs(clamp(got, row->low, row->high) - want) / fmax(1, fabs(want)) : INFINITY;
+            double want = clamp(wanted[4 * i + lane], row->low, row->high),
+                   got = found[4 * i + lane];
+            double d = isfinite(got)
+                           ? fabs(clamp(got, row->low, row->high) - want) / fmax(1, fabs(want))
+                           : INFINITY;
             most = fmax(most, d);
             squares += d * d;
         }
@@ -130,7 +140,8 @@ static Distance find_aliased(Errors *e, const Variant *variant, int slot, Materi
         return none;
     const float *wanted = mean_of(e, variant, slot);
     float *found = errors_room(MEASURE_SIDE * MEASURE_SIDE * 4, sizeof *found);
-    if (wanted && meter_draw_mean(e->meter, &(MeterDraw){material, &e->view, &e->picture}, 1, found))
+    if (wanted &&
+        meter_draw_mean(e->meter, &(MeterDraw){material, &e->view, &e->picture}, 1, found))
         none = picture_distance(slot, found, wanted);
     free(found);
     return none;
@@ -173,7 +184,8 @@ static const Known *learn(Errors *e, const Variant *variant, int slot, MatcProgr
         memory_exhausted();
     if (meter_make_material(e->meter, program, &material)) {
         known.computed = find_computed(e, variant, slot, &material);
-        known.aliased = is_constant(fragment) ? (Distance){0, 0} : find_aliased(e, variant, slot, &material);
+        known.aliased =
+            is_constant(fragment) ? (Distance){0, 0} : find_aliased(e, variant, slot, &material);
     }
     material_delete(&material);
     e->known = grow(e->known, e->known_count, &e->known_room, sizeof *e->known);
@@ -187,10 +199,12 @@ static void find_slot(Errors *e, Measured *m, int slot)
     MatcOptions options = variant_options(&m->variant, e->request->options);
     options.pass = "value";
     options.slot = slot_table[slot].name;
-    MatcProgram *program = variant_compile(e->request->document, e->request->material, MATC_FRAGMENT, &options);
+    MatcProgram *program =
+        variant_compile(e->request->document, e->request->material, MATC_FRAGMENT, &options);
     if (!program)
         return;
-    const Known *known = find_known(e, matc_output(program, MATC_FRAGMENT, NULL), slot, truth_index(&m->variant));
+    const Known *known =
+        find_known(e, matc_output(program, MATC_FRAGMENT, NULL), slot, truth_index(&m->variant));
     if (!known)
         known = learn(e, &m->variant, slot, program);
     matc_program_free(program);
@@ -208,9 +222,10 @@ static bool find_packed(Errors *e, Measured *m, MatcProgram *program, Material *
                 meter_open_layout(e->meter, layout, matc_output(program, MATC_UNPACK, NULL)) &&
                 meter_draw_packed(e->meter, material, layout, &e->points, found);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        m->packed[slot] = fine && e->meter->readers[layout].holds[slot]
-                              ? measure_distance((Slot)slot, found, truth_of(e, &m->variant)->values, POINTS)
-                              : (Distance){NAN, NAN};
+        m->packed[slot] =
+            fine && e->meter->readers[layout].holds[slot]
+                ? measure_distance((Slot)slot, found, truth_of(e, &m->variant)->values, POINTS)
+                : (Distance){NAN, NAN};
     free(found);
     return fine;
 }

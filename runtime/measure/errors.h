@@ -33,9 +33,11 @@ typedef struct {
 /* False, with a word in the meter: there is no room to draw in. Closed either way. */
 bool errors_open(Errors *e, Meter *meter, const MeasureRequest *request);
 void errors_close(Errors *e);
-/* False, with a word in the meter: the reference takes too long for what nothing can then be compared with. */
+/* False, with a word in the meter: the reference takes too long for what nothing can then be
+ * compared with. */
 bool errors_has_truth(Errors *e, const Variant *variant);
-/* Of m->variant, whose program of pass gbuffer is given: makes its material, and fills in all errors of m. False: it cannot be drawn. */
+/* Of m->variant, whose program of pass gbuffer is given: makes its material, and fills in all
+ * errors of m. False: it cannot be drawn. */
 bool errors_measure(Errors *e, Measured *m, MatcProgram *program, Material *material);
 /* From calloc; memory that is missing ends the process. */
 void *errors_room(size_t count, size_t size);

@@ -6,7 +6,8 @@
 static bool beats(const FrontPoint *a, const FrontPoint *b)
 {
     const double alike = 1.01;
-    return a->time <= b->time && a->error <= alike * b->error && (a->time < b->time || a->error < b->error);
+    return a->time <= b->time && a->error <= alike * b->error &&
+           (a->time < b->time || a->error < b->error);
 }
 
 void front_mark(FrontPoint *points, int count)

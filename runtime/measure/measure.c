@@ -45,13 +45,16 @@ static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredLi
 }
 
 /* Targets to be timed with: one set a layout. */
-static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[LAYOUT_COUNT], Framebuffer *plain)
+static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[LAYOUT_COUNT],
+                         Framebuffer *plain)
 {
     int side = w->meter->gl->hardware ? HARDWARE_SIDE : SOFTWARE_SIDE;
-    FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
+    FramebufferSpec spec = {
+        .width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     for (int i = 0; i < list->count; i++) {
         int layout = list->at[i].variant.layout;
-        if (!targets[layout].name && !meter_make_targets(w->meter, (Layout)layout, side, side, &targets[layout]))
+        if (!targets[layout].name &&
+            !meter_make_targets(w->meter, (Layout)layout, side, side, &targets[layout]))
             return false;
     }
     return framebuffer_make(w->meter->gl, &spec, plain) ||
@@ -79,8 +82,10 @@ static bool measure_times(Work *w, MeasuredList *list)
     bool fine = make_targets(w, list, targets, &plain) && meter_make_constant(w->meter, &constant);
     draws[0] = (MeterDraw){&constant, &w->errors.view, &plain};
     for (int i = 0; i < list->count; i++)
-        draws[1 + i] = (MeterDraw){&w->materials[i], &w->errors.view, &targets[list->at[i].variant.layout]};
-    fine = fine && meter_time(w->meter, draws, list->count + 1, find_rounds(w, draws, list->count + 1), nanoseconds);
+        draws[1 + i] =
+            (MeterDraw){&w->materials[i], &w->errors.view, &targets[list->at[i].variant.layout]};
+    fine = fine && meter_time(w->meter, draws, list->count + 1,
+                              find_rounds(w, draws, list->count + 1), nanoseconds);
     list->constant = nanoseconds[0];
     for (int i = 0; i < list->count; i++)
         list->at[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
@@ -98,7 +103,8 @@ static void mark_fronts(MeasuredList *list)
     FrontPoint *points = errors_room((size_t)list->count, sizeof *points);
     for (int front = 0; front < 2; front++) {
         for (int i = 0; i < list->count; i++)
-            points[i] = (FrontPoint){list->at[i].nanoseconds, front ? list->at[i].aliasing : list->at[i].error, false};
+            points[i] = (FrontPoint){list->at[i].nanoseconds,
+                                     front ? list->at[i].aliasing : list->at[i].error, false};
         front_mark(points, list->count);
         for (int i = 0; i < list->count; i++)
             *(front ? &list->at[i].alias_front : &list->at[i].front) = points[i].front;
@@ -126,8 +132,8 @@ static bool measure_candidates(Work *w, MeasuredList *list)
     free(candidates);
     char *error = w->meter->error;
     if (list->count == 0)
-        return *error ||
-               message_fail(error, sizeof w->meter->error, "the material compiles in no way that is asked for");
+        return *error || message_fail(error, sizeof w->meter->error,
+                                      "the material compiles in no way that is asked for");
     return measure_times(w, list);
 }
 

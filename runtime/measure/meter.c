@@ -38,7 +38,8 @@ void meter_close(Meter *m)
 
 bool meter_make_material(Meter *m, MatcProgram *program, Material *made)
 {
-    return field_material(m->store, program, &(FieldText){.target = TARGET_glsl330}, made) || fail(m, "");
+    return field_material(m->store, program, &(FieldText){.target = TARGET_glsl330}, made) ||
+           fail(m, "");
 }
 
 bool meter_make_targets(Meter *m, Layout layout, int width, int height, Framebuffer *made)
@@ -79,7 +80,8 @@ bool meter_open_layout(Meter *m, Layout layout, const char *unpack)
     m->refused[layout] = true;
     if (!reader_make(m->store, &source, &m->readers[layout]))
         return fail(m, row->name);
-    m->refused[layout] = !meter_make_targets(m, layout, POINTS_WIDTH, POINTS_HEIGHT, &m->packed[layout]);
+    m->refused[layout] =
+        !meter_make_targets(m, layout, POINTS_WIDTH, POINTS_HEIGHT, &m->packed[layout]);
     return !m->refused[layout];
 }
 
@@ -89,10 +91,12 @@ static bool read_slot(Meter *m, Layout layout, Slot slot, float (*rgba)[4])
     for (int i = 0; i < POINTS && !held; i++)
         for (int lane = 0; lane < 4; lane++)
             rgba[i][lane] = NAN;
-    return !held || reader_read(&m->readers[layout], &m->packed[layout], slot, &rgba[0][0]) || fail(m, "");
+    return !held || reader_read(&m->readers[layout], &m->packed[layout], slot, &rgba[0][0]) ||
+           fail(m, "");
 }
 
-bool meter_draw_packed(Meter *m, Material *material, Layout layout, const Field *points, SlotValues *values)
+bool meter_draw_packed(Meter *m, Material *material, Layout layout, const Field *points,
+                       SlotValues *values)
 {
     float(*rgba)[4] = calloc(POINTS, sizeof *rgba);
     if (!rgba)
@@ -142,8 +146,9 @@ bool meter_draw_mean(Meter *m, const MeterDraw *draw, int n, float *rgba)
 
 bool meter_make_constant(Meter *m, Material *made)
 {
-    static const char text[] = "#version 330 core\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = "
-                               "vec4(0.25, 0.5, 0.75, 1.0); }\n";
+    static const char text[] =
+        "#version 330 core\nlayout(location = 0) out vec4 colour;\nvoid main() { colour = "
+        "vec4(0.25, 0.5, 0.75, 1.0); }\n";
     const FieldText field = {TARGET_glsl330, text, NULL};
     return field_material(m->store, NULL, &field, made) || fail(m, "the constant colour");
 }

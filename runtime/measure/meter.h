@@ -1,4 +1,5 @@
-/* A context to measure in: draws points and views, times draws, reads G-buffers back. For one thread. */
+/* A context to measure in: draws points and views, times draws, reads G-buffers back. For one
+ * thread. */
 #ifndef MATC_MEASURE_METER_H
 #define MATC_MEASURE_METER_H
 #include "runtime/draw/reader.h"
@@ -25,7 +26,8 @@ typedef struct {
 Meter *meter_open(GlKind kind, char *error, size_t room);
 void meter_close(Meter *meter);
 
-/* A material of a program in GLSL 3.30, which stays the caller's. False: see meter->error; *made is empty. */
+/* A material of a program in GLSL 3.30, which stays the caller's. False: see meter->error; *made is
+ * empty. */
 bool meter_make_material(Meter *meter, MatcProgram *program, Material *made);
 
 /* The render targets of a layout, of any size. False: see meter->error. */
@@ -39,16 +41,18 @@ bool meter_draw_points(Meter *meter, Material *material, const Field *points, fl
 
 /* Makes what reads a layout back, once: `unpack` is MATC_UNPACK of that layout. */
 bool meter_open_layout(Meter *meter, Layout layout, const char *unpack);
-/* Draws points by a program of pass gbuffer, and reads the slots back, of a layout that was opened. Slots that the layout does
- * not hold are NaN. */
-bool meter_draw_packed(Meter *meter, Material *material, Layout layout, const Field *points, SlotValues *values);
+/* Draws points by a program of pass gbuffer, and reads the slots back, of a layout that was opened.
+ * Slots that the layout does not hold are NaN. */
+bool meter_draw_packed(Meter *meter, Material *material, Layout layout, const Field *points,
+                       SlotValues *values);
 
-/* The mean of n x n draws by a program of pass value, each moved within its part of a pixel: four floats a pixel.
- * n = 1 is the picture itself. The target is one of RGBA32F. */
+/* The mean of n x n draws by a program of pass value, each moved within its part of a pixel: four
+ * floats a pixel. n = 1 is the picture itself. The target is one of RGBA32F. */
 bool meter_draw_mean(Meter *meter, const MeterDraw *draw, int n, float *rgba);
 
-/* `rounds` rounds, in each of which every draw is timed once, one after the other, repeated until it lasts long enough: by the
- * GPU's own clock where there is one, else by the wall clock. nanoseconds[i]: the median, for a pixel of its target. */
+/* `rounds` rounds, in each of which every draw is timed once, one after the other, repeated until
+ * it lasts long enough: by the GPU's own clock where there is one, else by the wall clock.
+ * nanoseconds[i]: the median, for a pixel of its target. */
 bool meter_time(Meter *meter, const MeterDraw *draws, int count, int rounds, double *nanoseconds);
 
 /* A program of one constant colour, whose time is subtracted from others'. */

@@ -36,11 +36,12 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
     if (!names)
         memory_exhausted();
     PlotPoint *errors = make_points(list, false, names), *aliasing = make_points(list, true, names);
-    snprintf(note, sizeof note, "%d variants on %s; the time of a constant colour is subtracted", list->count,
-             gl->renderer);
-    const PlotPanel panels[] = {
-        {"Greatest error of a slot, packed and read back", "ns a pixel", "error", errors, list->count},
-        {"Aliasing on a plane up to its horizon", "ns a pixel", "RMS of the worst slot", aliasing, list->count}};
+    snprintf(note, sizeof note, "%d variants on %s; the time of a constant colour is subtracted",
+             list->count, gl->renderer);
+    const PlotPanel panels[] = {{"Greatest error of a slot, packed and read back", "ns a pixel",
+                                 "error", errors, list->count},
+                                {"Aliasing on a plane up to its horizon", "ns a pixel",
+                                 "RMS of the worst slot", aliasing, list->count}};
     char *svg = plot_svg(&(Plot){title, note, panels, 2, 2});
     free(errors);
     free(aliasing);
@@ -48,7 +49,8 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
     return svg;
 }
 
-static bool write_text(const char *basename, const char *suffix, const char *text, ParetoAnswer *answer)
+static bool write_text(const char *basename, const char *suffix, const char *text,
+                       ParetoAnswer *answer)
 {
     char path[LONGEST_PATH];
     snprintf(path, sizeof path, "%s%s", basename, suffix);
@@ -57,13 +59,15 @@ static bool write_text(const char *basename, const char *suffix, const char *tex
 }
 
 /* A missing library for the PNG is no fault: the SVG is there, and `out` tells. */
-static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl, FILE *out,
-                        ParetoAnswer *answer)
+static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl,
+                        FILE *out, ParetoAnswer *answer)
 {
     char path[LONGEST_PATH], reason[512];
-    const char *name = matc_material_name(subject->document, subject->material), *basename = subject->basename;
+    const char *name = matc_material_name(subject->document, subject->material),
+               *basename = subject->basename;
     char *csv = measure_csv(list, name, gl, true), *svg = pareto_svg(list, name, gl);
-    bool done = write_text(basename, ".csv", csv, answer) && write_text(basename, ".svg", svg, answer);
+    bool done =
+        write_text(basename, ".csv", csv, answer) && write_text(basename, ".svg", svg, answer);
     snprintf(path, sizeof path, "%s.png", basename);
     if (done && !plot_png(svg, picture_scale, path, reason, sizeof reason))
         fprintf(out, "no %s: %s\n", path, reason);
@@ -81,9 +85,10 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
     none.layout = -1;
     variant_name(&list->at[0].variant, &none, name);
     fprintf(out, "as given: %s\n", name);
-    fprintf(out, "front: e, none is faster with less error; a, none is faster with less aliasing\n");
-    fprintf(out, "%d programs on %s; a constant colour takes %.3f ns/pixel, which is subtracted", list->count,
-            meter->gl->renderer, list->constant);
+    fprintf(out,
+            "front: e, none is faster with less error; a, none is faster with less aliasing\n");
+    fprintf(out, "%d programs on %s; a constant colour takes %.3f ns/pixel, which is subtracted",
+            list->count, meter->gl->renderer, list->constant);
     if (list->same)
         fprintf(out, "; %d variants are the same as one of them", list->same);
     if (list->refused)
@@ -93,8 +98,8 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
     fputc('\n', out);
 }
 
-static MeasureRequest request_of(const ParetoSubject *subject, const MatcOptions *options, VariantAxes open,
-                                 double seconds)
+static MeasureRequest request_of(const ParetoSubject *subject, const MatcOptions *options,
+                                 VariantAxes open, double seconds)
 {
     return (MeasureRequest){.document = subject->document,
                             .material = subject->material,
@@ -161,7 +166,8 @@ static void chosen_name(const Measured *m, const VariantAxes *open, char name[VA
     variant_name(&m->variant, &other, name);
 }
 
-static char *explain(const MeasuredList *list, int chosen, double most, const VariantAxes *open, const Meter *meter)
+static char *explain(const MeasuredList *list, int chosen, double most, const VariantAxes *open,
+                     const Meter *meter)
 {
     char *text = NULL, name[VARIANT_NAME];
     size_t size;
@@ -170,25 +176,28 @@ static char *explain(const MeasuredList *list, int chosen, double most, const Va
     if (!out)
         memory_exhausted();
     chosen_name(m, open, name);
-    fprintf(out, "chosen: %s, because it is the fastest of %d within %g: %.3f ns/pixel, error %.3g (%s), on %s\n", name,
-            list->count, most, m->nanoseconds, m->error, worst_slot(m), meter->gl->renderer);
+    fprintf(out,
+            "chosen: %s, because it is the fastest of %d within %g: %.3f ns/pixel, error %.3g "
+            "(%s), on %s\n",
+            name, list->count, most, m->nanoseconds, m->error, worst_slot(m), meter->gl->renderer);
     for (int i = 0; i < list->count; i++)
         if (list->at[i].nanoseconds < m->nanoseconds && list->at[i].error > most) {
             chosen_name(&list->at[i], open, name);
-            fprintf(out, "not:    %s: %.3f ns/pixel, error %.3g (%s)\n", name, list->at[i].nanoseconds,
-                    list->at[i].error, worst_slot(&list->at[i]));
+            fprintf(out, "not:    %s: %.3f ns/pixel, error %.3g (%s)\n", name,
+                    list->at[i].nanoseconds, list->at[i].error, worst_slot(&list->at[i]));
         }
     fclose(out);
     return text;
 }
 
-static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open, ParetoAnswer *answer)
+static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open,
+                   ParetoAnswer *answer)
 {
     char name[VARIANT_NAME];
     chosen_name(&list->at[best], open, name);
     return message_fail(answer->error, sizeof answer->error,
-                        "no choice keeps every slot within %g; the best is %s: %.3g (%s)", most, name,
-                        list->at[best].error, worst_slot(&list->at[best]));
+                        "no choice keeps every slot within %g; the best is %s: %.3g (%s)", most,
+                        name, list->at[best].error, worst_slot(&list->at[best]));
 }
 
 /* What was open is set; the rest stays as it was given. */
@@ -204,14 +213,16 @@ static void take(const Variant *variant, const VariantAxes *open, MatcOptions *o
     }
 }
 
-bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options, ParetoAnswer *answer)
+bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options,
+                   ParetoAnswer *answer)
 {
     MeasuredList list;
     int best;
     Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
-    const MeasureRequest request = request_of(subject, options, open_for_choice(options), choose_seconds);
+    const MeasureRequest request =
+        request_of(subject, options, open_for_choice(options), choose_seconds);
     bool done = measure_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     if (done) {

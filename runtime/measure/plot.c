@@ -5,9 +5,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANEL_WIDTH = 440, PANEL_HEIGHT = 330, LEFT = 62, RIGHT = 16, TOP = 34, BOTTOM = 48, HEAD = 62, LABELS = 256 };
+enum {
+    PANEL_WIDTH = 440,
+    PANEL_HEIGHT = 330,
+    LEFT = 62,
+    RIGHT = 16,
+    TOP = 34,
+    BOTTOM = 48,
+    HEAD = 62,
+    LABELS = 256
+};
 
-/* Of lines, a row at the top of the panel: how long a line's sample is, and the room of a letter. */
+/* Of lines, a row at the top of the panel: how long a line's sample is, and the room of a
+ * letter. */
 enum { KEY_SAMPLE = 14, KEY_GAP = 4, KEY_LETTER = 6, KEY_HEIGHT = 18 };
 
 static const char style[] =
@@ -15,13 +25,19 @@ static const char style[] =
     ".title{font-size:17px;font-weight:bold;fill:#111}.note{font-size:11.5px;fill:#666}"
     ".panel{font-size:12.5px;font-weight:bold;fill:#111}.tick{font-size:10px;fill:#666}"
     ".label{font-size:10px;fill:#1f4e79}.paper{fill:#ffffff}.field{fill:#f7f8fa;stroke:#c9ced6}"
-    ".grid{stroke:#e1e5ea;stroke-width:1}.front{fill:none;stroke:#1f77b4;stroke-width:2;stroke-linejoin:round}"
+    ".grid{stroke:#e1e5ea;stroke-width:1}.front{fill:none;stroke:#1f77b4;stroke-width:2;stroke-"
+    "linejoin:round}"
     ".on{fill:#1f77b4;stroke:#ffffff;stroke-width:1}.off{fill:#9aa3ad;fill-opacity:0.75}"
-    ".line{fill:none;stroke-width:2;stroke-linejoin:round}.line1{stroke:#8a94a0}.line2{stroke:#1f77b4}"
+    ".line{fill:none;stroke-width:2;stroke-linejoin:round}.line1{stroke:#8a94a0}.line2{stroke:#"
+    "1f77b4}"
     ".line3{stroke:#d1600f}.line4{stroke:#2c9048}.line5{stroke:#8a56c2}"
-    "@media (prefers-color-scheme:dark){text{fill:#d0d7de}.title,.panel{fill:#f0f6fc}.note,.tick{fill:#9aa4b0}"
-    ".label{fill:#a5d0f5}.paper{fill:#0d1117}.field{fill:#151b23;stroke:#3d444d}.grid{stroke:#262c36}"
-    ".line2{stroke:#58a6ff}.front{stroke:#58a6ff}.on{fill:#58a6ff;stroke:#0d1117}.off{fill:#6e7681}}";
+    "@media "
+    "(prefers-color-scheme:dark){text{fill:#d0d7de}.title,.panel{fill:#f0f6fc}.note,.tick{fill:#"
+    "9aa4b0}"
+    ".label{fill:#a5d0f5}.paper{fill:#0d1117}.field{fill:#151b23;stroke:#3d444d}.grid{stroke:#"
+    "262c36}"
+    ".line2{stroke:#58a6ff}.front{stroke:#58a6ff}.on{fill:#58a6ff;stroke:#0d1117}.off{fill:#6e7681}"
+    "}";
 
 typedef struct {
     double low, high; /* decades: powers of ten */
@@ -65,7 +81,8 @@ typedef struct {
 
 static void text_at(FILE *out, const char *kind, TextAnchor at, const char *text)
 {
-    fprintf(out, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", kind, at.x, at.y, at.anchor);
+    fprintf(out, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\" text-anchor=\"%s\">", kind, at.x, at.y,
+            at.anchor);
     put_text(out, text);
     fputs("</text>\n", out);
 }
@@ -91,7 +108,8 @@ static double step_beside(double decade, bool above)
     return whole + steps[i];
 }
 
-/* Whole decades around all numbers above 0, with one more below for those that are not; of lines less, and room for their key. */
+/* Whole decades around all numbers above 0, with one more below for those that are not; of lines
+ * less, and room for their key. */
 static Axis find_axis(const PlotPanel *panel, bool vertical)
 {
     Axis axis = {INFINITY, -INFINITY};
@@ -110,7 +128,8 @@ static Axis find_axis(const PlotPanel *panel, bool vertical)
         axis = (Axis){-1, 0};
     if (vertical && !zero && has_lines(panel)) {
         const double far = axis.high - axis.low;
-        return (Axis){step_beside(axis.low - 0.05, false), step_beside(axis.high + 0.05 + 0.1 * far, true)};
+        return (Axis){step_beside(axis.low - 0.05, false),
+                      step_beside(axis.high + 0.05 + 0.1 * far, true)};
     }
     axis.low = floor(axis.low - 0.05) - zero;
     axis.high = fmax(ceil(axis.high + 0.05), axis.low + 1);
@@ -123,8 +142,14 @@ static double axis_share(const Axis *axis, double v)
     return (decade - axis->low) / (axis->high - axis->low);
 }
 
-static double pixel_x(const Canvas *c, double v) { return c->field.x + c->field.width * axis_share(&c->x, v); }
-static double pixel_y(const Canvas *c, double v) { return c->field.y + c->field.height * (1 - axis_share(&c->y, v)); }
+static double pixel_x(const Canvas *c, double v)
+{
+    return c->field.x + c->field.width * axis_share(&c->x, v);
+}
+static double pixel_y(const Canvas *c, double v)
+{
+    return c->field.y + c->field.height * (1 - axis_share(&c->y, v));
+}
 
 static void tick_text(double decade, char text[32])
 {
@@ -138,7 +163,8 @@ static void draw_level(const Canvas *c, double decade)
 {
     char text[32];
     const double y = pixel_y(c, pow(10, decade));
-    fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y, c->field.x + c->field.width);
+    fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fH%.1f\"/>\n", c->field.x, y,
+            c->field.x + c->field.width);
     tick_text(decade, text);
     text_at(c->out, "tick", (TextAnchor){c->field.x - 6, y + 3.5, "end"}, text);
 }
@@ -156,7 +182,8 @@ static void draw_ticks(const Canvas *c)
     char text[32];
     for (double d = c->x.low; d <= c->x.high; d++) {
         double x = pixel_x(c, pow(10, d));
-        fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/>\n", x, c->field.y, c->field.y + c->field.height);
+        fprintf(c->out, "<path class=\"grid\" d=\"M%.1f %.1fV%.1f\"/>\n", x, c->field.y,
+                c->field.y + c->field.height);
         tick_text(d, text);
         text_at(c->out, "tick", (TextAnchor){x, c->field.y + c->field.height + 14, "middle"}, text);
     }
@@ -176,7 +203,8 @@ static void draw_front(const Canvas *c, const PlotPoint *sorted, int count)
     for (int i = 0; i < count; i++) {
         if (!sorted[i].front || !is_shown(&sorted[i]))
             continue;
-        fprintf(c->out, begun ? "H%.1fV%.1f" : "M%.1f %.1f", pixel_x(c, sorted[i].x), pixel_y(c, sorted[i].y));
+        fprintf(c->out, begun ? "H%.1fV%.1f" : "M%.1f %.1f", pixel_x(c, sorted[i].x),
+                pixel_y(c, sorted[i].y));
         begun = true;
     }
     fputs(begun ? "\"/>\n" : "M0 0\"/>\n", c->out);
@@ -214,7 +242,8 @@ static void draw_key(const Canvas *c, const PlotPoint *points, int count)
             if (p->line != line || !p->named || !p->label)
                 continue;
             const double y = c->field.y + 0.5 * KEY_HEIGHT;
-            fprintf(c->out, "<path class=\"line line%d\" d=\"M%.1f %.1fh%d\"/>\n", line, x, y, KEY_SAMPLE);
+            fprintf(c->out, "<path class=\"line line%d\" d=\"M%.1f %.1fh%d\"/>\n", line, x, y,
+                    KEY_SAMPLE);
             x += KEY_SAMPLE + KEY_GAP;
             text_at(c->out, "tick", (TextAnchor){x, y + 3.5, "start"}, p->label);
             x += KEY_LETTER * (double)strlen(p->label) + 2 * KEY_GAP;
@@ -249,14 +278,16 @@ static void draw_label(Canvas *c, const PlotPoint *point)
     const double height = 11, gap = 7, width = 6.1 * (double)strlen(point->label);
     double x = pixel_x(c, point->x), y = pixel_y(c, point->y);
     for (int distance = 0; distance < 4; distance++)
-        for (int side = 0; side < 6; side++) { /* above and below the line, to the right, the left, in the middle */
+        /* above and below the line, to the right, the left, in the middle */
+        for (int side = 0; side < 6; side++) {
             double dx = side % 3 == 2 ? -width / 2 : side % 3 ? -gap - width : gap;
             double dy = (side < 3 ? -1 : 1) * (distance + 0.9) * height - height / 2;
             Box box = {x + dx, y + dy, width, height};
             if (!is_free(c, &box))
                 continue;
             take(c, box);
-            text_at(c->out, "label", (TextAnchor){box.x, box.y + height - 2, "start"}, point->label);
+            text_at(c->out, "label", (TextAnchor){box.x, box.y + height - 2, "start"},
+                    point->label);
             return;
         }
 }
@@ -268,7 +299,8 @@ static void draw_points(Canvas *c, const PlotPoint *sorted, int count)
             double x = pixel_x(c, sorted[i].x), y = pixel_y(c, sorted[i].y), r = front ? 4.5 : 3;
             if (!is_shown(&sorted[i]) || sorted[i].front != front)
                 continue;
-            fprintf(c->out, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\">", front ? "on" : "off", x, y, r);
+            fprintf(c->out, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\">",
+                    front ? "on" : "off", x, y, r);
             fputs("<title>", c->out);
             put_text(c->out, sorted[i].label ? sorted[i].label : "");
             fprintf(c->out, ": %.3g, %.3g</title></circle>\n", sorted[i].x, sorted[i].y);
@@ -287,13 +319,17 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     qsort(sorted, (size_t)panel->count, sizeof *sorted, by_time);
     *c = (Canvas){.out = out, .x = find_axis(panel, false), .y = find_axis(panel, true)};
     c->field = (Box){x + LEFT, y + TOP, PANEL_WIDTH - LEFT - RIGHT, PANEL_HEIGHT - TOP - BOTTOM};
-    fprintf(out, "<rect class=\"field\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n", c->field.x,
-            c->field.y, c->field.width, c->field.height);
+    fprintf(out, "<rect class=\"field\" x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"/>\n",
+            c->field.x, c->field.y, c->field.width, c->field.height);
     draw_ticks(c);
     text_at(out, "panel", (TextAnchor){c->field.x, y + TOP - 10, "start"}, panel->title);
-    text_at(out, "tick", (TextAnchor){c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle"}, panel->x);
-    fprintf(out, "<text class=\"tick\" text-anchor=\"middle\" transform=\"translate(%.1f %.1f) rotate(-90)\">", x + 16,
-            c->field.y + c->field.height / 2);
+    text_at(out, "tick",
+            (TextAnchor){c->field.x + c->field.width / 2, y + PANEL_HEIGHT - 16, "middle"},
+            panel->x);
+    fprintf(out,
+            "<text class=\"tick\" text-anchor=\"middle\" transform=\"translate(%.1f %.1f) "
+            "rotate(-90)\">",
+            x + 16, c->field.y + c->field.height / 2);
     put_text(out, panel->y);
     fputs("</text>\n", out);
     draw_front(c, sorted, panel->count);
@@ -301,7 +337,8 @@ static void draw_panel(FILE *out, const PlotPanel *panel, double x, double y)
     draw_points(c, sorted, panel->count);
     draw_key(c, sorted, panel->count);
     for (int i = 0; i < panel->count; i++)
-        if ((sorted[i].front || (sorted[i].named && !sorted[i].line)) && is_shown(&sorted[i]) && sorted[i].label && *sorted[i].label)
+        if ((sorted[i].front || (sorted[i].named && !sorted[i].line)) && is_shown(&sorted[i]) &&
+            sorted[i].label && *sorted[i].label)
             draw_label(c, &sorted[i]);
     free(sorted);
     free(c);
@@ -318,14 +355,16 @@ char *plot_svg(const Plot *plot)
     int rows = (plot->count + columns - 1) / (columns ? columns : 1);
     int width = columns * PANEL_WIDTH, height = HEAD + rows * PANEL_HEIGHT;
     fprintf(out,
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\">\n"
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d "
+            "%d\">\n"
             "<style>%s</style>\n<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n",
             width, height, width, height, style, width, height);
     text_at(out, "title", (TextAnchor){16, 30, "start"}, plot->title);
     if (plot->note)
         text_at(out, "note", (TextAnchor){16, 49, "start"}, plot->note);
     for (int i = 0; i < plot->count; i++)
-        draw_panel(out, &plot->panels[i], i % columns * PANEL_WIDTH, HEAD + i / columns * PANEL_HEIGHT);
+        draw_panel(out, &plot->panels[i], i % columns * PANEL_WIDTH,
+                   HEAD + i / columns * PANEL_HEIGHT);
     fputs("</svg>\n", out);
     fclose(out);
     return text;

@@ -1,4 +1,5 @@
-/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line, or several lines. */
+/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line, or
+ * several lines. */
 #ifndef MATC_MEASURE_PLOT_H
 #define MATC_MEASURE_PLOT_H
 #include <stdbool.h>
@@ -11,7 +12,8 @@ typedef struct {
     bool front;        /* on the line, and labelled */
     bool named;        /* labelled even if not; of a line, in a key at the top */
     const char *label; /* NULL or "": none */
-    int line;          /* 1 to PLOT_LINES: joined with those of the same line in the order of x; 0: not */
+    /* 1 to PLOT_LINES: joined with those of the same line in the order of x; 0: not */
+    int line;
 } PlotPoint;
 
 typedef struct {
@@ -29,6 +31,7 @@ typedef struct {
 /* The plot as SVG, in light and dark colours as the reader prefers them. From malloc. */
 char *plot_svg(const Plot *plot);
 
-/* An SVG text as a PNG of `scale` times its size, by librsvg and cairo, loaded when this is called. False: see `error`. */
+/* An SVG text as a PNG of `scale` times its size, by librsvg and cairo, loaded when this is called.
+ * False: see `error`. */
 bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room);
 #endif

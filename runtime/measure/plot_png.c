@@ -1,4 +1,5 @@
-/* SVG to PNG by librsvg: the same picture twice. The library is loaded here, so that nothing links to it. */
+/* SVG to PNG by librsvg: the same picture twice. The library is loaded here, so that nothing links
+ * to it. */
 #include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
 #include <dlfcn.h>
@@ -38,9 +39,12 @@ static bool load(Library *l)
     void *rsvg = dlopen("librsvg-2.so.2", RTLD_NOW | RTLD_LOCAL);
     return find(rsvg, "rsvg_handle_new_from_data", &l->handle_new) &&
            find(rsvg, "rsvg_handle_get_intrinsic_size_in_pixels", &l->handle_size) &&
-           find(rsvg, "rsvg_handle_render_document", &l->handle_render) && find(rsvg, "g_object_unref", &l->unref) &&
-           find(rsvg, "cairo_image_surface_create", &l->surface_new) && find(rsvg, "cairo_create", &l->cairo_new) &&
-           find(rsvg, "cairo_destroy", &l->cairo_free) && find(rsvg, "cairo_surface_write_to_png", &l->surface_write) &&
+           find(rsvg, "rsvg_handle_render_document", &l->handle_render) &&
+           find(rsvg, "g_object_unref", &l->unref) &&
+           find(rsvg, "cairo_image_surface_create", &l->surface_new) &&
+           find(rsvg, "cairo_create", &l->cairo_new) &&
+           find(rsvg, "cairo_destroy", &l->cairo_free) &&
+           find(rsvg, "cairo_surface_write_to_png", &l->surface_write) &&
            find(rsvg, "cairo_surface_destroy", &l->surface_free);
 }
 
@@ -59,13 +63,14 @@ static bool write(const Drawing *drawing, char *error, size_t room)
     if (!l->handle_size(drawing->handle, &width, &height))
         return message_fail(error, room, "librsvg finds no size in the plot");
     const RsvgRectangle all = {0, 0, ceil(width * drawing->scale), ceil(height * drawing->scale)};
-    void *surface = l->surface_new(CAIRO_ARGB32, (int)all.width, (int)all.height), *cairo = l->cairo_new(surface);
+    void *surface = l->surface_new(CAIRO_ARGB32, (int)all.width, (int)all.height),
+         *cairo = l->cairo_new(surface);
     bool drawn = l->handle_render(drawing->handle, cairo, &all, NULL);
     l->cairo_free(cairo);
     bool written = drawn && l->surface_write(surface, drawing->path) == CAIRO_SUCCESS;
     l->surface_free(surface);
-    return written ||
-           message_fail(error, room, "%s: the plot cannot be %s", drawing->path, drawn ? "written" : "drawn");
+    return written || message_fail(error, room, "%s: the plot cannot be %s", drawing->path,
+                                   drawn ? "written" : "drawn");
 }
 
 bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room)

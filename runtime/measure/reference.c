@@ -4,8 +4,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-bool measure_reference(const MeasureRequest *request, const Variant *variant, const FieldVertex *points,
-                       SlotValues *values)
+bool measure_reference(const MeasureRequest *request, const Variant *variant,
+                       const FieldVertex *points, SlotValues *values)
 {
     MatcOptions options = variant_options(variant, request->options);
     options.target = NULL; /* programs are drawn as GLSL 3.30 */
@@ -14,8 +14,8 @@ bool measure_reference(const MeasureRequest *request, const Variant *variant, co
         abort();
     for (int i = 0; i < POINTS; i++)
         sample_surface(&points[i], &surfaces[i]);
-    bool known =
-        evaluate_material(request->document, request->material, &options, (SurfacePoints){surfaces, POINTS}, values);
+    bool known = evaluate_material(request->document, request->material, &options,
+                                   (SurfacePoints){surfaces, POINTS}, values);
     free(surfaces);
     return known;
 }

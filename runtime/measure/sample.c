@@ -2,12 +2,14 @@
 #include "runtime/measure/sample.h"
 #include <string.h>
 
-/* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational number. */
+/* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational
+ * number. */
 static double spread(int index, int dimension)
 {
-    static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898, 0.6457513110645907,
-                                  0.3166247903554,     0.605551275463989,  0.1231056256176605, 0.358898943540674,
-                                  0.795831523312719,   0.385164807134504,  0.567764362830022};
+    static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898,
+                                  0.6457513110645907,  0.3166247903554,    0.605551275463989,
+                                  0.1231056256176605,  0.358898943540674,  0.795831523312719,
+                                  0.385164807134504,   0.567764362830022};
     return fraction((index + 1) * root[dimension]);
 }
 
@@ -21,7 +23,8 @@ static void set3(float to[3], double x, double y, double z)
 /* A normal at any angle, and two tangents that make it a right-handed frame. */
 static void set_frame(FieldVertex *v, double height, double angle, double turn)
 {
-    double r = sqrt(fmax(0, 1 - height * height)), s = sin(angle), c = cos(angle), a = cos(turn), b = sin(turn);
+    double r = sqrt(fmax(0, 1 - height * height)), s = sin(angle), c = cos(angle), a = cos(turn),
+           b = sin(turn);
     const double east[3] = {-s, c, 0}, north[3] = {-height * c, -height * s, r};
     set3(v->input[INPUT_N], r * c, r * s, height);
     for (int i = 0; i < 3; i++) {
@@ -66,13 +69,14 @@ void sample_surface(const FieldVertex *point, Surface *surface)
     }
 }
 
-/* Corner (x, y) of the picture, and where its line of sight meets the plane: the clip coordinates' w is the depth there, so
- * that what lies between is interpolated as perspective has it. */
+/* Corner (x, y) of the picture, and where its line of sight meets the plane: the clip coordinates'
+ * w is the depth there, so that what lies between is interpolated as perspective has it. */
 static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y, double pitch)
 {
     const double half = 0.5; /* tangent of half the vertical angle */
     double c = cos(view->yaw), s = sin(view->yaw), right = x * half * view->aspect;
-    double forward = cos(pitch) + y * half * sin(pitch), up = -sin(pitch) + y * half * cos(pitch), depth = -1 / up;
+    double forward = cos(pitch) + y * half * sin(pitch), up = -sin(pitch) + y * half * cos(pitch),
+           depth = -1 / up;
     double px = depth * (forward * c + right * s), py = depth * (forward * s - right * c);
     memset(v, 0, sizeof *v);
     v->at[0] = (float)(x * depth);
@@ -80,7 +84,8 @@ static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y
     v->at[3] = (float)depth;
     set3(v->input[INPUT_P], px + view->shift[0], py + view->shift[1], 0);
     set3(v->input[INPUT_X], px + view->shift[0], py + view->shift[1], 0);
-    set3(v->input[INPUT_U], view->scale * (px + view->shift[0]), view->scale * (py + view->shift[1]), 0);
+    set3(v->input[INPUT_U], view->scale * (px + view->shift[0]),
+         view->scale * (py + view->shift[1]), 0);
     set3(v->input[INPUT_N], 0, 0, 1);
     set3(v->input[INPUT_eyeN], 0, 0, 1);
     set3(v->input[INPUT_DU], 1 / view->scale, 0, 0);
@@ -92,7 +97,8 @@ static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y
 
 void sample_plane(FieldVertex vertices[PLANE_VERTICES], const PlaneView *view)
 {
-    const double beyond = 0.1 * 2 / view->height; /* a tenth of a pixel: the horizon itself is not met */
+    /* a tenth of a pixel: the horizon itself is not met */
+    const double beyond = 0.1 * 2 / view->height;
     double pitch = atan(0.5 * (1 + beyond));
     for (int i = 0; i < PLANE_VERTICES; i++)
         set_corner(&vertices[i], view, i % 2 ? 1.2 : -1.2, i < 2 ? -1.2 : 1 + beyond / 2, pitch);

@@ -26,10 +26,11 @@ static void put_header(FILE *out)
     fputs("subject,gl", out);
     for (int axis = 0; axis < AXIS_COUNT; axis++)
         fprintf(out, ",%s", axis_table[axis].name);
-    fputs(",layout,ns_per_pixel,error_max,error_rms,error_8bit,aliasing_rms,front,aliasing_front", out);
+    fputs(",layout,ns_per_pixel,error_max,error_rms,error_8bit,aliasing_rms,front,aliasing_front",
+          out);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        fprintf(out, ",packed_%s,computed_%s,aliased_%s", slot_table[slot].name, slot_table[slot].name,
-                slot_table[slot].name);
+        fprintf(out, ",packed_%s,computed_%s,aliased_%s", slot_table[slot].name,
+                slot_table[slot].name, slot_table[slot].name);
     fputc('\n', out);
 }
 
@@ -83,7 +84,8 @@ char *measure_csv(const MeasuredList *list, const char *subject, const GlContext
 
 static int by_time(const void *a, const void *b)
 {
-    double x = (*(const Measured *const *)a)->nanoseconds, y = (*(const Measured *const *)b)->nanoseconds;
+    double x = (*(const Measured *const *)a)->nanoseconds,
+           y = (*(const Measured *const *)b)->nanoseconds;
     return (x > y) - (x < y);
 }
 

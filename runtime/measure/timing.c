@@ -6,7 +6,8 @@
 #include <time.h>
 
 enum { MOST_REPEATS = 1 << 14 };
-static const double least_sample = 2.5e-3; /* seconds: what a clock and a queue add is small against it */
+/* seconds: what a clock and a queue add is small against it */
+static const double least_sample = 2.5e-3;
 
 double meter_now(void)
 {
@@ -53,7 +54,7 @@ static double time_once(Meter *m, const MeterDraw *draw, int repeats)
 {
     meter_use(m, draw, (float[2]){0, 0});
     return gl_clock_is(m->gl) ? seconds_by_gpu(m->gl, draw->field, repeats)
-                            : seconds_by_wall(m->gl, draw->field, repeats);
+                              : seconds_by_wall(m->gl, draw->field, repeats);
 }
 
 /* The first draw compiles; then doubled until a sample is long enough. */
@@ -79,7 +80,8 @@ bool meter_time(Meter *m, const MeterDraw *draws, int count, int rounds, double 
             seconds[i * rounds + round] = time_once(m, &draws[i], repeats[i]) / repeats[i];
     for (int i = 0; i < count; i++) {
         const FramebufferSpec *spec = &draws[i].target->spec;
-        nanoseconds[i] = meter_median(seconds + i * rounds, rounds) * 1e9 / ((double)spec->width * spec->height);
+        nanoseconds[i] =
+            meter_median(seconds + i * rounds, rounds) * 1e9 / ((double)spec->width * spec->height);
     }
     free(repeats);
     free(seconds);

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-MatcProgram *variant_compile(const MatcDocument *document, int material, unsigned outputs, const MatcOptions *options)
+MatcProgram *variant_compile(const MatcDocument *document, int material, unsigned outputs,
+                             const MatcOptions *options)
 {
     MatcOptions quiet = *options;
     quiet.target = NULL;
@@ -37,7 +38,8 @@ VariantAxes variant_open(const MatcOptions *o)
     open.layout = o->layout == NULL;
     for (int row = 0; o->precision && row < PRECISION_COUNT; row++)
         for (int axis = 0; axis < AXIS_COUNT; axis++)
-            if (!strcmp(precision_table[row].name, o->precision) && precision_table[row].choice[axis] >= 0)
+            if (!strcmp(precision_table[row].name, o->precision) &&
+                precision_table[row].choice[axis] >= 0)
                 open.axis[axis] = false;
     return open;
 }
@@ -63,7 +65,8 @@ bool variant_programs_equal(const char *a, const char *b)
 {
     const char *a_body = strstr(a, "\n\n"), *b_body = strstr(b, "\n\n");
     size_t header = header_size(a);
-    return a_body && b_body && header == header_size(b) && !memcmp(a, b, header) && !strcmp(a_body, b_body);
+    return a_body && b_body && header == header_size(b) && !memcmp(a, b, header) &&
+           !strcmp(a_body, b_body);
 }
 
 int variant_distance(const Variant *a, const Variant *b)
@@ -111,7 +114,8 @@ static Variant *all_combinations(const Variant *base, const VariantAxes *open, i
 
 Variant *variant_list(const Variant *base, const VariantAxes *open, int *count)
 {
-    Variant *all = all_combinations(base, open, count), *sorted = calloc((size_t)*count + 1, sizeof *sorted);
+    Variant *all = all_combinations(base, open, count),
+            *sorted = calloc((size_t)*count + 1, sizeof *sorted);
     if (!sorted)
         abort();
     int filled = 0;

@@ -1,5 +1,6 @@
-/* The pass edge: along outlines, creases and horizons, which share of a pixel lies beyond them. Its GLSL is pass_edge.glsl; the pass tone blends
- * by it (edge_part.glsl). What hides a line is known by the depths beside it. */
+/* The pass edge: along outlines, creases and horizons, which share of a pixel lies beyond them. Its
+ * GLSL is pass_edge.glsl; the pass tone blends by it (edge_part.glsl). What hides a line is known
+ * by the depths beside it. */
 #include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include "runtime/cache/edge_list.h"
@@ -19,7 +20,8 @@ const char *pass_edge_lacks(const Render *render)
     const bool asked = render->options.edges == RENDER_EDGES_coverage;
     if (!asked || render->compute)
         return NULL;
-    return render->options.fragment ? "it takes compute, which is off" : "it takes compute, which the driver lacks";
+    return render->options.fragment ? "it takes compute, which is off"
+                                    : "it takes compute, which the driver lacks";
 }
 
 /* Texels of rows that are full. */
@@ -39,7 +41,8 @@ static bool make_lines(Render *render)
         return gl_fail(gl, "out of memory");
     const int rows = list.count ? (list.count + LINES_IN_ROW - 1) / LINES_IN_ROW : 1;
     float *floats = texels_of(&list, rows);
-    const TextureSpec spec = {.width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
+    const TextureSpec spec = {
+        .width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
     gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* making a texture binds it */
     render->picture->edge.lines = floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
     render->picture->edge.count = list.count;
@@ -63,7 +66,8 @@ static bool pass_edge_change(Render *render)
     render->gl->DeleteTextures(1, &render->picture->edge.lines);
     if (!make_lines(render))
         return false;
-    material_set_number(&render->picture->edge.material, "edge_count", (float)render->picture->edge.count);
+    material_set_number(&render->picture->edge.material, "edge_count",
+                        (float)render->picture->edge.count);
     return true;
 }
 
@@ -72,9 +76,11 @@ static bool pass_edge_make(Render *render)
     const bool newest = render->gl->major * 10 + render->gl->minor >= 45;
     const ProgramText text = {
         .compute = {newest ? "#version 450 core\n" : "#version 430 core\n", render_text_pass_edge}};
-    if (!make_lines(render) || !material_make(render->store, NULL, &text, &render->picture->edge.material))
+    if (!make_lines(render) ||
+        !material_make(render->store, NULL, &text, &render->picture->edge.material))
         return false;
-    material_set_number(&render->picture->edge.material, "edge_count", (float)render->picture->edge.count);
+    material_set_number(&render->picture->edge.material, "edge_count",
+                        (float)render->picture->edge.count);
     material_set_number(&render->picture->edge.material, "edge_depth", DEPTH_UNIT);
     material_set_number(&render->picture->edge.material, "edge_lines", LINES_UNIT);
     pass_edge_place(render);
@@ -92,7 +98,8 @@ static void pass_edge_draw(Render *render)
     texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), DEPTH_UNIT);
     texture_bind(gl, render->picture->edge.lines, LINES_UNIT);
     material_use(&render->picture->edge.material);
-    gl->BindImageTexture(0, frame_texture(render, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+    gl->BindImageTexture(0, frame_texture(render, FRAME_TARGET_edge, 0), 0, GL_FALSE, 0,
+                         GL_READ_WRITE, GL_R32UI);
     gl->DispatchCompute(((GLuint)render->picture->edge.count + GROUP - 1) / GROUP, 1, 1);
     gl->MemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }

@@ -1,9 +1,11 @@
-// The pass edge: a thread walks along a line, pixel column by pixel column (row by row where the line is steep), and leaves in each pixel that it
-// crosses where it does so. Of several lines of a pixel that next to its centre stays: it says most of what the centre does not show. A line that
+// The pass edge: a thread walks along a line, pixel column by pixel column (row by row where the
+// line is steep), and leaves in each pixel that it crosses where it does so. Of several lines of a
+// pixel that next to its centre stays: it says most of what the centre does not show. A line that
 // ends before the middle of a column stays only where no other goes on: at corners.
 //
-// A line from (10.2, 5.0) to (12.8, 5.6) crosses the columns 10, 11 and 12 at their centres 10.5, 11.5, 12.5 at the heights 5.07, 5.30, 5.53; so pixel
-// (11, 5), whose centre is at 5.5, has it 0.20 below its centre, with a slope of 0.23.
+// A line from (10.2, 5.0) to (12.8, 5.6) crosses the columns 10, 11 and 12 at their centres 10.5,
+// 11.5, 12.5 at the heights 5.07, 5.30, 5.53; so pixel (11, 5), whose centre is at 5.5, has it 0.20
+// below its centre, with a slope of 0.23.
 layout(local_size_x = 64) in;
 layout(r32ui) uniform uimage2D edge_target;
 uniform sampler2D edge_depth;
@@ -15,11 +17,12 @@ layout(std140) uniform Edge {
 
 const int LINES = 1024; // in a row of their texture
 
-// Depth grows towards the eye: what is nearer than the line on both sides hides it. Beside a crease that is turned away both sides may be a
-// little nearer; less, where they would be as far on.
+// Depth grows towards the eye: what is nearer than the line on both sides hides it. Beside a crease
+// that is turned away both sides may be a little nearer; less, where they would be as far on.
 const float NEARER = 1.01, AS_NEAR = 1.001, FURTHER = 0.9;
 
-// So near to a centre, in pixels, a line is on either side of it: some times the 1/256 of rasterisers.
+// So near to a centre, in pixels, a line is on either side of it: some times the 1/256 of
+// rasterisers.
 const float CENTRE = 0.02;
 
 float depthAt(ivec2 pixel)
@@ -27,8 +30,9 @@ float depthAt(ivec2 pixel)
     return texelFetch(edge_depth, pixel, 0).x;
 }
 
-// Which of the neighbours lies beyond the line: 1 the upper, -1 the lower one. Where it runs through the centre, a rounding decides on which side
-// that is; then it is the neighbour whose depth is further from the pixel's.
+// Which of the neighbours lies beyond the line: 1 the upper, -1 the lower one. Where it runs
+// through the centre, a rounding decides on which side that is; then it is the neighbour whose
+// depth is further from the pixel's.
 int sideOf(ivec2 pixel, float above, ivec2 up)
 {
     int side = above > 0.0 ? 1 : -1;
@@ -44,15 +48,19 @@ bool isSeen(ivec2 pixel)
     return all(greaterThanEqual(pixel, first)) && all(lessThanEqual(pixel, last));
 }
 
-// What a pixel shows, as far away as it is at the line, `way` pixels on: by the plane through this pixel and the one behind it, along which depths are linear. Where that rises towards the line, the pixel's own.
+// What a pixel shows, as far away as it is at the line, `way` pixels on: by the plane through this
+// pixel and the one behind it, along which depths are linear. Where that rises towards the line,
+// the pixel's own.
 float depthToward(ivec2 pixel, ivec2 behind, float way)
 {
     float here = depthAt(pixel);
     return isSeen(behind) ? min(here, here + (here - depthAt(behind)) * way) : here;
 }
 
-// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing before it hides it on both sides: the surfaces
-// that both show would be nearer where it is. Of pixels aside neither may be, since what is beyond them may have an edge of its own. `line`: as in mark().
+// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing
+// before it hides it on both sides: the surfaces that both show would be nearer where it is. Of
+// pixels aside neither may be, since what is beyond them may have an edge of its own. `line`: as in
+// mark().
 bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
 {
     float here = depthAt(pixel), there = depthAt(beyond), away = abs(line.x);
@@ -62,7 +70,8 @@ bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
            (line.w > 0.0 ? min(here, there) : max(here, there)) >= line.z * FURTHER;
 }
 
-// `line`: how far it is above the centre, its slope, its depth there, whether it is a crease. At a corner only a pixel that is next to the neighbour may be beyond it.
+// `line`: how far it is above the centre, its slope, its depth there, whether it is a crease. At a
+// corner only a pixel that is next to the neighbour may be beyond it.
 void mark(ivec2 pixel, vec4 line, bool steep, bool within)
 {
     ivec2 up = steep ? ivec2(1, 0) : ivec2(0, 1);

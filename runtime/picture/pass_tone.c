@@ -1,5 +1,5 @@
-/* The pass tone: from light to the picture, edges blended. Its GLSL is pass_tone.glsl, behind tone.glsl; what some kinds ask of the whole picture is
- * reduced before. */
+/* The pass tone: from light to the picture, edges blended. Its GLSL is pass_tone.glsl, behind
+ * tone.glsl; what some kinds ask of the whole picture is reduced before. */
 #include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
@@ -7,7 +7,10 @@
 
 enum { LIGHT_UNIT, MEASURED_UNIT, ADAPTED_UNIT, EDGE_UNIT, TOOLS_UNIT };
 
-static bool has_edges(const Render *render) { return render->targets.plan.there >> FRAME_TARGET_edge & 1; }
+static bool has_edges(const Render *render)
+{
+    return render->targets.plan.there >> FRAME_TARGET_edge & 1;
+}
 
 static bool is_tiled(const Render *render)
 {
@@ -19,7 +22,8 @@ static bool measures(const Render *render)
 {
     const Scene *scene = render->scene;
     return !render->options.linear &&
-           (scene->tone == SCENE_Linear || scene->tone == SCENE_ReinhardDevlin || scene->tone == SCENE_Drago);
+           (scene->tone == SCENE_Linear || scene->tone == SCENE_ReinhardDevlin ||
+            scene->tone == SCENE_Drago);
 }
 
 static bool adapts(const Scene *scene) { return scene->tone == SCENE_ReinhardDevlin; }
@@ -31,7 +35,8 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     for (int i = 0; i < 4; i++)
         numbers[i] = (float)scene->tone_numbers[i];
     material_set_number(&pass->material, "tone_exposure", (float)scene->exposure);
-    material_set_number(&pass->material, "tone_pixels", (float)render->whole[0] * (float)render->whole[1]);
+    material_set_number(&pass->material, "tone_pixels",
+                        (float)render->whole[0] * (float)render->whole[1]);
     material_set(&pass->material, &(MaterialValue){"tone_numbers", 4, numbers});
     screen_pass_sampler(pass, "tone_measured", MEASURED_UNIT);
     screen_pass_sampler(pass, "tone_adapted", ADAPTED_UNIT);
@@ -51,12 +56,14 @@ static bool make_measures(Render *render, const char *kind)
     const char *const second[] = {kind, "#define MEASURE_ADAPTED\n", render_text_tone, NULL};
     if (!measures(render))
         return true;
-    if (!measure_make(render->store, render->size, render->compute, first, &render->picture->measured))
+    if (!measure_make(render->store, render->size, render->compute, first,
+                      &render->picture->measured))
         return false;
     set_steps(render, &render->picture->measured);
     if (!adapts(render->scene))
         return true;
-    if (!measure_make(render->store, render->size, render->compute, second, &render->picture->adapted))
+    if (!measure_make(render->store, render->size, render->compute, second,
+                      &render->picture->adapted))
         return false;
     set_steps(render, &render->picture->adapted);
     return true;
@@ -72,15 +79,17 @@ static bool pass_tone_make(Render *render)
 {
     char kind[128];
     snprintf(kind, sizeof kind, "#define TONE_%s\n#define TONE_SAMPLES %d\n%s%s",
-             render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name, render->samples,
-             measures(render) ? "#define TONE_MEASURES\n" : "",
+             render->options.linear ? "LIGHT" : scene_kind_table[render->scene->tone].name,
+             render->samples, measures(render) ? "#define TONE_MEASURES\n" : "",
              pass_tools_are_there(render) ? "#define TONE_TOOLS\n" : "");
-    const ScreenPassText text = {.body = {kind, render_text_tone, backdrop_text(render),
-                                          has_edges(render) ? render_text_edge_part : render_text_edge_none,
-                                          render_text_pass_tone},
-                                 .format = frame_format(render, FRAME_TARGET_shown, 0),
-                                 .compute = render->compute};
-    if (!make_measures(render, kind) || !screen_pass_make(render->store, &text, &render->picture->tone))
+    const ScreenPassText text = {
+        .body = {kind, render_text_tone, backdrop_text(render),
+                 has_edges(render) ? render_text_edge_part : render_text_edge_none,
+                 render_text_pass_tone},
+        .format = frame_format(render, FRAME_TARGET_shown, 0),
+        .compute = render->compute};
+    if (!make_measures(render, kind) ||
+        !screen_pass_make(render->store, &text, &render->picture->tone))
         return false;
     set_numbers(render, &render->picture->tone);
     screen_pass_sampler(&render->picture->tone, "tone_light", LIGHT_UNIT);
@@ -120,8 +129,10 @@ static bool measure_tile(Render *render, Measure *measure)
 
 static bool make_whole(Render *render, int number)
 {
-    const TextureSpec spec = {
-        .width = MEASURE_TEXELS, .height = 1, .lanes = 4, .floats = render->picture->whole_texels[number][0]};
+    const TextureSpec spec = {.width = MEASURE_TEXELS,
+                              .height = 1,
+                              .lanes = 4,
+                              .floats = render->picture->whole_texels[number][0]};
     render->gl->ActiveTexture(GL_TEXTURE0); /* making a texture binds it */
     render->picture->whole[number] = texture_make(render->gl, &spec);
     return render->picture->whole[number] != 0;
@@ -129,7 +140,8 @@ static bool make_whole(Render *render, int number)
 
 static bool begin_whole(Render *render)
 {
-    static const float nothing[MEASURE_TEXELS][4] = {{0}, {0}, {0, 0, MEASURE_GREATEST, MEASURE_GREATEST}};
+    static const float nothing[MEASURE_TEXELS][4] = {
+        {0}, {0}, {0, 0, MEASURE_GREATEST, MEASURE_GREATEST}};
     render->gl->DeleteTextures(2, render->picture->whole); /* GL ignores the name 0 */
     for (int i = 0; i < 2; i++) {
         render->picture->whole[i] = 0;
@@ -148,7 +160,8 @@ static bool pass_tone_count(Render *render, FrameCount step)
     case FRAME_COUNT_begin:
         return begin_whole(render);
     case FRAME_COUNT_tile:
-        return measure_tile(render, second ? &render->picture->adapted : &render->picture->measured);
+        return measure_tile(render,
+                            second ? &render->picture->adapted : &render->picture->measured);
     case FRAME_COUNT_again:
         return !second && make_whole(render, 0) && adapts(render->scene);
     default:
@@ -183,7 +196,8 @@ static void pass_tone_draw(Render *render)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_edge, 0), EDGE_UNIT);
     if (pass_tools_are_there(render))
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_tools, 0), TOOLS_UNIT);
-    screen_pass_run(&render->picture->tone, &render->targets.draws[FRAME_DRAW_shown], &render->screen);
+    screen_pass_run(&render->picture->tone, &render->targets.draws[FRAME_DRAW_shown],
+                    &render->screen);
 }
 
 static void pass_tone_delete(Render *render)
@@ -204,8 +218,8 @@ static bool pass_tone_changed(Render *render, unsigned what)
 }
 
 const FramePass pass_tone = {
-    .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools), .fills = FRAME_BIT(shown),
-             .own = FRAME_BIT(edge)},
+    .plan = {"tone", .reads = FRAME_BIT(light) | FRAME_BIT(edge) | FRAME_BIT(tools),
+             .fills = FRAME_BIT(shown), .own = FRAME_BIT(edge)},
     .when = "the picture is wanted",
     .needed = pass_tone_needed,
     .make = pass_tone_make,

@@ -1,7 +1,8 @@
-// The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge runs through a pixel, what lies on both sides
-// is mapped first, and blended then: a screen's light is summed by the eye, and an edge beside a lamp stays smooth. So are a pixel's samples, of
-// which there are TONE_SAMPLES across and down. Before it stand tone.glsl, backdrop.glsl where
-// there is one, and what declares edgeShare.
+// The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge
+// runs through a pixel, what lies on both sides is mapped first, and blended then: a screen's light
+// is summed by the eye, and an edge beside a lamp stays smooth. So are a pixel's samples, of which
+// there are TONE_SAMPLES across and down. Before it stand tone.glsl, backdrop.glsl where there is
+// one, and what declares edgeShare.
 uniform sampler2D tone_light;
 #ifdef TONE_TOOLS
 uniform sampler2D tone_tools;

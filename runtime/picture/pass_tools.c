@@ -1,5 +1,7 @@
-/* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the depth as what is opaque does, black in the light; their
- * colours are in a target beside it, under the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and tools_fragment.glsl. */
+/* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the
+ * depth as what is opaque does, black in the light; their colours are in a target beside it, under
+ * the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and
+ * tools_fragment.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
@@ -19,7 +21,10 @@ static bool pass_tools_needed(const Render *render)
            (!view || !strcmp(view, "shown"));
 }
 
-bool pass_tools_are_there(const Render *render) { return render->targets.plan.there >> FRAME_TARGET_tools & 1; }
+bool pass_tools_are_there(const Render *render)
+{
+    return render->targets.plan.there >> FRAME_TARGET_tools & 1;
+}
 
 static void set(Render *render, const char *name, const float values[4])
 {
@@ -32,7 +37,8 @@ static void pass_tools_place(Render *render)
         set(render, "tools_ray", render->space.ray);
 }
 
-/* dot(n, p) = c of the world's z = 0: n is where its z axis goes, c how far the origin is along that. */
+/* dot(n, p) = c of the world's z = 0: n is where its z axis goes, c how far the origin is along
+ * that. */
 static void set_ground(Render *render)
 {
     const double *e = render->space.eye_from_world, *n = e + 8;
@@ -53,12 +59,13 @@ static bool make_vertices(Render *render)
     }
     gl->BindVertexArray(render->picture->tools.array);
     gl->BindBuffer(GL_ARRAY_BUFFER, render->picture->tools.buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices, lines.vertices,
-                   GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)lines.count * (GLsizeiptr)sizeof *lines.vertices,
+                   lines.vertices, GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(ToolVertex),
-                                (const void *)(uintptr_t)(i ? offsetof(ToolVertex, color) : 0)); /* by GL's habit */
+                                /* by GL's habit */
+                                (const void *)(uintptr_t)(i ? offsetof(ToolVertex, color) : 0));
     }
     gl->BindVertexArray(0);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
@@ -101,7 +108,8 @@ static bool pass_tools_make(Render *render)
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {.vertex = {head, render_text_tools_vertex},
                               .fragment = {head, render_text_tools_fragment}};
-    return make_targets(render) && material_make(render->store, NULL, &text, &render->picture->tools.material) &&
+    return make_targets(render) &&
+           material_make(render->store, NULL, &text, &render->picture->tools.material) &&
            pass_tools_change(render) && volume_shown_make(render);
 }
 
@@ -121,13 +129,15 @@ static void pass_tools_draw(Render *render)
 
 bool pass_tools_make_veil(Render *render, const LightingText *text)
 {
-    return !pass_tools_are_there(render) || lighting_make(render, text, &render->picture->tools.veil);
+    return !pass_tools_are_there(render) ||
+           lighting_make(render, text, &render->picture->tools.veil);
 }
 
 void pass_tools_draw_veil(Render *render)
 {
     if (pass_tools_are_there(render))
-        screen_pass_run(&render->picture->tools.veil, &render->picture->tools.colors, &render->screen);
+        screen_pass_run(&render->picture->tools.veil, &render->picture->tools.colors,
+                        &render->screen);
 }
 
 static void pass_tools_delete(Render *render)

@@ -10,7 +10,8 @@ bool pass_edge_needed(const Render *render);
 const char *pass_edge_lacks(const Render *render);
 /* The pass runs, and has its target. */
 bool pass_tools_are_there(const Render *render);
-/* For a pass that lays something transparent over the light, with the text of it that gives no light: and over the tools, where there are some. */
+/* For a pass that lays something transparent over the light, with the text of it that gives no
+ * light: and over the tools, where there are some. */
 bool pass_tools_make_veil(Render *render, const LightingText *text);
 void pass_tools_draw_veil(Render *render);
 /* The rows of the frame graph. */

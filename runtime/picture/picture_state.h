@@ -24,8 +24,10 @@ typedef struct {
 
 struct FramePicture {
     ScreenPass tone;
-    Measure measured, adapted;                /* what tone mapping asks of the picture, and of what it makes of that */
-    GLuint whole[2];                          /* textures of the same, of all tiles; 0: there is one tile */
+    /* what tone mapping asks of the picture, and of what it makes of that */
+    Measure measured, adapted;
+    /* textures of the same, of all tiles; 0: there is one tile */
+    GLuint whole[2];
     float whole_texels[2][MEASURE_TEXELS][4]; /* what is in them */
     FrameEdge edge;
     FrameTools tools;

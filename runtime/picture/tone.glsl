@@ -1,7 +1,8 @@
-// How light becomes what the picture shows, linear still, by the formulas of scene.def; one of TONE_Clamp ... is defined. What they ask of the
-// whole picture is in three texels:
+// How light becomes what the picture shows, linear still, by the formulas of scene.def; one of
+// TONE_Clamp ... is defined. What they ask of the whole picture is in three texels:
 //   0  the greatest red, green, blue and luminance          1  their sums
-//   2  the sum of ln(luminance) where it is above LEAST, the number of these pixels, and the least such luminance
+//   2  the sum of ln(luminance) where it is above LEAST, the number of these pixels, and the least
+//      such luminance
 layout(std140) uniform Tone {
     float tone_exposure;
     float tone_pixels; // so many
@@ -14,7 +15,8 @@ float toneLuminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 float toneGreatest(vec3 c) { return max(max(c.x, c.y), c.z); }
 
-// Not a number counts as black, and so does what is below it; what is infinite is as bright as can be.
+// Not a number counts as black, and so does what is below it; what is infinite is as bright as can
+// be.
 vec3 toneGuard(vec3 c) { return mix(vec3(0.0), min(c, GREATEST), greaterThan(c, vec3(0.0))); }
 
 #ifdef TONE_MEASURES

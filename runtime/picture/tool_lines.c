@@ -1,4 +1,5 @@
-/* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded there. */
+/* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded
+ * there. */
 #include "runtime/picture/tool_lines.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -9,7 +10,8 @@
 
 enum { ROOM = 64, AROUND = 32 /* steps of a circle */, EDGES = 4 /* of a cone */ };
 
-static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f}; /* sRGB 0.5; and that of lights */
+/* sRGB 0.5; and that of lights */
+static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f};
 
 typedef struct {
     const ViewSpace *space;
@@ -78,7 +80,8 @@ static void around(const SceneLight *light, const double angles[2], double dista
     scene_vector_cross(d, u, v);
     for (int i = 0; i < 3; i++)
         out[i] = light->position[i] +
-                 distance * (cos(angles[0]) * d[i] + sin(angles[0]) * (cos(angles[1]) * u[i] + sin(angles[1]) * v[i]));
+                 distance * (cos(angles[0]) * d[i] +
+                             sin(angles[0]) * (cos(angles[1]) * u[i] + sin(angles[1]) * v[i]));
 }
 
 /* Three lines that cross at the light. */
@@ -111,7 +114,8 @@ static void add_spot(Maker *m, const SceneLight *light, double size)
 /* An arrow that ends at the origin: such a light has no place. */
 static void add_directional(Maker *m, const SceneLight *light, double size)
 {
-    SceneLight tip = {.direction = {-light->direction[0], -light->direction[1], -light->direction[2]}};
+    SceneLight tip = {
+        .direction = {-light->direction[0], -light->direction[1], -light->direction[2]}};
     memcpy(tip.position, m->zero, sizeof tip.position);
     double end[3];
     around(&tip, (double[]){0, 0}, 4 * size, end);

@@ -5,7 +5,9 @@
 
 typedef struct {
     float
-        point[4]; /* in the eye's space; w: 1 where the line lies in the world's plane z = 0, whose depth it then has */
+        /* in the eye's space; w: 1 where the line lies in the world's plane z = 0, whose depth it
+         * then has */
+        point[4];
     float color[3]; /* linear light of the screen */
 } ToolVertex;
 

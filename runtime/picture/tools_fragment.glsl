@@ -1,4 +1,5 @@
-// The pass tools: black in the light, so that nothing behind a line shines through it, and its colour beside that, which the pass tone adds.
+// The pass tools: black in the light, so that nothing behind a line shines through it, and its
+// colour beside that, which the pass tone adds.
 layout(std140) uniform Tools {
     vec4 tools_clip;
     vec4 tools_w;
@@ -14,7 +15,8 @@ layout(location = 1) out vec4 tools_shown;
 // By so much of its distance a line is in front of the surface that it lies on.
 const float NEARER = 1.0 / 65536.0;
 
-// A line covers pixels whose centres lie up to half a pixel beside it: what lies in the plane z = 0 has the depth of that plane at the centre.
+// A line covers pixels whose centres lie up to half a pixel beside it: what lies in the plane z = 0
+// has the depth of that plane at the centre.
 float groundDepth()
 {
     vec3 ray = vec3((2.0 * gl_FragCoord.xy - tools_ray.zw) * tools_ray.xy, -1.0);

@@ -9,7 +9,8 @@ static void put_grids(Text *out, const Render *render)
 {
     const ShadowViews *views = &render->shadows->views;
     bool hybrid = false, traced_maps = false, transparent = false;
-    for (int i = 0; render->targets.plan.there >> FRAME_TARGET_shadow & 1 && i < views->count; i++) {
+    for (int i = 0; render->targets.plan.there >> FRAME_TARGET_shadow & 1 && i < views->count;
+         i++) {
         hybrid |= views->views[i].hybrid;
         traced_maps |= !views->views[i].hybrid;
     }
@@ -19,11 +20,12 @@ static void put_grids(Text *out, const Render *render)
     const struct {
         bool there;
         const char *name;
-    } grids[] = {{render->voxels->map != 0, "voxels"},
-                 {render->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
-                 {hybrid, "hybrid shadows"},
-                 {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
-                 {transparent, "what is transparent"}};
+    } grids[] = {
+        {render->voxels->map != 0, "voxels"},
+        {render->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
+        {hybrid, "hybrid shadows"},
+        {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
+        {transparent, "what is transparent"}};
     const char *comma = "; not so, but its grid's triangles: ";
     for (size_t i = 0; i < sizeof grids / sizeof *grids; i++)
         if (grids[i].there) {
@@ -48,10 +50,11 @@ static void put_traced(Text *out, const Render *render)
         put_grids(out, render);
     } else
         text_format(out, "none, triangles are drawn: %s",
-                    !meshes          ? "it takes OpenGL 4.5, a height with a bound, and no volume"
-                    : source.lines   ? "lines are those of triangles"
-                    : source.written ? "exact shadows and silhouettes go by the triangle that a pixel sees"
-                                     : "what is transparent is not traced");
+                    !meshes        ? "it takes OpenGL 4.5, a height with a bound, and no volume"
+                    : source.lines ? "lines are those of triangles"
+                    : source.written
+                        ? "exact shadows and silhouettes go by the triangle that a pixel sees"
+                        : "what is transparent is not traced");
     text_char(out, '\n');
 }
 
@@ -68,7 +71,8 @@ static void put_volumes(Text *out, const Render *render)
         if (!steps || steps[0] <= 0 || object->mesh == last)
             continue;
         last = object->mesh;
-        text_format(out, "volume    %s: what is thinner than ", matc_material_name(of->document, of->index));
+        text_format(out, "volume    %s: what is thinner than ",
+                    matc_material_name(of->document, of->index));
         text_rounded(out, steps[0], DIGITS);
         text_put(out, " across, or ");
         text_rounded(out, steps[1], DIGITS);

@@ -72,7 +72,8 @@ static unsigned wanted(const Render *render)
             return 1u << target | kept;
     if (!view)
         return FRAME_BIT(shown) | kept;
-    return strcmp(view, "shadow") ? FRAME_BIT(gbuffer) : FRAME_BIT(light) | FRAME_BIT(shadow) | kept;
+    return strcmp(view, "shadow") ? FRAME_BIT(gbuffer)
+                                  : FRAME_BIT(light) | FRAME_BIT(shadow) | kept;
 }
 
 /* Drops targets that no allowed pass fills from what passes read and change. */
@@ -90,7 +91,8 @@ static void leave_out(FramePlanPass *rows, unsigned allowed)
 void frame_request(const Render *render, FramePlanRows *made)
 {
     const bool at_once =
-        render->compute && !render->parted; /* what is drawn to is not read, and parts read what they lit again */
+        /* what is drawn to is not read, and parts read what they lit again */
+        render->compute && !render->parted;
     unsigned allowed = 0;
     for (int i = 0; i < PASSES; i++) {
         made->passes[i] = passes[i]->plan;
@@ -102,8 +104,8 @@ void frame_request(const Render *render, FramePlanRows *made)
     leave_out(made->passes, allowed);
     for (int target = 0; target < FRAME_TARGET_COUNT; target++)
         made->targets[target] = frame_plan_target(render, (FrameTarget)target);
-    made->request =
-        (FramePlanRequest){made->passes, PASSES, allowed, wanted(render), made->targets, FRAME_TARGET_COUNT};
+    made->request = (FramePlanRequest){made->passes,   PASSES,        allowed,
+                                       wanted(render), made->targets, FRAME_TARGET_COUNT};
 }
 
 void frame_place(Render *render)
@@ -119,7 +121,8 @@ static void draw_before(Render *render, int pass)
 {
     const bool all = (passes[pass]->plan.reads & FRAME_BIT(light)) != 0;
     for (int i = 0; i < PASSES; i++)
-        if (runs(render, i) && (all ? i < pass : (passes[i]->plan.fills | passes[i]->plan.changes) & FRAME_BIT(depth)))
+        if (runs(render, i) &&
+            (all ? i < pass : (passes[i]->plan.fills | passes[i]->plan.changes) & FRAME_BIT(depth)))
             passes[i]->draw(render);
 }
 

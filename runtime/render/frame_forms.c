@@ -1,12 +1,13 @@
-/* What a frame's targets are made of, by the scene, its shadows and its indirect light; and the bytes of it all. */
+/* What a frame's targets are made of, by the scene, its shadows and its indirect light; and the
+ * bytes of it all. */
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/volume.h"
 
-/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half float would be the worse. So it would where many
- * parts add up. */
+/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half
+ * float would be the worse. So it would where many parts add up. */
 static bool is_exact(const Render *render)
 {
     const double degrees = 0.005;
@@ -31,21 +32,21 @@ static const char *format_of(const Render *render, FrameTarget target, int textu
 {
     const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
     const char *const open = render->options.deep ? "RGBA32F" : "RGBA16F";
-    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] =
-                                                     volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
-                                                 [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
-                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
-                                                 [FRAME_TARGET_light] = light,
-                                                 [FRAME_TARGET_rays] = open,
-                                                 [FRAME_TARGET_smooth] = open,
-                                                 [FRAME_TARGET_open] = open,
-                                                 [FRAME_TARGET_tools] = light,
-                                                 [FRAME_TARGET_cubes] = "RGBA8",
-                                                 [FRAME_TARGET_positions] = "RGBA8",
-                                                 [FRAME_TARGET_traced] = "RGBA32UI",
-                                                 [FRAME_TARGET_seen] = "R32UI",
-                                                 [FRAME_TARGET_edge] = "R32UI",
-                                                 [FRAME_TARGET_shown] = shown_format(render)};
+    const char *const one[FRAME_TARGET_COUNT] = {
+        [FRAME_TARGET_depth] = volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
+        [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
+        [FRAME_TARGET_layer_depth] = "DEPTH32F",
+        [FRAME_TARGET_light] = light,
+        [FRAME_TARGET_rays] = open,
+        [FRAME_TARGET_smooth] = open,
+        [FRAME_TARGET_open] = open,
+        [FRAME_TARGET_tools] = light,
+        [FRAME_TARGET_cubes] = "RGBA8",
+        [FRAME_TARGET_positions] = "RGBA8",
+        [FRAME_TARGET_traced] = "RGBA32UI",
+        [FRAME_TARGET_seen] = "R32UI",
+        [FRAME_TARGET_edge] = "R32UI",
+        [FRAME_TARGET_shown] = shown_format(render)};
     if (target == FRAME_TARGET_layer_keys)
         return texture < 2 ? "RG32UI" : NULL;
     if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)
@@ -58,7 +59,8 @@ static int coarse_of(const Render *render, FrameTarget target)
 {
     if (target == FRAME_TARGET_shown)
         return render->samples;
-    return target == FRAME_TARGET_rays || target == FRAME_TARGET_smooth ? indirect_coarse(render) : 1;
+    return target == FRAME_TARGET_rays || target == FRAME_TARGET_smooth ? indirect_coarse(render)
+                                                                        : 1;
 }
 
 void frame_forms_find(Render *render)
@@ -66,7 +68,8 @@ void frame_forms_find(Render *render)
     for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++) {
         FrameForm *form = &render->targets.forms[target];
         *form = (FrameForm){.coarse = coarse_of(render, target)};
-        for (int t = 0; t < FRAME_PLAN_TEXTURES && (form->formats[t] = format_of(render, target, t)); t++)
+        for (int t = 0;
+             t < FRAME_PLAN_TEXTURES && (form->formats[t] = format_of(render, target, t)); t++)
             ;
     }
 }

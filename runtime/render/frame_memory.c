@@ -1,4 +1,5 @@
-/* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they hold. */
+/* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they
+ * hold. */
 #include "runtime/render/frame_memory.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/light_far.h"
@@ -11,7 +12,8 @@ static bool make_texture(Render *render, FrameMemory *memory, const TargetSpec *
     if (!memory->texture)
         *memory = (FrameMemory){framebuffer_target(render->gl, spec), spec->format};
     const bool as_it_is = !memory->texture || !strcmp(memory->format, spec->format);
-    *made = as_it_is ? memory->texture : framebuffer_view(render->gl, memory->texture, spec->format);
+    *made =
+        as_it_is ? memory->texture : framebuffer_view(render->gl, memory->texture, spec->format);
     return *made != 0;
 }
 
@@ -19,11 +21,13 @@ bool frame_memory_make(Render *render)
 {
     bool fine = true;
     for (FrameTarget target = 0; target < FRAME_TARGET_COUNT; target++)
-        for (int i = 0; fine && i < FRAMEBUFFER_COLORS && render->targets.plan.memory[target][i] >= 0; i++) {
+        for (int i = 0;
+             fine && i < FRAMEBUFFER_COLORS && render->targets.plan.memory[target][i] >= 0; i++) {
             const TargetSpec spec = {frame_edge(render, target, 0), frame_edge(render, target, 1),
                                      frame_format(render, target, i)};
-            fine = make_texture(render, &render->targets.memory[render->targets.plan.memory[target][i]], &spec,
-                                &render->targets.textures[target][i]);
+            fine = make_texture(render,
+                                &render->targets.memory[render->targets.plan.memory[target][i]],
+                                &spec, &render->targets.textures[target][i]);
         }
     return fine;
 }
@@ -48,7 +52,8 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static int round_up(int a, int step) { return (a + step - 1) / step * step; }
 
-/* What stays together: blocks of 2 x 2, or of pixels for which rays go out, and the samples of a pixel. */
+/* What stays together: blocks of 2 x 2, or of pixels for which rays go out, and the samples of a
+ * pixel. */
 static int step_of(const Render *render)
 {
     const int block = indirect_coarse(render) > 2 ? indirect_coarse(render) : 2;
@@ -62,7 +67,8 @@ static int step_of(const Render *render)
 static bool is_whole(const Render *render)
 {
     const unsigned there = render->targets.plan.there;
-    return there & 1u << FRAME_TARGET_positions || (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
+    return there & 1u << FRAME_TARGET_positions ||
+           (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
 }
 
 /* What a tile looks at around itself: edges at their neighbours, indirect light farther. */
@@ -70,7 +76,8 @@ static int margin_of(const Render *render)
 {
     const unsigned there = render->targets.plan.there;
     const int step = step_of(render), beside = there & 1u << FRAME_TARGET_edge ? step : 0;
-    const int around = there & 1u << FRAME_TARGET_open && !is_whole(render) ? indirect_margin(render) + beside : 0;
+    const int around =
+        there & 1u << FRAME_TARGET_open && !is_whole(render) ? indirect_margin(render) + beside : 0;
     return around > beside ? round_up(around, step) : beside;
 }
 
@@ -86,7 +93,8 @@ static size_t rows_in_memory(const Render *render, int width)
     return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
 }
 
-/* The samples of a tile's width: all, or, where the driver has less, an even share of them, so that no tile is all but empty. */
+/* The samples of a tile's width: all, or, where the driver has less, an even share of them, so that
+ * no tile is all but empty. */
 static int find_width(const Render *render, int margin)
 {
     const int whole = render->whole[0], step = step_of(render);
@@ -95,23 +103,28 @@ static int find_width(const Render *render, int margin)
     return columns > 1 ? round_up((whole + columns - 1) / columns, step) : whole;
 }
 
-/* The samples of a tile: as many rows as there is memory for, were these as wide as the picture, since a row of tiles is kept to be written. */
+/* The samples of a tile: as many rows as there is memory for, were these as wide as the picture,
+ * since a row of tiles is kept to be written. */
 static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
-    const int step = step_of(render), most = render->gl->max_texture_size / step * step - 2 * margin;
+    const int step = step_of(render),
+              most = render->gl->max_texture_size / step * step - 2 * margin;
     const int width = find_width(render, margin), beside = render->whole[0] + 2 * margin;
-    const int height =
-        least(least(render->whole[1], most), light_far_rows(render, width + 2 * margin) - 2 * margin);
+    const int height = least(least(render->whole[1], most),
+                             light_far_rows(render, width + 2 * margin) - 2 * margin);
     const bool whole = is_whole(render);
-    const size_t rows = whole ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
-    const int wanted[2] = {whole ? 0 : options->tile[0] * render->samples, whole ? 0 : options->tile[1] * render->samples};
+    const size_t rows =
+        whole ? (size_t)height + 2 * (size_t)margin : rows_in_memory(render, beside);
+    const int wanted[2] = {whole ? 0 : options->tile[0] * render->samples,
+                           whole ? 0 : options->tile[1] * render->samples};
     const int spare = rows < (size_t)height ? (int)rows - 2 * margin : height;
     const int fewest = RENDER_TILE_LEAST * render->samples;
     tile[0] = least(width, wanted[0] ? wanted[0] : width);
     tile[1] = least(height, wanted[1] ? wanted[1] : spare < fewest ? fewest : spare);
     for (int i = 0; i < 2; i++) {
-        const int together = indirect_coarse(render) > 1 && tile[i] < render->whole[i] ? step : render->samples;
+        const int together =
+            indirect_coarse(render) > 1 && tile[i] < render->whole[i] ? step : render->samples;
         tile[i] = tile[i] > together ? tile[i] - tile[i] % together : together;
     }
 }
@@ -123,12 +136,14 @@ static bool is_tiled(const Render *render, const int tile[2])
 
 bool frame_memory_fits(const Render *render)
 {
-    const int margin = render->margin, tile[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
+    const int margin = render->margin,
+              tile[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
     const int needed = margin_of(render); /* of what is drawn at once, its edges' */
     return !is_tiled(render, tile) || (is_whole(render) ? margin <= needed : needed <= margin);
 }
 
-/* Edges look at pixels beside them, which have to be drawn with a tile, too; indirect light farther. */
+/* Edges look at pixels beside them, which have to be drawn with a tile, too; indirect light
+ * farther. */
 void frame_memory_size(Render *render)
 {
     const int margin = margin_of(render);

@@ -1,4 +1,5 @@
-/* The library's surface: what render.h offers, for a host that does not see it. matc_scene.c has scenes. */
+/* The library's surface: what render.h offers, for a host that does not see it. matc_scene.c has
+ * scenes. */
 #include "runtime/render/matc_render.h"
 #include "compiler/base/memory.h"
 #include "runtime/frame/frame.h"
@@ -16,8 +17,8 @@
 struct MatcRender {
     GlContext *gl;
     Render *render;
-    Scene *scene;           /* the caller's */
-    GLuint framebuffer;     /* reads the picture's texture; 0: not made yet */
+    Scene *scene;       /* the caller's */
+    GLuint framebuffer; /* reads the picture's texture; 0: not made yet */
 };
 
 #define DEGREE 0.017453292519943295 /* radians */
@@ -39,9 +40,11 @@ static bool check_options(const MatcRenderOptions *options, char *error, size_t 
     if (!options->load)
         return message_fail(error, room, "no function that loads is given");
     if (!is_size(options->width, options->height))
-        return message_fail(error, room, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE, options->width,
-                            options->height);
-    return !fault || message_fail(error, room, "MatcRenderOptions.compile: the option '%s' has no such value", fault);
+        return message_fail(error, room, "a picture has 1 to %d pixels each way, not %d x %d",
+                            MOST_SIDE, options->width, options->height);
+    return !fault ||
+           message_fail(error, room, "MatcRenderOptions.compile: the option '%s' has no such value",
+                        fault);
 }
 
 static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *error, size_t room)
@@ -53,11 +56,13 @@ static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *e
     r->gl = gl_adopt(&host, error, room);
     if (!r->gl)
         return false;
-    r->render = render_open(r->gl, &(RenderOptions){.compile = options->compile ? options->compile : &defaults,
-                                                    .view = options->view,
-                                                    .width = options->width,
-                                                    .height = options->height,
-                                                    .memory = SIZE_MAX}); /* a texture has the whole picture */
+    r->render = render_open(
+        r->gl, &(RenderOptions){.compile = options->compile ? options->compile : &defaults,
+                                .view = options->view,
+                                .width = options->width,
+                                .height = options->height,
+                                /* a texture has the whole picture */
+                                .memory = SIZE_MAX});
     return r->render || message_fail(error, room, "%s", r->gl->error);
 }
 
@@ -71,7 +76,8 @@ MatcRender *matc_render_open(const MatcRenderOptions *options, char *error, size
         memory_exhausted();
     memcpy(&whole, options, options->size < sizeof whole ? options->size : sizeof whole);
     if (!options->size)
-        message_fail(error, room, "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
+        message_fail(error, room,
+                     "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
     else if (check_options(&whole, error, room) && open_render(r, &whole, error, room))
         return r;
     matc_render_close(r);
@@ -89,7 +95,10 @@ void matc_render_close(MatcRender *r)
     free(r);
 }
 
-const char *matc_render_error(const MatcRender *r) { return r ? r->gl->error : "the renderer is NULL"; }
+const char *matc_render_error(const MatcRender *r)
+{
+    return r ? r->gl->error : "the renderer is NULL";
+}
 
 bool matc_render_scene(MatcRender *r, MatcScene *scene)
 {
@@ -124,13 +133,17 @@ static bool are_finite(const MatcRender *r, const double *numbers, int count, co
 
 static int object_count(const MatcRender *r) { return r && r->scene ? r->scene->object_count : 0; }
 static int light_count(const MatcRender *r) { return r && r->scene ? r->scene->light_count : 0; }
-static int material_count(const MatcRender *r) { return r && r->scene ? r->scene->material_count : 0; }
+static int material_count(const MatcRender *r)
+{
+    return r && r->scene ? r->scene->material_count : 0;
+}
 
 static bool not_displaced(const MatcRender *r)
 {
     const SceneMaterial *of;
     const char *why = scene_displace_fault(r->scene, &of);
-    return gl_fail(r->gl, "the material '%s': its displacement %s", matc_material_name(of->document, of->index), why);
+    return gl_fail(r->gl, "the material '%s': its displacement %s",
+                   matc_material_name(of->document, of->index), why);
 }
 
 bool matc_render_move(MatcRender *r, int object, const double matrix[16])
@@ -152,7 +165,8 @@ bool matc_render_move(MatcRender *r, int object, const double matrix[16])
                                           : render_changed_objects(r->render, object, 1);
 }
 
-bool matc_render_look(MatcRender *r, const double position[3], const double target[3], const double up[3])
+bool matc_render_look(MatcRender *r, const double position[3], const double target[3],
+                      const double up[3])
 {
     SceneCamera camera;
     double upright[3];
@@ -169,7 +183,8 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
     if (!scene_vector_normalize(camera.back) || !scene_vector_normalize(upright))
         return gl_fail(r->gl, "the way from position to target, or up, has no direction");
     scene_vector_cross(upright, camera.back, camera.right);
-    if (scene_vector_dot(camera.right, camera.right) < 1e-18 || !scene_vector_normalize(camera.right))
+    if (scene_vector_dot(camera.right, camera.right) < 1e-18 ||
+        !scene_vector_normalize(camera.right))
         return gl_fail(r->gl, "up, seen along the view, has no direction");
     scene_vector_cross(camera.back, camera.right, camera.up);
     r->scene->camera = camera;
@@ -192,7 +207,8 @@ bool matc_renderer_set_perspective(MatcRender *r, double angle, double near)
     if (!has(r, 0, 1, "camera"))
         return false;
     if (!(angle > 0 && angle < 180) || !(near > 0 && near < INFINITY))
-        return gl_fail(r->gl, "a perspective wants an angle between 0 and 180 degrees, and near above 0");
+        return gl_fail(r->gl,
+                       "a perspective wants an angle between 0 and 180 degrees, and near above 0");
     r->scene->camera.kind = SCENE_Perspective;
     r->scene->camera.half = tan(angle * DEGREE / 2);
     r->scene->camera.near = near;
@@ -226,11 +242,15 @@ bool matc_renderer_set_size(MatcRender *r, int width, int height)
     if (!r)
         return false;
     if (!is_size(width, height))
-        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE, width, height);
+        return gl_fail(r->gl, "a picture has 1 to %d pixels each way, not %d x %d", MOST_SIDE,
+                       width, height);
     return render_resize(r->render, width, height);
 }
 
-bool matc_renderer_update(MatcRender *r) { return has(r, 0, 1, "scene") && render_changed_meshes(r->render); }
+bool matc_renderer_update(MatcRender *r)
+{
+    return has(r, 0, 1, "scene") && render_changed_meshes(r->render);
+}
 
 static bool find_method(const char *name, Word *made)
 {
@@ -277,7 +297,8 @@ bool matc_render_param(MatcRender *r, int material, const char *name, const floa
     if (meshes == SCENE_DISPLACED_failed)
         return not_displaced(r);
     const bool drawn = render_param(r->render, material, name, lanes, count);
-    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render) : drawn || meshes == SCENE_DISPLACED_same;
+    return meshes == SCENE_DISPLACED_anew ? render_changed_meshes(r->render)
+                                          : drawn || meshes == SCENE_DISPLACED_same;
 }
 
 /* -- frames */
@@ -285,13 +306,16 @@ bool matc_render_param(MatcRender *r, int material, const char *name, const floa
 bool matc_render_frame(MatcRender *r) { return r && render_frame(r->render); }
 int matc_render_width(const MatcRender *r) { return r ? render_width(r->render) : 0; }
 int matc_render_height(const MatcRender *r) { return r ? render_height(r->render) : 0; }
-unsigned matc_render_texture(const MatcRender *r) { return r && r->scene ? frame_texture(r->render, FRAME_TARGET_shown, 0) : 0; }
+unsigned matc_render_texture(const MatcRender *r)
+{
+    return r && r->scene ? frame_texture(r->render, FRAME_TARGET_shown, 0) : 0;
+}
 
 static bool is_rectangle(const int rectangle[4])
 {
-    return rectangle[2] > 0 && rectangle[3] > 0 && rectangle[0] > -MOST_PLACE && rectangle[0] < MOST_PLACE &&
-           rectangle[1] > -MOST_PLACE && rectangle[1] < MOST_PLACE && rectangle[2] < MOST_PLACE &&
-           rectangle[3] < MOST_PLACE;
+    return rectangle[2] > 0 && rectangle[3] > 0 && rectangle[0] > -MOST_PLACE &&
+           rectangle[0] < MOST_PLACE && rectangle[1] > -MOST_PLACE && rectangle[1] < MOST_PLACE &&
+           rectangle[2] < MOST_PLACE && rectangle[3] < MOST_PLACE;
 }
 
 bool matc_renderer_draw(MatcRender *r, unsigned framebuffer, const int rectangle[4])
@@ -309,13 +333,15 @@ bool matc_renderer_draw(MatcRender *r, unsigned framebuffer, const int rectangle
     if (!r->framebuffer)
         gl->GenFramebuffers(1, &r->framebuffer);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, r->framebuffer);
-    gl->FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, matc_render_texture(r), 0);
+    gl->FramebufferTexture2D(GL_READ_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
+                             matc_render_texture(r), 0);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    gl->BlitFramebuffer(0, 0, render_width(r->render), render_height(r->render), rectangle[0], rectangle[1],
-                        rectangle[0] + rectangle[2], rectangle[1] + rectangle[3], GL_COLOR_BUFFER_BIT,
-                        rectangle[2] == render_width(r->render) && rectangle[3] == render_height(r->render)
-                            ? GL_NEAREST
-                            : GL_LINEAR);
+    gl->BlitFramebuffer(
+        0, 0, render_width(r->render), render_height(r->render), rectangle[0], rectangle[1],
+        rectangle[0] + rectangle[2], rectangle[1] + rectangle[3], GL_COLOR_BUFFER_BIT,
+        rectangle[2] == render_width(r->render) && rectangle[3] == render_height(r->render)
+            ? GL_NEAREST
+            : GL_LINEAR);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, 0);
     return gl_check(gl, "drawing to a framebuffer");
 }

@@ -1,4 +1,5 @@
-/* The library's surface: scenes, what they hold by name, and what a host adds to them and takes away. */
+/* The library's surface: scenes, what they hold by name, and what a host adds to them and takes
+ * away. */
 #include "compiler/document.h"
 #include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
@@ -10,8 +11,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-MatcScene *matc_scene_read(const char *name, const char *text, size_t size, const MatcOptions *options,
-                           MatcDocument **document)
+MatcScene *matc_scene_read(const char *name, const char *text, size_t size,
+                           const MatcOptions *options, MatcDocument **document)
 {
     MatcOptions defaults;
     if (!document)
@@ -19,7 +20,8 @@ MatcScene *matc_scene_read(const char *name, const char *text, size_t size, cons
     MatcScene *made = memory_checked(calloc(1, sizeof *made));
     matc_options_init(&defaults);
     defaults.pixels = true;
-    made->document = *document = scene_read(name, text, size, options ? options : &defaults, &made->scene);
+    made->document = *document =
+        scene_read(name, text, size, options ? options : &defaults, &made->scene);
     if (made->scene)
         return made;
     if (!matc_error_count(*document))
@@ -41,12 +43,16 @@ int matc_scene_object_count(const MatcScene *s) { return s ? s->scene->object_co
 int matc_scene_light_count(const MatcScene *s) { return s ? s->scene->light_count : 0; }
 int matc_scene_material_count(const MatcScene *s) { return s ? s->scene->material_count : 0; }
 
-static bool is_object(const MatcScene *s, int object) { return object >= 0 && object < matc_scene_object_count(s); }
+static bool is_object(const MatcScene *s, int object)
+{
+    return object >= 0 && object < matc_scene_object_count(s);
+}
 
 void matc_scene_matrix(const MatcScene *s, int object, double matrix[16])
 {
     const SceneMatrix identity = scene_matrix_identity();
-    const SceneMatrix *of = is_object(s, object) ? &s->scene->objects[object].world_from_local : &identity;
+    const SceneMatrix *of =
+        is_object(s, object) ? &s->scene->objects[object].world_from_local : &identity;
     if (!matrix)
         return;
     memcpy(matrix, of->m, sizeof of->m);
@@ -86,7 +92,8 @@ int matc_scene_find_light(const MatcScene *s, const char *name)
     return -1;
 }
 
-/* An array of the scene with room for one more. The first time it moves out of what the reader made. */
+/* An array of the scene with room for one more. The first time it moves out of what the reader
+ * made. */
 static void *with_room(const MatcScene *s, void *array, int count, size_t *room, size_t size)
 {
     enum { LEAST = 8 };
@@ -108,16 +115,20 @@ int matc_scene_find_material(MatcScene *s, const char *name)
     Scene *scene = s->scene;
     for (int i = 0; i < scene->material_count; i++) {
         const SceneMaterial *of = &scene->materials[i];
-        if (of->document == s->document && !strcmp(matc_material_name(of->document, of->index), name))
+        if (of->document == s->document &&
+            !strcmp(matc_material_name(of->document, of->index), name))
             return i;
     }
     const int index = matc_material_find(s->document, name);
     if (index < 0)
-        return message_fail(s->error, sizeof s->error, "the document has no material '%s'", name), -1;
+        return message_fail(s->error, sizeof s->error, "the document has no material '%s'", name),
+               -1;
     if (scene->displaced) /* what displaces is counted by material */
-        return message_fail(s->error, sizeof s->error, "a scene with displaced objects takes no further materials"), -1;
-    scene->materials =
-        with_room(s, scene->materials, scene->material_count, &s->material_room, sizeof *scene->materials);
+        return message_fail(s->error, sizeof s->error,
+                            "a scene with displaced objects takes no further materials"),
+               -1;
+    scene->materials = with_room(s, scene->materials, scene->material_count, &s->material_room,
+                                 sizeof *scene->materials);
     scene->materials[scene->material_count] = (SceneMaterial){s->document, index};
     return scene->material_count++;
 }
@@ -129,16 +140,20 @@ static bool is_mesh(MatcScene *s, const MatcMesh *mesh)
     if (!mesh || mesh->size < sizeof(size_t) + sizeof(float *))
         return message_fail(s->error, sizeof s->error, "MatcMesh.size is to be sizeof(MatcMesh)");
     if (s->scene->displaced)
-        return message_fail(s->error, sizeof s->error, "a scene with displaced objects takes no further meshes");
+        return message_fail(s->error, sizeof s->error,
+                            "a scene with displaced objects takes no further meshes");
     return true;
 }
 
 static bool check_counts(MatcScene *s, const MatcMesh *mesh)
 {
     if (!mesh->positions || mesh->vertex_count < 1 || mesh->vertex_count > MODEL_VERTICES)
-        return message_fail(s->error, sizeof s->error, "a mesh has positions, of 1 to %d vertices", MODEL_VERTICES);
-    return (mesh->index_count >= 0 && mesh->index_count <= MODEL_INDICES && !mesh->indices == !mesh->index_count) ||
-           message_fail(s->error, sizeof s->error, "a mesh has up to %d indices, or none", MODEL_INDICES);
+        return message_fail(s->error, sizeof s->error, "a mesh has positions, of 1 to %d vertices",
+                            MODEL_VERTICES);
+    return (mesh->index_count >= 0 && mesh->index_count <= MODEL_INDICES &&
+            !mesh->indices == !mesh->index_count) ||
+           message_fail(s->error, sizeof s->error, "a mesh has up to %d indices, or none",
+                        MODEL_INDICES);
 }
 
 /* Checks normals and texture coordinates; completing the mesh checks positions. */
@@ -149,7 +164,8 @@ static bool check_attributes(MatcScene *s, const MatcMesh *mesh)
     for (int list = 0; list < 2; list++)
         for (size_t i = 0; lists[list] && i < lanes[list] * (size_t)mesh->vertex_count; i++)
             if (!isfinite(lists[list][i]))
-                return message_fail(s->error, sizeof s->error, "the mesh: a normal or a coordinate is no number");
+                return message_fail(s->error, sizeof s->error,
+                                    "the mesh: a normal or a coordinate is no number");
     return true;
 }
 
@@ -170,12 +186,14 @@ static void take_vertices(const MatcMesh *mesh, Shape *shape)
 static bool make_shape(MatcScene *s, const MatcMesh *mesh, Shape *shape)
 {
     const int indices = mesh->indices ? mesh->index_count : mesh->vertex_count;
-    *shape = (Shape){.vertices = memory_checked(calloc((size_t)mesh->vertex_count, sizeof *shape->vertices)),
-                     .indices = memory_checked(calloc((size_t)indices, sizeof *shape->indices)),
-                     .vertex_count = mesh->vertex_count,
-                     .index_count = indices};
+    *shape = (Shape){
+        .vertices = memory_checked(calloc((size_t)mesh->vertex_count, sizeof *shape->vertices)),
+        .indices = memory_checked(calloc((size_t)indices, sizeof *shape->indices)),
+        .vertex_count = mesh->vertex_count,
+        .index_count = indices};
     take_vertices(mesh, shape);
-    const char *fault = model_complete_in_place(shape, mesh->normals != NULL, mesh->texcoords != NULL);
+    const char *fault =
+        model_complete_in_place(shape, mesh->normals != NULL, mesh->texcoords != NULL);
     if (!fault)
         return true;
     shape_free(shape);
@@ -190,9 +208,11 @@ int matc_scene_add_mesh(MatcScene *s, const MatcMesh *given)
         return -1;
     Scene *scene = s->scene;
     memcpy(&mesh, given, given->size < sizeof mesh ? given->size : sizeof mesh);
-    if (!check_counts(s, &mesh) || !check_attributes(s, &mesh) || !make_shape(s, &mesh, &made.shape))
+    if (!check_counts(s, &mesh) || !check_attributes(s, &mesh) ||
+        !make_shape(s, &mesh, &made.shape))
         return -1;
-    scene->meshes = with_room(s, scene->meshes, scene->mesh_count, &s->mesh_room, sizeof *scene->meshes);
+    scene->meshes =
+        with_room(s, scene->meshes, scene->mesh_count, &s->mesh_room, sizeof *scene->meshes);
     scene->meshes[scene->mesh_count] = made;
     return scene->mesh_count++;
 }
@@ -211,23 +231,27 @@ static bool is_matrix(const double m[16])
     if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
         return false;
     scene_vector_cross(y, z, cross);
-    return fabs(scene_vector_dot(x, cross)) > 1e-9 && m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
+    return fabs(scene_vector_dot(x, cross)) > 1e-9 && m[3] == 0 && m[7] == 0 && m[11] == 0 &&
+           m[15] == 1;
 }
 
 static bool check_object(MatcScene *s, int mesh, int material, const double matrix[16])
 {
     const Scene *scene = s->scene;
     if (scene->displaced)
-        return message_fail(s->error, sizeof s->error, "a scene with displaced objects takes no further objects");
+        return message_fail(s->error, sizeof s->error,
+                            "a scene with displaced objects takes no further objects");
     if (mesh < 0 || mesh >= scene->mesh_count)
         return message_fail(s->error, sizeof s->error, "there is no mesh %d", mesh);
     if (material < 0 || material >= scene->material_count)
         return message_fail(s->error, sizeof s->error, "there is no material %d", material);
     const SceneMaterial *of = &scene->materials[material];
     if (matc_moves(of->document, of->index, NULL) != MATC_MOVES_none)
-        return message_fail(s->error, sizeof s->error, "the material '%s' displaces: an object that is added cannot be",
+        return message_fail(s->error, sizeof s->error,
+                            "the material '%s' displaces: an object that is added cannot be",
                             matc_material_name(of->document, of->index));
-    return (matrix && is_matrix(matrix)) || message_fail(s->error, sizeof s->error, "the matrix flattens, or is no number");
+    return (matrix && is_matrix(matrix)) ||
+           message_fail(s->error, sizeof s->error, "the matrix flattens, or is no number");
 }
 
 /* The place of an object that was removed, or one more. -1: there are too many. */
@@ -239,7 +263,8 @@ static int find_place(MatcScene *s)
             return i;
     if (scene->object_count >= SCENE_OBJECTS)
         return -1;
-    scene->objects = with_room(s, scene->objects, scene->object_count, &s->object_room, sizeof *scene->objects);
+    scene->objects =
+        with_room(s, scene->objects, scene->object_count, &s->object_room, sizeof *scene->objects);
     return scene->object_count++;
 }
 
@@ -249,7 +274,9 @@ int matc_scene_add_object(MatcScene *s, int mesh, int material, const double mat
         return -1;
     const int place = find_place(s);
     if (place < 0)
-        return message_fail(s->error, sizeof s->error, "a scene has %d objects at most", SCENE_OBJECTS), -1;
+        return message_fail(s->error, sizeof s->error, "a scene has %d objects at most",
+                            SCENE_OBJECTS),
+               -1;
     SceneObject *object = &s->scene->objects[place];
     *object = (SceneObject){.kind = SCENE_Mesh, .mesh = mesh, .material = material};
     memcpy(object->world_from_local.m, matrix, sizeof object->world_from_local.m);

@@ -1,5 +1,5 @@
-/* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where nothing is. Depth is reversed: it begins at
- * 0, and what is nearer is greater. */
+/* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where
+ * nothing is. Depth is reversed: it begins at 0, and what is nearer is greater. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
@@ -11,7 +11,10 @@ static bool pass_plane_needed(const Render *render)
 {
     return render->cache.opaque_plane_count > 0 && surface_draw_is_shown(render);
 }
-static bool pass_sky_needed(const Render *render) { return render->cache.has_sky && surface_draw_is_shown(render); }
+static bool pass_sky_needed(const Render *render)
+{
+    return render->cache.has_sky && surface_draw_is_shown(render);
+}
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
 {
@@ -25,7 +28,8 @@ static void clear(const GlContext *gl, const Framebuffer *framebuffer)
     gl->ClearBufferfv(GL_DEPTH, 0, no_floats);
 }
 
-/* First which surfaces rays meet, then what these are made of: whatever else is nearer comes over them. */
+/* First which surfaces rays meet, then what these are made of: whatever else is nearer comes over
+ * them. */
 static void draw_traced(Render *render, const Framebuffer *framebuffer)
 {
     static const GLuint nothing[4];
@@ -36,7 +40,8 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
     cache_trace_rays(gl, &source, &render->cache);
     frame_use(render, framebuffer);
     gl->Disable(GL_DEPTH_TEST);
-    cache_trace_surfaces(gl, &source, &render->cache, frame_texture(render, FRAME_TARGET_traced, 0));
+    cache_trace_surfaces(gl, &source, &render->cache,
+                         frame_texture(render, FRAME_TARGET_traced, 0));
     gl->Enable(GL_DEPTH_TEST);
 }
 
@@ -44,7 +49,8 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
 static void pass_surface_draw(Render *render)
 {
     const bool numbers = facet_lights_seen(render) && !render->exact->seen;
-    const Framebuffer *framebuffer = &render->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
+    const Framebuffer *framebuffer =
+        &render->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     pass_exact_begin(render);
@@ -78,11 +84,13 @@ static void pass_sky_draw(Render *render)
  * for ray-marched displacement. */
 static void pass_surface_request(const Render *render, FramePlanPass *row)
 {
-    row->fills &= ~(facet_lights_seen(render) ? 0 : FRAME_BIT(seen)) & ~(render->cache.tracing ? 0 : FRAME_BIT(traced));
+    row->fills &= ~(facet_lights_seen(render) ? 0 : FRAME_BIT(seen)) &
+                  ~(render->cache.tracing ? 0 : FRAME_BIT(traced));
 }
 
 const FramePass pass_surface = {
-    .plan = {"surface", .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(seen) | FRAME_BIT(traced)},
+    .plan = {"surface",
+             .fills = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(seen) | FRAME_BIT(traced)},
     .when = "always: what is not drawn is clear",
     .needed = pass_surface_needed,
     .request = pass_surface_request,

@@ -1,11 +1,13 @@
-/* The passes of a frame, in their order; what makes, counts and draws it; the passes that rasterise surfaces. */
+/* The passes of a frame, in their order; what makes, counts and draws it; the passes that rasterise
+ * surfaces. */
 #ifndef MATC_RENDER_PASSES_H
 #define MATC_RENDER_PASSES_H
 #include "runtime/frame/frame_pass.h"
 
 /* Sets what was set before in a scene that is made again; forgets it. render_param.c */
 void render_param_again(Render *render);
-/* Keeps what the scene's lights are, as all is made for it: render_lights.c. Whether they are so still. */
+/* Keeps what the scene's lights are, as all is made for it: render_lights.c. Whether they are so
+ * still. */
 bool render_lights_keep(Render *render);
 bool render_lights_kept(const Render *render);
 void render_param_forget(Render *render);
@@ -15,7 +17,8 @@ Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */
 /* The passes in the order of a frame. */
 const FramePass *frame_pass(int pass);
 int frame_pass_count(void);
-/* The same, and in buffers of far lights and of sheets: all memory there is, but for lists. frame_forms.c */
+/* The same, and in buffers of far lights and of sheets: all memory there is, but for lists.
+ * frame_forms.c */
 int frame_all_bytes(const Render *render);
 /* Fills render->targets.forms. frame_forms.c */
 void frame_forms_find(Render *render);

@@ -26,13 +26,16 @@ Slot render_find_slot(const char *name)
     return (Slot)slot;
 }
 
-bool render_view_is_picture(const char *view) { return !strcmp(view, "shown") || volume_view_find(view) != NULL; }
+bool render_view_is_picture(const char *view)
+{
+    return !strcmp(view, "shown") || volume_view_find(view) != NULL;
+}
 
 static bool is_target(const char *view)
 {
     return render_view_is_picture(view) || !strcmp(view, "light") || !strcmp(view, "depth") ||
-           !strcmp(view, "shadow") || voxels_view_level(view) >= 0 || pass_positions_is_view(view) ||
-           indirect_view_lanes(view);
+           !strcmp(view, "shadow") || voxels_view_level(view) >= 0 ||
+           pass_positions_is_view(view) || indirect_view_lanes(view);
 }
 
 static Render *compose(RenderState *state)
@@ -54,16 +57,17 @@ static Render *compose(RenderState *state)
 Render *render_open(GlContext *gl, const RenderOptions *options)
 {
     if (options->view && !is_target(options->view) && render_find_slot(options->view) == SLOT_COUNT)
-        return gl_fail(
-                   gl,
-                   "there is no view '%s': shown, wireframe, volume, light, depth, shadow, positions, voxels, open, "
-                   "indirect, bent, visibility, or a slot",
-                   options->view),
+        return gl_fail(gl,
+                       "there is no view '%s': shown, wireframe, volume, light, depth, shadow, "
+                       "positions, voxels, open, "
+                       "indirect, bent, visibility, or a slot",
+                       options->view),
                NULL;
     if (!transparency_check(gl, options) || !light_far_check(gl, options))
         return NULL;
     if (options->samples < 0 || options->samples > RENDER_SAMPLES_MOST)
-        return gl_fail(gl, "samples are 1 to %d, not %d", RENDER_SAMPLES_MOST, options->samples), NULL;
+        return gl_fail(gl, "samples are 1 to %d, not %d", RENDER_SAMPLES_MOST, options->samples),
+               NULL;
     RenderState *state = calloc(1, sizeof *state);
     if (!state)
         return gl_fail(gl, "out of memory"), NULL;
@@ -77,8 +81,8 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;
     render->compile.normals = "eye"; /* where light is summed */
-    render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute &&
-                      gl->BindImageTexture && gl->MemoryBarrier;
+    render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 &&
+                      gl->DispatchCompute && gl->BindImageTexture && gl->MemoryBarrier;
     render->zero_to_one = gl->ClipControl != NULL && gl->major * 10 + gl->minor >= 45;
     render->store = store_new(gl);
     render->has_screen = render->store && screen_make(gl, &render->screen);
@@ -137,7 +141,8 @@ static bool make_reader(Render *render)
     if (!view || is_target(view) || !render->set.unpack)
         return true;
     const LayoutRow *layout = set_layout(&render->set, &render->compile);
-    const ReaderSource source = {render->set.unpack, target_of(&render->set), layout, render->size[0], render->size[1]};
+    const ReaderSource source = {render->set.unpack, target_of(&render->set), layout,
+                                 render->size[0], render->size[1]};
     render->has_reader = reader_make(render->store, &source, &render->reader);
     return render->has_reader;
 }
@@ -166,12 +171,14 @@ static void look(Render *render)
 
 static bool make_set(Render *render, const Scene *scene)
 {
-    const SetUses uses = {shadow_casts(render), pass_voxels_needed(render) && transparency_has_lists(render->gl)};
+    const SetUses uses = {shadow_casts(render),
+                          pass_voxels_needed(render) && transparency_has_lists(render->gl)};
     render->compile.origin = scene_origin_used(scene);
     if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
     const LayoutRow *layout =
-        render->set.unpack ? set_layout(&render->set, &render->compile) : NULL; /* a sky alone has no surface */
+        /* a sky alone has no surface */
+        render->set.unpack ? set_layout(&render->set, &render->compile) : NULL;
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));
     surface_model_define(scene_models(scene), render->surface_lacks);
@@ -196,7 +203,8 @@ static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
     render->triangles = wants_triangles(render);
-    if (!scene->displaced || displaced_there(render->gl, scene->displaced_by) || scene_displace_patches(scene))
+    if (!scene->displaced || displaced_there(render->gl, scene->displaced_by) ||
+        scene_displace_patches(scene))
         return true;
     const char *why = scene_displace_fault(scene, &material);
     return gl_fail(render->gl, "the material '%s': its displacement %s",
@@ -221,8 +229,9 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
                      : facet_lights_write(render) ? EXACT_NUMBER_facets
                                                   : EXACT_NUMBER_none;
     const CacheSource source = frame_source(render);
-    return cache_make(render->store, &source, before, &render->cache) && shadow_make_views(render) &&
-           pass_exact_make(render) && frame_make(render) && make_reader(render);
+    return cache_make(render->store, &source, before, &render->cache) &&
+           shadow_make_views(render) && pass_exact_make(render) && frame_make(render) &&
+           make_reader(render);
 }
 
 static bool make_next(Render *render, const Scene *scene, Cache *before)
@@ -238,7 +247,8 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
     return true;
 }
 
-/* What the scene before was drawn with goes when all is there for the next: programs and pictures of both are not made again. */
+/* What the scene before was drawn with goes when all is there for the next: programs and pictures
+ * of both are not made again. */
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
@@ -263,7 +273,8 @@ static bool has_scene(const Render *render)
     return render->scene || gl_fail(render->gl, "there is no scene to change");
 }
 
-/* The scene's coordinates have another origin than when it was made: nothing that was made holds. */
+/* The scene's coordinates have another origin than when it was made: nothing that was made
+ * holds. */
 static bool origin_moved(const Render *render)
 {
     bool moved = false;
@@ -280,7 +291,8 @@ bool render_changed(Render *render, unsigned what)
         return render_changed_meshes(render);
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
-    if (what & (RENDER_CAMERA | RENDER_TIME) || (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
+    if (what & (RENDER_CAMERA | RENDER_TIME) ||
+        (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
         look(render);
         const CacheSource source = frame_source(render);
         if (!cache_view(render->gl, &source, &render->cache))
@@ -290,7 +302,8 @@ bool render_changed(Render *render, unsigned what)
         what |= render->cache.displaced_anew ? FRAME_SHAPES : 0;
         render->cache.displaced_anew = false;
     }
-    render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0; /* alpha-tested fragments may differ */
+    /* alpha-tested fragments may differ */
+    render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0;
     return frame_changed(render, what) && gl_check(render->gl, "changing a scene");
 }
 
@@ -304,8 +317,8 @@ bool render_changed_objects(Render *render, int first, int count)
     if (origin_moved(render))
         return render_changed_meshes(render);
     render->uncounted = true;
-    return cache_move(render->gl, &source, &render->cache, first, count) && frame_objects_moved(render, first, count) &&
-           gl_check(render->gl, "moving objects");
+    return cache_move(render->gl, &source, &render->cache, first, count) &&
+           frame_objects_moved(render, first, count) && gl_check(render->gl, "moving objects");
 }
 
 bool render_again(Render *render, const Scene *scene)
@@ -332,9 +345,13 @@ bool render_resize(Render *render, int width, int height)
     return gl_fail(render->gl, "%s", why);
 }
 
-bool render_changed_meshes(Render *render) { return has_scene(render) && render_again(render, render->scene); }
+bool render_changed_meshes(Render *render)
+{
+    return has_scene(render) && render_again(render, render->scene);
+}
 
-/* What changed may have more transparent fragments, or layers. Where lists would be too long, the scene is made again. */
+/* What changed may have more transparent fragments, or layers. Where lists would be too long, the
+ * scene is made again. */
 static bool recount(Render *render)
 {
     render->uncounted = false;
@@ -359,8 +376,9 @@ int render_lanes(const Render *render)
     if (!view || !strcmp(view, "shown") || !strcmp(view, "light") || voxels_view_level(view) >= 0 ||
         pass_positions_is_view(view))
         return 4;
-    const int lanes =
-        strcmp(view, "depth") && strcmp(view, "shadow") ? type_table[slot_table[render_find_slot(view)].type].lanes : 1;
+    const int lanes = strcmp(view, "depth") && strcmp(view, "shadow")
+                          ? type_table[slot_table[render_find_slot(view)].type].lanes
+                          : 1;
     return lanes == 2 ? 3 : lanes;
 }
 
@@ -375,5 +393,11 @@ void render_move(Render *render, int x, int y)
 
 int render_width(const Render *render) { return render->whole[0] / render->samples; }
 int render_height(const Render *render) { return render->whole[1] / render->samples; }
-int render_tile_width(const Render *render) { return (render->size[0] - 2 * render->margin) / render->samples; }
-int render_tile_height(const Render *render) { return (render->size[1] - 2 * render->margin) / render->samples; }
+int render_tile_width(const Render *render)
+{
+    return (render->size[0] - 2 * render->margin) / render->samples;
+}
+int render_tile_height(const Render *render)
+{
+    return (render->size[1] - 2 * render->margin) / render->samples;
+}

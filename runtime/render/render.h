@@ -1,4 +1,5 @@
-/* The renderer: scenes drawn with matc's programs, on a context that the caller made and that is current at every call.
+/* The renderer: scenes drawn with matc's programs, on a context that the caller made and that is
+ * current at every call.
  *
  *     Render *render = render_open(gl, &(RenderOptions){.compile = &options});
  *     if (render && render_scene(render, scene) && render_frame(render))
@@ -19,22 +20,28 @@ Render *render_open(GlContext *gl, const RenderOptions *options);
 /* With all that it made. NULL is nothing. */
 void render_close(Render *render);
 
-/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or the end. Further frames need no more.
- * Programs, pictures and meshes that the scene before had are not made again; what nobody needs any more goes. */
+/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or
+ * the end. Further frames need no more. Programs, pictures and meshes that the scene before had are
+ * not made again; what nobody needs any more goes. */
 bool render_scene(Render *render, const Scene *scene);
 /* Tells what was changed: a sum of RenderChange. */
 bool render_changed(Render *render, unsigned what);
 /* So many objects from `first` on have other matrices. */
 bool render_changed_objects(Render *render, int first, int count);
-/* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params stay as they were set. */
+/* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params
+ * stay as they were set. */
 bool render_changed_meshes(Render *render);
-/* The same, of the scene that was drawn, where making it anew has failed and it is as before again. */
+/* The same, of the scene that was drawn, where making it anew has failed and it is as before
+ * again. */
 bool render_again(Render *render, const Scene *scene);
-/* Draws pictures of so many pixels from now on; 0: as the scene says. False: the targets cannot be made, and all is as it was. */
+/* Draws pictures of so many pixels from now on; 0: as the scene says. False: the targets cannot be
+ * made, and all is as it was. */
 bool render_resize(Render *render, int width, int height);
-/* Sets a param of a material, by its place in scene->materials. False: none of its programs has a param of that name and so many lanes, 1 to 4. */
+/* Sets a param of a material, by its place in scene->materials. False: none of its programs has a
+ * param of that name and so many lanes, 1 to 4. */
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
-/* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was changed since the one before. */
+/* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was
+ * changed since the one before. */
 bool render_frame(Render *render);
 
 /* Of the picture, and of what is drawn at once. */
@@ -42,27 +49,32 @@ int render_width(const Render *render);
 int render_height(const Render *render);
 int render_tile_width(const Render *render);
 int render_tile_height(const Render *render);
-/* The next frame begins with that pixel of the picture, from its lower left corner; even numbers, so that pixels keep their neighbours in
- * a block of 2 x 2. What lies beyond the picture is drawn, too, and of no use. */
+/* The next frame begins with that pixel of the picture, from its lower left corner; even numbers,
+ * so that pixels keep their neighbours in a block of 2 x 2. What lies beyond the picture is drawn,
+ * too, and of no use. */
 void render_move(Render *render, int x, int y);
 /* Of the view: 4 where it is of light, 1 of depth, as the slot has it, and 3 where that has 2. */
 int render_lanes(const Render *render);
-/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light" linear, "depth" in the first lane. Of depth and of
- * slots the last lane is the share of the pixel where a surface is. */
+/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light"
+ * linear, "depth" in the first lane. Of depth and of slots the last lane is the share of the pixel
+ * where a surface is. */
 bool render_read(Render *render, float *rgba);
 
-/* Maps of depth as lights see them: how many there are, their edge in texels, and what one holds, row 0 at the bottom, as its method left it. 0 is where
- * nothing is; else near / distance, or, of parallel light, from 1 to 0.5 (shadow_views.h). There is a frame. */
+/* Maps of depth as lights see them: how many there are, their edge in texels, and what one holds,
+ * row 0 at the bottom, as its method left it. 0 is where nothing is; else near / distance, or, of
+ * parallel light, from 1 to 0.5 (shadow_views.h). There is a frame. */
 int render_map_count(const Render *render);
 int render_map_size(const Render *render);
 bool render_read_map(Render *render, int map, float *depths);
 
 /* The view is a slot that the scene's layout does not store: it is read as 0. */
 bool render_lacks_view(const Render *render);
-/* Warnings of the scene's programs, with their places; and that no object is in view. From malloc. */
+/* Warnings of the scene's programs, with their places; and that no object is in view. From
+ * malloc. */
 char *render_diagnostics(const Render *render);
 
-/* What a pass took, drawn once more: by the driver's clock where it has one (clock.h), else until it was finished; 0: it does not run. */
+/* What a pass took, drawn once more: by the driver's clock where it has one (clock.h), else until
+ * it was finished; 0: it does not run. */
 typedef struct {
     const char *name;
     double seconds;
@@ -74,8 +86,10 @@ int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 int render_pixel_bytes(const Render *render);
 int render_fragment_bytes(const Render *render);
 
-/* The passes: what each reads and writes, which run, and why not; targets, their bytes and which share memory. From malloc. */
+/* The passes: what each reads and writes, which run, and why not; targets, their bytes and which
+ * share memory. From malloc. */
 char *render_graph(const Render *render);
-/* The same with what a frame took, drawn once more pass by pass; programs, triangles, bytes. From malloc. NULL: see the context's error. */
+/* The same with what a frame took, drawn once more pass by pass; programs, triangles, bytes. From
+ * malloc. NULL: see the context's error. */
 char *render_stats(Render *render);
 #endif

@@ -1,4 +1,5 @@
-/* What lights are, as far as programs, maps and targets are made by it: a change of that makes them anew. */
+/* What lights are, as far as programs, maps and targets are made by it: a change of that makes them
+ * anew. */
 #include "runtime/render/passes.h"
 #include <stdlib.h>
 #include <string.h>
@@ -26,7 +27,8 @@ bool render_lights_kept(const Render *render)
     bool same = scene->light_count == render->kept_light_count;
     for (int i = 0; same && i < scene->light_count; i++) {
         const RenderLight now = light_of(&scene->lights[i]), kept = render->kept_lights[i];
-        same = now.kind == kept.kind && now.shadows == kept.shadows && now.both_sides == kept.both_sides;
+        same = now.kind == kept.kind && now.shadows == kept.shadows &&
+               now.both_sides == kept.both_sides;
     }
     return same;
 }

@@ -1,4 +1,5 @@
-/* Params of materials: set in what is drawn with, and kept, so that they are set again where that is made again. */
+/* Params of materials: set in what is drawn with, and kept, so that they are set again where that
+ * is made again. */
 #include "runtime/glass/glass_state.h"
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/radiance.h"
@@ -15,7 +16,8 @@ static bool set(Render *render, int material, const MaterialValue *value)
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
     indirect_forget(render);
-    indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness); /* alpha-tested fragments may differ */
+    /* alpha-tested fragments may differ */
+    indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness);
     return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
 
@@ -32,7 +34,8 @@ static bool keep(Render *render, int material, const MaterialValue *value)
 {
     RenderParam *param = find(render, material, value->name);
     if (!param) {
-        RenderParam *params = realloc(render->params, ((size_t)render->param_count + 1) * sizeof *params);
+        RenderParam *params =
+            realloc(render->params, ((size_t)render->param_count + 1) * sizeof *params);
         char *name = strdup(value->name);
         render->params = params ? params : render->params;
         if (!params || !name) {
@@ -56,7 +59,8 @@ bool render_param(Render *render, int material, const char *name, const float *l
     pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};
     if (!set(render, material, &value))
-        return gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name, count);
+        return gl_fail(render->gl, "no program of the material has a param '%s' of %d lanes", name,
+                       count);
     return keep(render, material, &value);
 }
 

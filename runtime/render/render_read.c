@@ -1,4 +1,5 @@
-/* What is read of a frame. The picture comes without samples; of any other view their mean is taken here. */
+/* What is read of a frame. The picture comes without samples; of any other view their mean is taken
+ * here. */
 #include "runtime/indirect/indirect.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/render/passes.h"
@@ -7,7 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *view_of(const Render *render) { return render->options.view ? render->options.view : "shown"; }
+static const char *view_of(const Render *render)
+{
+    return render->options.view ? render->options.view : "shown";
+}
 
 /* Into the first lane, if that is asked for; the last one says where a surface is. */
 static bool read_depth(Render *render, bool shown, float *rgba)
@@ -52,7 +56,8 @@ static bool read_samples(Render *render, float *rgba)
     if (pass_positions_is_view(view))
         return framebuffer_read(render->gl, &render->targets.draws[FRAME_DRAW_positions], 0, rgba);
     if (render->has_reader)
-        return reader_read(&render->reader, surface, render_find_slot(view), rgba) && read_depth(render, false, rgba);
+        return reader_read(&render->reader, surface, render_find_slot(view), rgba) &&
+               read_depth(render, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
     return true; /* of no surface */
 }
@@ -73,7 +78,8 @@ static void mean(const float *samples, int stride, int n, bool slot, float out[4
                 sum[lane] += slot && lane < 3 ? sample[3] * sample[lane] : sample[lane];
         }
     for (int lane = 0; lane < 4; lane++)
-        out[lane] = (float)(slot && lane < 3 ? sum[lane] / (sum[3] > 0 ? sum[3] : 1) : sum[lane] / (n * n));
+        out[lane] =
+            (float)(slot && lane < 3 ? sum[lane] / (sum[3] > 0 ? sum[3] : 1) : sum[lane] / (n * n));
 }
 
 static void reduce(const Render *render, const float *samples, float *rgba)
@@ -83,13 +89,14 @@ static void reduce(const Render *render, const float *samples, float *rgba)
     samples += 4 * ((size_t)margin * (size_t)stride + (size_t)margin);
     for (int y = 0; y < height; y++)
         for (int x = 0; x < width; x++)
-            mean(samples + 4 * ((size_t)y * (size_t)stride + (size_t)x) * (size_t)n, stride, n, render->has_reader,
-                 rgba + 4 * ((size_t)y * (size_t)width + (size_t)x));
+            mean(samples + 4 * ((size_t)y * (size_t)stride + (size_t)x) * (size_t)n, stride, n,
+                 render->has_reader, rgba + 4 * ((size_t)y * (size_t)width + (size_t)x));
 }
 
 static bool read_mean(Render *render, float *rgba)
 {
-    float *samples = malloc((size_t)render->size[0] * (size_t)render->size[1] * 4 * sizeof *samples);
+    float *samples =
+        malloc((size_t)render->size[0] * (size_t)render->size[1] * 4 * sizeof *samples);
     if (!samples)
         return gl_fail(render->gl, "out of memory");
     const bool done = read_samples(render, samples);
@@ -102,17 +109,23 @@ static bool read_mean(Render *render, float *rgba)
 bool render_read(Render *render, float *rgba)
 {
     const int margin = render->margin / render->samples;
-    const FramebufferPart part = {0, margin, margin, render_tile_width(render), render_tile_height(render)};
+    const FramebufferPart part = {0, margin, margin, render_tile_width(render),
+                                  render_tile_height(render)};
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to read");
     if (!gl_check(render->gl, "drawing a frame"))
         return false;
     if (!strcmp(view_of(render), "shown"))
-        return framebuffer_read_part(render->gl, &render->targets.draws[FRAME_DRAW_shown], &part, rgba);
-    return render->samples > 1 || render->margin ? read_mean(render, rgba) : read_samples(render, rgba);
+        return framebuffer_read_part(render->gl, &render->targets.draws[FRAME_DRAW_shown], &part,
+                                     rgba);
+    return render->samples > 1 || render->margin ? read_mean(render, rgba)
+                                                 : read_samples(render, rgba);
 }
 
-int render_map_count(const Render *render) { return render->shadows->maps ? render->shadows->views.count : 0; }
+int render_map_count(const Render *render)
+{
+    return render->shadows->maps ? render->shadows->views.count : 0;
+}
 int render_map_size(const Render *render) { return render->scene->shadow_size; }
 
 bool render_read_map(Render *render, int map, float *depths)

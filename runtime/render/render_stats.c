@@ -44,10 +44,12 @@ static void put_passes(Text *out, const Render *render, const RenderPassTime *ti
     FramePlanRows made;
     frame_request(render, &made);
     const FramePlanPass *rows = made.passes;
-    text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes", times ? "milliseconds" : "runs when");
+    text_format(out, "%-8s  %-22s  %-31s  %s\n", "pass", "reads", "writes",
+                times ? "milliseconds" : "runs when");
     for (int i = 0; i < frame_pass_count(); i++) {
         const char *why = frame_reason(render, &made.request, i);
-        text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name, joined(out->arena, rows[i].reads | rows[i].changes),
+        text_format(out, "%-8s  %-22s  %-31s  ", rows[i].name,
+                    joined(out->arena, rows[i].reads | rows[i].changes),
                     joined(out->arena, rows[i].fills | rows[i].changes));
         if (why)
             text_format(out, "not run: %s\n", why);
@@ -84,11 +86,12 @@ static void put_silhouettes(Text *out, const Render *render)
 {
     const Silhouettes *silhouettes = &render->shadows->silhouettes;
     const int size = render->scene->shadow_size, count = silhouette_layers(render);
-    text_format(
-        out,
-        "shadow    %d of them with crossings of silhouettes, RG8, %ld bytes; %ld to find them; %d edges, %lu bytes\n",
-        count, 2L * count * size * size, 2L * size * size * (long)sizeof(GLuint), silhouettes->edge_count,
-        (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
+    text_format(out,
+                "shadow    %d of them with crossings of silhouettes, RG8, %ld bytes; %ld to find "
+                "them; %d edges, %lu bytes\n",
+                count, 2L * count * size * size, 2L * size * size * (long)sizeof(GLuint),
+                silhouettes->edge_count,
+                (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
 }
 
 static void put_maps(Text *out, const Render *render)
@@ -116,7 +119,8 @@ static void put_exact(Text *out, const Render *render)
                 exact->cover.light_count, (unsigned long)(exact->cover.words * sizeof(GLuint)),
                 exact_cover_longest(&exact->cover));
     if (lack)
-        text_format(out, "exact     %d objects cast shadows by maps, as their transparency varies\n", lack);
+        text_format(
+            out, "exact     %d objects cast shadows by maps, as their transparency varies\n", lack);
 }
 
 /* "16, 8 shared" */
@@ -143,8 +147,9 @@ static int count_areas(const Render *render, bool soft)
 {
     int count = 0;
     for (int i = 0; i < render->scene->light_count; i++)
-        count += render->scene->lights[i].kind == SCENE_Area &&
-                 (soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows) == soft;
+        count +=
+            render->scene->lights[i].kind == SCENE_Area &&
+            (soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows) == soft;
     return count;
 }
 
@@ -176,12 +181,17 @@ static void put_unshadowed(Text *out, const Render *render)
     if (!shadow_is_cast(render))
         return;
     if (lacks_sheets(render))
-        text_put(out, "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
-    if (volume_lights_cast(render) && render->set.uses.casts != SET_CASTS_colored && is_transparent(render))
+        text_put(out,
+                 "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
+    if (volume_lights_cast(render) && render->set.uses.casts != SET_CASTS_colored &&
+        is_transparent(render))
         text_format(out, "shadow    what is transparent casts none in hybrid light%s\n",
-                    render->scene->shadow_colored ? ": it takes OpenGL 4.3" : ", as shadows are not colored");
-    if (render->cache.caster_count && render->scene->shadow_colored && render->set.uses.casts != SET_CASTS_colored)
-        text_put(out, "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
+                    render->scene->shadow_colored ? ": it takes OpenGL 4.3"
+                                                  : ", as shadows are not colored");
+    if (render->cache.caster_count && render->scene->shadow_colored &&
+        render->set.uses.casts != SET_CASTS_colored)
+        text_put(out,
+                 "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
 }
 
 /* What an area light's points do not see. */
@@ -190,7 +200,8 @@ static void put_soft(Text *out, const Render *render)
     const int points = render->scene->shadow_points, areas = count_areas(render, true);
     if (!areas)
         return;
-    text_format(out, "shadow    soft from %d area lights, by %d points of each\n", areas, points * points);
+    text_format(out, "shadow    soft from %d area lights, by %d points of each\n", areas,
+                points * points);
     if (shadow_sheet_needed(render) || lacks_sheets(render))
         text_put(out, "shadow    planes whose transparency varies cast none there\n");
     if (render->parted)
@@ -222,8 +233,8 @@ static void put_memory(Text *out, const Render *render)
     shadow_sheet_put(out, render);
     text_format(out, "%-8s  %-24s  %d\n", "", "", frame_all_bytes(render));
     if (render->samples > 1)
-        text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n", render->samples,
-                    render->samples);
+        text_format(out, "%d x %d samples a pixel: each has these bytes, and the picture one\n",
+                    render->samples, render->samples);
     displaced_stats_put(out, render);
     if (render->targets.plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
@@ -243,7 +254,8 @@ static void put_tiles(Text *out, const Render *render)
     const int tile[2] = {render_tile_width(render), render_tile_height(render)};
     if (tile[0] < whole[0] || tile[1] < whole[1])
         text_format(out, "\n%d tiles of %d x %d pixels: the times are of the last one\n",
-                    ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]), tile[0], tile[1]);
+                    ((whole[0] + tile[0] - 1) / tile[0]) * ((whole[1] + tile[1] - 1) / tile[1]),
+                    tile[0], tile[1]);
 }
 
 static char *finish(Text *out)
@@ -276,9 +288,11 @@ char *render_diagnostics(const Render *render)
         if (!strstr(out.at, said))
             text_put(&out, said);
     }
-    if (render->scene && render->cache.place_count && !render->cache.seen && !render->cache.plane_count)
+    if (render->scene && render->cache.place_count && !render->cache.seen &&
+        !render->cache.plane_count)
         diag_complain(&out, MATC_TEXT, SEVERITY_warning, NULL,
-                      "no object is in view: all lie beside the picture, behind the camera, or nearer than its `near`");
+                      "no object is in view: all lie beside the picture, behind the camera, or "
+                      "nearer than its `near`");
     return finish(&out);
 }
 
@@ -311,7 +325,8 @@ int render_pixel_bytes(const Render *render) { return frame_all_bytes(render); }
 
 int render_fragment_bytes(const Render *render)
 {
-    return render->glass->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set) : 0;
+    return render->glass->lists.buffer ? (int)sizeof(GLuint) * transparency_stride(&render->set)
+                                       : 0;
 }
 
 /* Lists are made once more, as when a light moves. */
@@ -336,9 +351,11 @@ char *render_stats(Render *render)
     put_tiles(&out, render);
     if (render->exact->corners)
         put_exact_time(&out, render);
-    text_format(&out, "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
-                render_width(render), render_height(render), render->scene->object_count, render->cache.triangles,
-                render->cache.mesh_count, render->cache.plane_count, render->scene->light_count);
+    text_format(&out,
+                "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
+                render_width(render), render_height(render), render->scene->object_count,
+                render->cache.triangles, render->cache.mesh_count, render->cache.plane_count,
+                render->scene->light_count);
     text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
                 render->scene->material_count, render->set.count, render->set.texts,
                 render->compute ? "compute" : "fragments");

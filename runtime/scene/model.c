@@ -1,5 +1,6 @@
-/* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process of its own, with an end to its time and
- * memory, and what comes back through a pipe is checked like the file itself. So a file that breaks the reader is a fault like others. */
+/* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process
+ * of its own, with an end to its time and memory, and what comes back through a pipe is checked
+ * like the file itself. So a file that breaks the reader is a fault like others. */
 #include "runtime/scene/model.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/root.h"
@@ -102,12 +103,15 @@ static _Noreturn void import_and_send(const ModelSource *source, int pipe)
     memcpy(head.names, parts.shape.names, sizeof head.names);
     bool sent = send_all(pipe, &head, sizeof head);
     if (sent && head.done)
-        sent = send_all(pipe, parts.shape.vertices, (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
-               send_all(pipe, parts.shape.indices, (size_t)head.index_count * sizeof *parts.shape.indices) &&
+        sent = send_all(pipe, parts.shape.vertices,
+                        (size_t)head.vertex_count * sizeof *parts.shape.vertices) &&
+               send_all(pipe, parts.shape.indices,
+                        (size_t)head.index_count * sizeof *parts.shape.indices) &&
                send_all(pipe, parts.runs, (size_t)head.run_count * sizeof *parts.runs);
     for (int i = 0; sent && head.done && i < SHAPE_EXTRAS; i++)
-        sent = !head.extras[i] ||
-               send_all(pipe, parts.shape.extra[i], (size_t)head.vertex_count * sizeof *parts.shape.extra[i]);
+        sent =
+            !head.extras[i] || send_all(pipe, parts.shape.extra[i],
+                                        (size_t)head.vertex_count * sizeof *parts.shape.extra[i]);
     _exit(sent ? 0 : BROKEN);
 }
 
@@ -135,7 +139,8 @@ static bool receive_extras(int pipe, const Head *head, Shape *shape)
         shape->extra[i] = calloc((size_t)head->vertex_count + 1, sizeof *shape->extra[i]);
         if (!shape->extra[i])
             memory_exhausted();
-        if (!receive_all(pipe, shape->extra[i], (size_t)head->vertex_count * sizeof *shape->extra[i]))
+        if (!receive_all(pipe, shape->extra[i],
+                         (size_t)head->vertex_count * sizeof *shape->extra[i]))
             return false;
         for (int k = 0; k < 4 * head->vertex_count; k++)
             if (!isfinite(shape->extra[i][k / 4][k % 4]))
@@ -162,10 +167,11 @@ static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
                      .index_count = head->index_count};
     if (!shape->vertices || !shape->indices || !*runs)
         memory_exhausted();
-    return receive_all(pipe, shape->vertices, (size_t)head->vertex_count * sizeof *shape->vertices) &&
+    return receive_all(pipe, shape->vertices,
+                       (size_t)head->vertex_count * sizeof *shape->vertices) &&
            receive_all(pipe, shape->indices, (size_t)head->index_count * sizeof *shape->indices) &&
-           receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) && are_whole(*runs, head) &&
-           receive_extras(pipe, head, shape);
+           receive_all(pipe, *runs, (size_t)head->run_count * sizeof **runs) &&
+           are_whole(*runs, head) && receive_extras(pipe, head, shape);
 }
 
 /* What comes of reading a file, and what it is read into. */
@@ -194,7 +200,8 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
         continue;
     if (!whole)
         return message_fail(to->error, to->room,
-                            "reading it took too much time or memory, or broke off: the file is damaged, or too large");
+                            "reading it took too much time or memory, or broke off: the file is "
+                            "damaged, or too large");
     return head->done || message_fail(to->error, to->room, "%s", head->error);
 }
 
@@ -236,7 +243,8 @@ static bool read_and_complete(const ModelSource *source, Complete *complete, Hea
     bool done = import_apart(source, head, to);
     if (done && endings[find_ending(source->path)].y_up)
         turn(&to->shape);
-    const char *fault = done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
+    const char *fault =
+        done ? complete(&to->shape, head->has_normals, head->has_coordinates) : NULL;
     if (fault)
         done = message_fail(to->error, to->room, "%s", fault);
     if (!done)
@@ -255,12 +263,14 @@ static bool read_whole(const ModelSource *source, Complete *complete, Shape *mad
 
 bool model_read(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_whole(&(ModelSource){.path = path}, model_complete, made, &(Import){.error = error, .room = room});
+    return read_whole(&(ModelSource){.path = path}, model_complete, made,
+                      &(Import){.error = error, .room = room});
 }
 
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room)
 {
-    return read_whole(&(ModelSource){.path = path}, model_complete_in_place, made, &(Import){.error = error, .room = room});
+    return read_whole(&(ModelSource){.path = path}, model_complete_in_place, made,
+                      &(Import){.error = error, .room = room});
 }
 
 static bool make_whole(const ModelSource *source, ModelPart **made, int *count, Import *to)
@@ -274,7 +284,8 @@ static bool make_whole(const ModelSource *source, ModelPart **made, int *count, 
     return true;
 }
 
-bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error, size_t room)
+bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,
+                       size_t room)
 {
     Head head = {0};
     Import import = {.error = error, .room = room};

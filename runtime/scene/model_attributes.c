@@ -1,4 +1,5 @@
-/* From `_WETNESS` to numbers. A file may be anybody's: each index, count and length is held against what is there. */
+/* From `_WETNESS` to numbers. A file may be anybody's: each index, count and length is held against
+ * what is there. */
 #include "runtime/scene/model_attributes.h"
 #include "compiler/base/root.h"
 #include "compiler/front/gltf_file.h"
@@ -12,7 +13,14 @@
 #include <unistd.h>
 
 /* glTF 2.0, section 3.6.2.2. */
-typedef enum { BYTE = 5120, UNSIGNED_BYTE, SHORT, UNSIGNED_SHORT, UNSIGNED_INT = 5125, FLOAT } Component;
+typedef enum {
+    BYTE = 5120,
+    UNSIGNED_BYTE,
+    SHORT,
+    UNSIGNED_SHORT,
+    UNSIGNED_INT = 5125,
+    FLOAT
+} Component;
 enum { LANES = 4, MOST_STRIDE = 252, PLACE = 96 };
 
 typedef struct {
@@ -32,12 +40,14 @@ typedef struct {
     int lanes;
     Component component;
     bool normalized;
-    const Tree *sparse; /* which vertices have other values than those, and which: section 3.6.2.3. NULL: none */
+    /* which vertices have other values than those, and which: section 3.6.2.3. NULL: none */
+    const Tree *sparse;
 } Accessor;
 
 static bool fail(const Reader *r, const char *name, const char *why)
 {
-    return message_fail(r->error, r->room, "%s/attributes/%.*s: %s", r->where, SHAPE_NAME, name, why);
+    return message_fail(r->error, r->room, "%s/attributes/%.*s: %s", r->where, SHAPE_NAME, name,
+                        why);
 }
 
 static bool is_text(const Tree *tree, const char *text)
@@ -97,7 +107,8 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     if (!made->lanes)
         return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
     if (!bytes_of(component) || component == UNSIGNED_INT) /* which attributes cannot have */
-        return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, 5126)";
+        return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, "
+               "5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
         return "its accessor has another count than that of POSITION";
     return find_bytes(r, accessor, count, made);
@@ -106,7 +117,8 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
 /* One number, little endian. Of the signed ones the least but one is -1. */
 static float number_at(const Accessor *a, const unsigned char *at)
 {
-    const unsigned word = a->component == SHORT || a->component == UNSIGNED_SHORT ? at[0] | (unsigned)at[1] << 8 : 0;
+    const unsigned word =
+        a->component == SHORT || a->component == UNSIGNED_SHORT ? at[0] | (unsigned)at[1] << 8 : 0;
     const float by = a->normalized ? 1 : 0;
     float value;
     switch (a->component) {
@@ -137,22 +149,27 @@ static void put_numbers(const Accessor *a, size_t count, float (*to)[LANES])
 }
 
 /* So many values of so many bytes, close together, of a part of a sparse accessor; NULL: `why`. */
-static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size_t size, const char **why)
+static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size_t size,
+                                         const char **why)
 {
     GltfBytes bytes;
     const size_t offset = gltf_file_whole(gltf_file_value(part, "byteOffset"), 0);
     if (!gltf_file_view(&r->place, gltf_file_value(part, "bufferView"), &bytes, why))
         return NULL;
     *why = "its sparse values end behind the end of their bufferView";
-    return offset > bytes.size || size > bytes.size - offset ? NULL : (const unsigned char *)bytes.at + offset;
+    return offset > bytes.size || size > bytes.size - offset
+               ? NULL
+               : (const unsigned char *)bytes.at + offset;
 }
 
 /* Values of some vertices, by their numbers. NULL, or what is wrong. */
-static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices, float (*to)[LANES])
+static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices,
+                              float (*to)[LANES])
 {
     const Tree *indices = gltf_file_value(a->sparse, "indices");
     const size_t count = gltf_file_whole(gltf_file_value(a->sparse, "count"), 0);
-    const size_t component = gltf_file_whole(gltf_file_value(indices, "componentType"), 0), wide = bytes_of(component);
+    const size_t component = gltf_file_whole(gltf_file_value(indices, "componentType"), 0),
+                 wide = bytes_of(component);
     const char *why = NULL;
     if (!count || count > vertices)
         return "its accessor has more sparse values than vertices, or none";
@@ -161,7 +178,9 @@ static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertice
     const unsigned char *number = sparse_bytes(r, indices, count * wide, &why);
     Accessor values = *a;
     values.stride = bytes_of(a->component) * (size_t)a->lanes;
-    values.at = number ? sparse_bytes(r, gltf_file_value(a->sparse, "values"), count * values.stride, &why) : NULL;
+    values.at =
+        number ? sparse_bytes(r, gltf_file_value(a->sparse, "values"), count * values.stride, &why)
+               : NULL;
     if (!values.at)
         return why;
     for (size_t i = 0; i < count; i++, number += wide, values.at += values.stride) {
@@ -180,7 +199,8 @@ static int place_of(Reader *r, const char *key)
 {
     char name[SHAPE_NAME] = "";
     for (size_t i = 0; i + 1 < SHAPE_NAME && key[i + 1]; i++)
-        name[i] = (char)(key[i + 1] >= 'A' && key[i + 1] <= 'Z' ? key[i + 1] - 'A' + 'a' : key[i + 1]);
+        name[i] =
+            (char)(key[i + 1] >= 'A' && key[i + 1] <= 'Z' ? key[i + 1] - 'A' + 'a' : key[i + 1]);
     int i = 0;
     while (i < SHAPE_NAMED && r->made->names[i][0] && strcmp(r->made->names[i], name) != 0)
         i++;
@@ -200,9 +220,12 @@ static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
     const char *why = find_accessor(r, member->value, primitive->vertex_count, &accessor);
     if (why)
         return fail(r, member->key, why);
-    primitive->values[place] = arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[LANES]));
+    primitive->values[place] =
+        arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[LANES]));
     put_numbers(&accessor, primitive->vertex_count, primitive->values[place]);
-    why = accessor.sparse ? put_sparse(r, &accessor, primitive->vertex_count, primitive->values[place]) : NULL;
+    why = accessor.sparse
+              ? put_sparse(r, &accessor, primitive->vertex_count, primitive->values[place])
+              : NULL;
     return !why || fail(r, member->key, why);
 }
 
@@ -215,19 +238,21 @@ static bool is_own(const Member *member)
 /* Room beside its texture coordinates, and its vertices. */
 static bool begin(Reader *r, const Tree *attributes, const char *name, ModelPrimitive *primitive)
 {
-    static const char *const sets[MODEL_COORDINATES] = {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2", "TEXCOORD_3",
-                                                        "TEXCOORD_4", "TEXCOORD_5", "TEXCOORD_6", "TEXCOORD_7"};
+    static const char *const sets[MODEL_COORDINATES] = {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2",
+                                                        "TEXCOORD_3", "TEXCOORD_4", "TEXCOORD_5",
+                                                        "TEXCOORD_6", "TEXCOORD_7"};
     int count = 0;
     while (count < MODEL_COORDINATES && tree_find(attributes, sets[count]))
         count++;
     if (count == MODEL_COORDINATES)
         return fail(r, name, "no room for it beside eight sets of texture coordinates");
-    const Tree *position =
-        gltf_file_item(r->root, "accessors", gltf_file_whole(gltf_file_value(attributes, "POSITION"), SIZE_MAX));
+    const Tree *position = gltf_file_item(
+        r->root, "accessors", gltf_file_whole(gltf_file_value(attributes, "POSITION"), SIZE_MAX));
     primitive->vertex_count = gltf_file_whole(gltf_file_value(position, "count"), 0);
     if (!primitive->vertex_count)
         return fail(r, name, "its primitive has no POSITION");
-    if (primitive->vertex_count > MODEL_VERTICES || (r->vertices += primitive->vertex_count) > MODEL_VERTICES)
+    if (primitive->vertex_count > MODEL_VERTICES ||
+        (r->vertices += primitive->vertex_count) > MODEL_VERTICES)
         return fail(r, name, "more vertices than are drawn");
     return true;
 }
@@ -238,11 +263,13 @@ static bool read_primitive(Reader *r, const Tree *attributes)
     const uint32_t count = attributes && attributes->kind == TREE_object ? attributes->count : 0;
     for (uint32_t i = 0; i < count; i++) {
         const Member *member = &attributes->members[i];
-        if (is_own(member) && ((!primitive.vertex_count && !begin(r, attributes, member->key, &primitive)) ||
-                               !read_one(r, member, &primitive)))
+        if (is_own(member) &&
+            ((!primitive.vertex_count && !begin(r, attributes, member->key, &primitive)) ||
+             !read_one(r, member, &primitive)))
             return false;
     }
-    ARENA_PUSH(r->place.session->arena, r->made->primitives, r->made->count, r->made->room, primitive);
+    ARENA_PUSH(r->place.session->arena, r->made->primitives, r->made->count, r->made->room,
+               primitive);
     return true;
 }
 
@@ -265,9 +292,10 @@ static char *read_file(void *user, const char *path, size_t *size, const char **
 {
     struct stat info;
     const int descriptor = root_open(user, path, why);
-    FILE *file = descriptor >= 0 && !fstat(descriptor, &info) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
-                     ? fdopen(descriptor, "rb")
-                     : NULL;
+    FILE *file =
+        descriptor >= 0 && !fstat(descriptor, &info) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
+            ? fdopen(descriptor, "rb")
+            : NULL;
     char *text = file ? malloc((size_t)info.st_size + 1) : NULL;
     *why = "no such file, or it is too large";
     if (text) {
@@ -293,7 +321,8 @@ static bool may_have(const ModelSource *source)
     return at + 1 < size;
 }
 
-bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made, char *error, size_t room)
+bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
+                           char *error, size_t room)
 {
     GltfFiles files = {0};
     MatcOptions options;
@@ -308,6 +337,7 @@ bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttribu
     Reader r = {.place = {&session, &files, path}, .made = made, .error = error, .room = room};
     r.root = gltf_file_root(&r.place, &why);
     if (!r.root)
-        return message_fail(error, room, "%s", session.diags.count ? session.diags.at[0].message : why);
+        return message_fail(error, room, "%s",
+                            session.diags.count ? session.diags.at[0].message : why);
     return read_meshes(&r);
 }

@@ -1,5 +1,6 @@
-/* Attributes of a glTF's meshes that have names of the author's: `"attributes": { "POSITION": 0, "_WETNESS": 1 }` is what a formula calls
- * attribute("wetness", float). Assimp passes them over, so they are read here, and go to its vertices by the number that each has:
+/* Attributes of a glTF's meshes that have names of the author's: `"attributes": { "POSITION": 0,
+ * "_WETNESS": 1 }` is what a formula calls attribute("wetness", float). Assimp passes them over, so
+ * they are read here, and go to its vertices by the number that each has:
  * model_number_vertices.c. */
 #ifndef MATC_SCENE_MODEL_ATTRIBUTES_H
 #define MATC_SCENE_MODEL_ATTRIBUTES_H
@@ -22,7 +23,9 @@ typedef struct {
     size_t count, room;
 } ModelAttributes;
 
-/* What a .gltf or .glb has of them; of other files nothing. Lanes that an accessor lacks are 0, 0, 0, 1; whole numbers are themselves, or
- * where they are `normalized` what glTF 2.0 says, section 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: *error says where. */
-bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made, char *error, size_t room);
+/* What a .gltf or .glb has of them; of other files nothing. Lanes that an accessor lacks are 0, 0,
+ * 0, 1; whole numbers are themselves, or where they are `normalized` what glTF 2.0 says, section
+ * 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: *error says where. */
+bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
+                           char *error, size_t room);
 #endif

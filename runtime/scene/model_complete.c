@@ -1,4 +1,5 @@
-/* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates, normals, tangents. */
+/* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates,
+ * normals, tangents. */
 #include "runtime/scene/model_sides.h"
 #include <math.h>
 #include <stdlib.h>
@@ -34,7 +35,10 @@ static void cross(const float a[3], const float b[3], float out[3])
         out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
 }
 
-static float dot(const float a[3], const float b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static float dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 /* False: it has no length, or is no number, and stays as it was. */
 static bool normalize(float v[3])
@@ -47,7 +51,8 @@ static bool normalize(float v[3])
     return true;
 }
 
-/* Into the unit sphere around the origin; gives the factor that takes it back to its size. 0: all its points are one. */
+/* Into the unit sphere around the origin; gives the factor that takes it back to its size. 0: all
+ * its points are one. */
 static float fit(Shape *shape)
 {
     float low[3], high[3];
@@ -63,7 +68,8 @@ static float fit(Shape *shape)
     const float half = sqrtf(dot(size, size)) / 2;
     for (int i = 0; i < shape->vertex_count && half > 0; i++)
         for (int k = 0; k < 3; k++)
-            shape->vertices[i].position[k] = (shape->vertices[i].position[k] - (low[k] / 2 + high[k] / 2)) / half;
+            shape->vertices[i].position[k] =
+                (shape->vertices[i].position[k] - (low[k] / 2 + high[k] / 2)) / half;
     return half;
 }
 
@@ -79,7 +85,8 @@ static void make_coordinates(Shape *shape)
     }
 }
 
-/* The mean of the faces that meet at a vertex, each by its area: the length of its edges' cross product. */
+/* The mean of the faces that meet at a vertex, each by its area: the length of its edges' cross
+ * product. */
 static void make_normals(Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++)
@@ -106,15 +113,18 @@ static void mend_normals(Shape *shape)
             memcpy(shape->vertices[i].normal, up, sizeof up);
 }
 
-/* Of a vertex: how many triangles gave it tangents; by how much more of their area those turn right around its normal than left. */
+/* Of a vertex: how many triangles gave it tangents; by how much more of their area those turn right
+ * around its normal than left. */
 typedef struct {
     int faces;
     float turn;
 } Tally;
 
-/* dP/du and dP/dv of a triangle, added to its corners. With edges a and b, and (s, t) and (p, q) their steps in u and v:
- *   a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D, D = s q - t p
- * Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu = a, Pv = b. */
+/* dP/du and dP/dv of a triangle, added to its corners. With edges a and b, and (s, t) and (p, q)
+ * their steps in u and v:
+ *   a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D, D = s q - t
+ * p Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu =
+ * a, Pv = b. */
 static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
 {
     float a[3], b[3], out[3];
@@ -137,8 +147,8 @@ static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
     }
 }
 
-/* Their mean, in the plane of the normal. What has no direction there, or turns the other way than its triangles, as it may around a pole,
- * becomes the frame that goes on from the normal. */
+/* Their mean, in the plane of the normal. What has no direction there, or turns the other way than
+ * its triangles, as it may around a pole, becomes the frame that goes on from the normal. */
 static void mend_tangents(ShapeVertex *vertex, const Tally *tally)
 {
     const float *n = vertex->normal, side = tally->turn < 0 ? -1 : 1;
@@ -191,8 +201,10 @@ static bool are_finite(const Shape *shape)
     return true;
 }
 
-/* `kept`: NULL, or a row for each vertex and as many again; a vertex that becomes two has its row twice. */
-static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size, float (*kept)[3])
+/* `kept`: NULL, or a row for each vertex and as many again; a vertex that becomes two has its row
+ * twice. */
+static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size,
+                            float (*kept)[3])
 {
     const char *fault = find_fault(shape);
     if (fault)
@@ -216,7 +228,8 @@ const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
     return complete(shape, has_normals, has_coordinates, &size, NULL);
 }
 
-/* What is computed of a mesh is computed at the size of one: whether an area is small is then a question with an answer. */
+/* What is computed of a mesh is computed at the size of one: whether an area is small is then a
+ * question with an answer. */
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
 {
     float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);

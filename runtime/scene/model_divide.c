@@ -1,6 +1,8 @@
-/* Triangles of one material after those of another: each part gets the vertices that its triangles have.
+/* Triangles of one material after those of another: each part gets the vertices that its triangles
+ * have.
  *
- *     runs (material 1: 3 indices) (0: 6) (1: 3)     part 0: the second and the third triangle; part 1: the first and the fourth */
+ *     runs (material 1: 3 indices) (0: 6) (1: 3) part 0: the second and the third triangle; part 1:
+ *     the first and the fourth */
 #include "runtime/scene/model_divide.h"
 #include <stdlib.h>
 #include <string.h>
@@ -33,10 +35,12 @@ static int list_parts(const ModelRun *runs, int run_count, ModelPart *parts)
 }
 
 /* Each part's triangles, with indices of the whole. */
-static bool take_indices(const Shape *shape, const ModelRun *runs, int run_count, ModelPart *parts, int count)
+static bool take_indices(const Shape *shape, const ModelRun *runs, int run_count, ModelPart *parts,
+                         int count)
 {
     for (int i = 0; i < count; i++) {
-        parts[i].shape.indices = malloc((size_t)parts[i].shape.index_count * sizeof *shape->indices + 1);
+        parts[i].shape.indices =
+            malloc((size_t)parts[i].shape.index_count * sizeof *shape->indices + 1);
         if (!parts[i].shape.indices)
             return false;
         parts[i].shape.index_count = 0;
@@ -50,7 +54,8 @@ static bool take_indices(const Shape *shape, const ModelRun *runs, int run_count
     return true;
 }
 
-/* Vertices in the order in which they are met. Numbers in `place` up to `taken` are those of parts before. */
+/* Vertices in the order in which they are met. Numbers in `place` up to `taken` are those of parts
+ * before. */
 static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, Shape *own)
 {
     for (int i = 0; i < own->index_count; i++)
@@ -73,7 +78,8 @@ static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, S
     return room;
 }
 
-bool model_divide(const Shape *shape, const ModelRun *runs, int run_count, ModelPart **made, int *count)
+bool model_divide(const Shape *shape, const ModelRun *runs, int run_count, ModelPart **made,
+                  int *count)
 {
     ModelPart *parts = calloc((size_t)run_count + 1, sizeof *parts);
     uint32_t *place = calloc((size_t)shape->vertex_count + 1, sizeof *place), taken = 0;

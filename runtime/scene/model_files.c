@@ -1,5 +1,6 @@
-/* The buffers of a .gltf or .glb file, whose addresses are relative to it. Data within the file, places of the net and whatever is wrong are
- * passed over: reading the mesh says what is wrong. An address is taken as it is, %20 too, as assimp 5.2 takes it. */
+/* The buffers of a .gltf or .glb file, whose addresses are relative to it. Data within the file,
+ * places of the net and whatever is wrong are passed over: reading the mesh says what is wrong. An
+ * address is taken as it is, %20 too, as assimp 5.2 takes it. */
 #include "compiler/base/file.h"
 #include "compiler/base/text.h"
 #include "compiler/front/gltf_chunks.h"

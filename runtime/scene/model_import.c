@@ -13,8 +13,9 @@ bool model_import(const ModelSource *source, ModelParts *parts, char *error, siz
 {
     (void)source;
     *parts = (ModelParts){0};
-    return message_fail(error, room,
-                        "this matview was built without assimp (Debian: libassimp-dev), which reads meshes");
+    return message_fail(
+        error, room,
+        "this matview was built without assimp (Debian: libassimp-dev), which reads meshes");
 }
 #else
 #include <assimp/cimport.h>
@@ -22,9 +23,10 @@ bool model_import(const ModelSource *source, ModelParts *parts, char *error, siz
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-/* Vertices are joined by model_join.c: assimp 5.2 hashes their positions alone, and takes quadratic time for many in one place. */
-static const unsigned steps =
-    aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
+/* Vertices are joined by model_join.c: assimp 5.2 hashes their positions alone, and takes quadratic
+ * time for many in one place. */
+static const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType |
+                              aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
 
 /* Where vertices come from. */
 typedef struct {
@@ -34,7 +36,10 @@ typedef struct {
 } Origin;
 
 /* Points and lines have no surface. */
-static bool has_triangles(const struct aiMesh *mesh) { return mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE; }
+static bool has_triangles(const struct aiMesh *mesh)
+{
+    return mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE;
+}
 
 static void count(const struct aiScene *scene, size_t *vertices, size_t *indices)
 {
@@ -53,7 +58,8 @@ static void put(float to[3], const struct aiVector3D *from)
     to[0] = from->x + 0.f, to[1] = from->y + 0.f, to[2] = from->z + 0.f;
 }
 
-/* The set of texture coordinates that is numbers of vertices: the one of three (model_number_vertices.c); -1: it has none. */
+/* The set of texture coordinates that is numbers of vertices: the one of three
+ * (model_number_vertices.c); -1: it has none. */
 static int numbers_of(const struct aiMesh *mesh)
 {
     int i = MODEL_COORDINATES - 1;
@@ -62,9 +68,13 @@ static int numbers_of(const struct aiMesh *mesh)
     return i;
 }
 
-static bool has_set(const struct aiMesh *mesh, int set) { return mesh->mTextureCoords[set] && numbers_of(mesh) != set; }
+static bool has_set(const struct aiMesh *mesh, int set)
+{
+    return mesh->mTextureCoords[set] && numbers_of(mesh) != set;
+}
 
-/* The primitive that a vertex came from, and which of its vertices it is; NULL: none that has attributes of the author's. */
+/* The primitive that a vertex came from, and which of its vertices it is; NULL: none that has
+ * attributes of the author's. */
 static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t *vertex)
 {
     if (from->numbers < 0)
@@ -78,8 +88,8 @@ static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t
 }
 
 /* Which extras the meshes have; those that lack one that others have are white, or have 0. */
-static bool make_extras(const struct aiScene *scene, const ModelAttributes *attributes, size_t vertices,
-                        ModelParts *parts)
+static bool make_extras(const struct aiScene *scene, const ModelAttributes *attributes,
+                        size_t vertices, ModelParts *parts)
 {
     bool has[SHAPE_EXTRAS] = {0};
     for (unsigned m = 0; m < scene->mNumMeshes; m++) {
@@ -90,7 +100,8 @@ static bool make_extras(const struct aiScene *scene, const ModelAttributes *attr
     for (int i = 0; i < SHAPE_NAMED; i++)
         has[SHAPE_EXTRA_named + i] = attributes->names[i][0];
     for (int i = 0; i < SHAPE_EXTRAS; i++)
-        if (has[i] && !(parts->shape.extra[i] = calloc(vertices + 1, sizeof *parts->shape.extra[i])))
+        if (has[i] &&
+            !(parts->shape.extra[i] = calloc(vertices + 1, sizeof *parts->shape.extra[i])))
             return false;
     memcpy(parts->shape.names, attributes->names, sizeof attributes->names);
     return true;
@@ -104,7 +115,9 @@ static void put_extras(const Origin *from, unsigned i, Shape *shape)
     const int to = shape->vertex_count;
     size_t vertex = 0;
     if (color)
-        memcpy(color[to], from->mesh->mColors[0] ? (const float *)&from->mesh->mColors[0][i] : white, sizeof *color);
+        memcpy(color[to],
+               from->mesh->mColors[0] ? (const float *)&from->mesh->mColors[0][i] : white,
+               sizeof *color);
     if (uv1 && has_set(from->mesh, 1)) {
         uv1[to][0] = from->mesh->mTextureCoords[1][i].x;
         uv1[to][1] = from->mesh->mTextureCoords[1][i].y;
@@ -138,7 +151,8 @@ static bool add_vertex(const Origin *from, unsigned i, ModelJoin *join)
     return model_join_add(join, i);
 }
 
-static bool add_vertices(const struct aiMesh *mesh, const ModelAttributes *attributes, ModelJoin *join)
+static bool add_vertices(const struct aiMesh *mesh, const ModelAttributes *attributes,
+                         ModelJoin *join)
 {
     const Origin from = {mesh, attributes, numbers_of(mesh)};
     for (unsigned i = 0; i < mesh->mNumVertices; i++)
@@ -157,12 +171,13 @@ static int material_of(const struct aiScene *scene, const struct aiMesh *mesh)
     return model_material_number(name.data);
 }
 
-static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttributes *attributes, ModelParts *parts)
+static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttributes *attributes,
+                     ModelParts *parts)
 {
     ModelJoin join;
     const int before = parts->shape.index_count;
-    const bool joined =
-        model_join_open(&join, &parts->shape, mesh->mNumVertices) && add_vertices(mesh, attributes, &join);
+    const bool joined = model_join_open(&join, &parts->shape, mesh->mNumVertices) &&
+                        add_vertices(mesh, attributes, &join);
     for (unsigned f = 0; joined && f < mesh->mNumFaces; f++)
         for (unsigned k = 0; k < 3 && mesh->mFaces[f].mNumIndices == 3; k++) {
             /* one that is out of range stays so: the parts are checked */
@@ -179,12 +194,13 @@ static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttribu
 
 static bool fail_many(size_t vertices, size_t indices, char *error, size_t room)
 {
-    return message_fail(error, room, "it has %zu vertices and %zu triangles; at most %d and %d are drawn", vertices,
-                        indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
+    return message_fail(error, room,
+                        "it has %zu vertices and %zu triangles; at most %d and %d are drawn",
+                        vertices, indices / 3, MODEL_VERTICES, MODEL_INDICES / 3);
 }
 
-static bool take(const struct aiScene *scene, const ModelAttributes *attributes, ModelParts *parts, char *error,
-                 size_t room)
+static bool take(const struct aiScene *scene, const ModelAttributes *attributes, ModelParts *parts,
+                 char *error, size_t room)
 {
     size_t vertices, indices;
     count(scene, &vertices, &indices);
@@ -195,12 +211,14 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
     parts->shape.vertices = calloc(most + 1, sizeof *parts->shape.vertices);
     parts->shape.indices = calloc(indices + 1, sizeof *parts->shape.indices);
     parts->runs = calloc((size_t)scene->mNumMeshes + 1, sizeof *parts->runs);
-    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs || !make_extras(scene, attributes, most, parts))
+    if (!parts->shape.vertices || !parts->shape.indices || !parts->runs ||
+        !make_extras(scene, attributes, most, parts))
         return message_fail(error, room, "out of memory");
     bool fits = true;
     for (unsigned m = 0; fits && m < scene->mNumMeshes; m++)
         if (has_triangles(scene->mMeshes[m]))
-            fits = add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), attributes, parts);
+            fits = add_mesh(scene->mMeshes[m], material_of(scene, scene->mMeshes[m]), attributes,
+                            parts);
     return fits || fail_many(vertices, indices, error, room);
 }
 
@@ -208,7 +226,9 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
 static const char *said(void)
 {
     const char *text = aiGetErrorString();
-    return strcmp(text, "std::bad_alloc") ? text : "reading it takes too much memory: it is damaged, or too large";
+    return strcmp(text, "std::bad_alloc")
+               ? text
+               : "reading it takes too much memory: it is damaged, or too large";
 }
 
 bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room)

@@ -1,4 +1,5 @@
-/* The part of a mesh's reading that is not ours: assimp's, which has to run where it can do no harm. */
+/* The part of a mesh's reading that is not ours: assimp's, which has to run where it can do no
+ * harm. */
 #ifndef MATC_VIEW_MODEL_IMPORT_H
 #define MATC_VIEW_MODEL_IMPORT_H
 #include "runtime/scene/model.h"

@@ -5,8 +5,9 @@
 
 bool model_join_open(ModelJoin *join, Shape *shape, unsigned corners)
 {
-    *join = (ModelJoin){
-        .shape = shape, .first = shape->vertex_count, .joined = malloc(((size_t)corners + 1) * sizeof *join->joined)};
+    *join = (ModelJoin){.shape = shape,
+                        .first = shape->vertex_count,
+                        .joined = malloc(((size_t)corners + 1) * sizeof *join->joined)};
     return join->joined != NULL;
 }
 
@@ -21,7 +22,8 @@ static uint32_t hash_of(const Shape *shape, int vertex)
     Key key = key_of_bytes(&shape->vertices[vertex], sizeof *shape->vertices);
     for (int i = 0; i < SHAPE_EXTRAS; i++)
         if (shape->extra[i]) {
-            const Key parts[] = {key, key_of_bytes(shape->extra[i][vertex], sizeof *shape->extra[i])};
+            const Key parts[] = {key,
+                                 key_of_bytes(shape->extra[i][vertex], sizeof *shape->extra[i])};
             key = key_of_bytes(parts, sizeof parts);
         }
     return (uint32_t)key.low;
@@ -31,7 +33,8 @@ static bool equal(const Shape *shape, int a, int b)
 {
     bool same = !memcmp(&shape->vertices[a], &shape->vertices[b], sizeof *shape->vertices);
     for (int i = 0; same && i < SHAPE_EXTRAS; i++)
-        same = !shape->extra[i] || !memcmp(shape->extra[i][a], shape->extra[i][b], sizeof *shape->extra[i]);
+        same = !shape->extra[i] ||
+               !memcmp(shape->extra[i][a], shape->extra[i][b], sizeof *shape->extra[i]);
     return same;
 }
 

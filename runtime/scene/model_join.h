@@ -1,4 +1,5 @@
-/* Joins equal vertices of a mesh: those that agree in position, normal, coordinates and extras, bit for bit. */
+/* Joins equal vertices of a mesh: those that agree in position, normal, coordinates and extras, bit
+ * for bit. */
 #ifndef MATC_SCENE_MODEL_JOIN_H
 #define MATC_SCENE_MODEL_JOIN_H
 #include "compiler/base/hash_index.h"
@@ -15,7 +16,8 @@ typedef struct {
 
 /* False: out of memory; close it all the same. */
 bool model_join_open(ModelJoin *join, Shape *shape, unsigned corners);
-/* Finds the vertex behind the last among those of this mesh, or adds it. False: the shape has MODEL_VERTICES already. */
+/* Finds the vertex behind the last among those of this mesh, or adds it. False: the shape has
+ * MODEL_VERTICES already. */
 bool model_join_add(ModelJoin *join, unsigned corner);
 void model_join_close(ModelJoin *join);
 #endif

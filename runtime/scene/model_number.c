@@ -1,6 +1,8 @@
-/* A glTF's materials by numbers. Assimp counts materials as it meets them, and tells of each its name alone: names may be missing, or two the same. So
- * it is given the file with the materials' numbers for names.
- *     "materials": [{ "name": "Bark" }, {}]     becomes     "materials": [{ "name": "0" }, { "name": "1" }] */
+/* A glTF's materials by numbers. Assimp counts materials as it meets them, and tells of each its
+ * name alone: names may be missing, or two the same. So it is given the file with the materials'
+ * numbers for names.
+ *     "materials": [{ "name": "Bark" }, {}]     becomes     "materials": [{ "name": "0" }, {
+ * "name": "1" }] */
 #include "runtime/scene/model_number.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/names.h"
@@ -25,15 +27,18 @@ static int first_alike(Arena *arena, Names *files, const cJSON *buffer, int numb
     return names_add(arena, files, key.at);
 }
 
-/* Assimp reads a buffer when a view of it is met: views of buffers that are one file are of the first of them.
- *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }]     becomes     "bufferViews": [{ "buffer": 0 }] */
+/* Assimp reads a buffer when a view of it is met: views of buffers that are one file are of the
+ * first of them.
+ *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }] becomes
+ * "bufferViews": [{ "buffer": 0 }] */
 static bool join_buffers(cJSON *json)
 {
     Arena arena = {0};
     Names files = {0};
     const cJSON *buffers = cJSON_GetObjectItemCaseSensitive(json, "buffers"), *buffer;
     int *first = arena_alloc(&arena, ((size_t)cJSON_GetArraySize(buffers) + 1) * sizeof *first),
-        *of_file = arena_alloc(&arena, ((size_t)cJSON_GetArraySize(buffers) + 1) * sizeof *of_file), count = 0;
+        *of_file = arena_alloc(&arena, ((size_t)cJSON_GetArraySize(buffers) + 1) * sizeof *of_file),
+        count = 0;
     bool joined = false;
     cJSON_ArrayForEach(buffer, buffers)
     {
@@ -88,7 +93,9 @@ char *model_number_binary(const char *bytes, size_t size, size_t *made)
     enum { HEAD = 20, ROUND = 4 };
     Arena arena = {0};
     GltfChunks chunks;
-    char *text = gltf_chunks_of(&arena, bytes, size, &chunks) ? NULL : model_number_text(chunks.text, chunks.size);
+    char *text = gltf_chunks_of(&arena, bytes, size, &chunks)
+                     ? NULL
+                     : model_number_text(chunks.text, chunks.size);
     arena_free(&arena);
     if (!text)
         return NULL;
@@ -113,5 +120,6 @@ int model_material_number(const char *name)
 {
     char *end;
     const long number = strtol(name, &end, 10);
-    return end > name && !*end && number >= 0 && number < MODEL_NO_MATERIAL ? (int)number : MODEL_NO_MATERIAL;
+    return end > name && !*end && number >= 0 && number < MODEL_NO_MATERIAL ? (int)number
+                                                                            : MODEL_NO_MATERIAL;
 }

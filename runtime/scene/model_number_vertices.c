@@ -1,7 +1,9 @@
-/* A glTF's vertices by numbers. Assimp joins, copies and leaves out vertices, and tells of none which it was; so each primitive with attributes that assimp does
- * not know has one more set of texture coordinates, of three numbers, as none has else: (the vertex, 0, the
- * primitive, from 1 on: where all of these are 0, assimp takes them for two numbers).
- *     "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2 }     becomes     { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2, "TEXCOORD_1": 3 } */
+/* A glTF's vertices by numbers. Assimp joins, copies and leaves out vertices, and tells of none
+ * which it was; so each primitive with attributes that assimp does not know has one more set of
+ * texture coordinates, of three numbers, as none has else: (the vertex, 0, the primitive, from 1
+ * on: where all of these are 0, assimp takes them for two numbers).
+ *     "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2 }     becomes     { "POSITION":
+ * 0, "TEXCOORD_0": 1, "_WETNESS": 2, "TEXCOORD_1": 3 } */
 #include "runtime/scene/model_attributes.h"
 #include "compiler/base/memory.h"
 #include "runtime/scene/model_number.h"
@@ -26,7 +28,8 @@ typedef struct {
 static bool has_own(const cJSON *attributes)
 {
     const cJSON *item;
-    cJSON_ArrayForEach(item, attributes) if (item->string && item->string[0] == '_' && item->string[1]) return true;
+    cJSON_ArrayForEach(item, attributes) if (item->string && item->string[0] == '_' &&
+                                             item->string[1]) return true;
     return false;
 }
 
@@ -51,14 +54,16 @@ static void number_primitive(Numbers *n, cJSON *attributes, int primitive)
     int sets = 0;
     const cJSON *index = cJSON_GetObjectItemCaseSensitive(attributes, "POSITION");
     const double place = cJSON_IsNumber(index) ? index->valuedouble : -1;
-    const cJSON *position = place >= 0 && place < n->accessor_count ? n->accessors[(int)place] : NULL;
+    const cJSON *position =
+        place >= 0 && place < n->accessor_count ? n->accessors[(int)place] : NULL;
     const cJSON *count = cJSON_GetObjectItemCaseSensitive(position, "count");
     do
         snprintf(name, sizeof name, "TEXCOORD_%d", sets);
     while (cJSON_GetObjectItemCaseSensitive(attributes, name) && ++sets < MODEL_COORDINATES);
-    const size_t vertices = cJSON_IsNumber(count) && count->valuedouble >= 1 && count->valuedouble <= MODEL_VERTICES
-                                ? (size_t)count->valuedouble
-                                : 0;
+    const size_t vertices =
+        cJSON_IsNumber(count) && count->valuedouble >= 1 && count->valuedouble <= MODEL_VERTICES
+            ? (size_t)count->valuedouble
+            : 0;
     if (!vertices || sets == MODEL_COORDINATES || vertices > MODEL_VERTICES - n->count)
         return;
     cJSON *accessor = cJSON_CreateObject();
@@ -72,7 +77,8 @@ static void number_primitive(Numbers *n, cJSON *attributes, int primitive)
     cJSON_AddNumberToObject(attributes, name, n->accessor_count + n->added++);
 }
 
-/* The numbers as base64 (RFC 4648), from malloc. A row has 12 bytes, which are 16 letters without a rest. */
+/* The numbers as base64 (RFC 4648), from malloc. A row has 12 bytes, which are 16 letters without a
+ * rest. */
 static char *make_uri(const Numbers *n)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -112,7 +118,8 @@ static bool number_meshes(Numbers *n, const cJSON *meshes)
     int count = 0, number = 0;
     cJSON_ArrayForEach(accessor, n->list) n->accessors[count++] = accessor;
     n->accessor_count = count;
-    cJSON_ArrayForEach(mesh, meshes) cJSON_ArrayForEach(primitive, cJSON_GetObjectItemCaseSensitive(mesh, "primitives"))
+    cJSON_ArrayForEach(mesh, meshes)
+        cJSON_ArrayForEach(primitive, cJSON_GetObjectItemCaseSensitive(mesh, "primitives"))
     {
         cJSON *attributes = cJSON_GetObjectItemCaseSensitive(primitive, "attributes");
         if (has_own(attributes))

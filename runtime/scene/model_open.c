@@ -41,8 +41,10 @@ static size_t size_of(struct aiFile *opened) { return ((ModelFile *)opened)->siz
 
 static enum aiReturn seek(struct aiFile *opened, size_t offset, enum aiOrigin origin)
 {
-    static const int whence[] = {[aiOrigin_SET] = SEEK_SET, [aiOrigin_CUR] = SEEK_CUR, [aiOrigin_END] = SEEK_END};
-    return fseeko(file_of(opened), (off_t)offset, whence[origin]) ? aiReturn_FAILURE : aiReturn_SUCCESS;
+    static const int whence[] = {
+        [aiOrigin_SET] = SEEK_SET, [aiOrigin_CUR] = SEEK_CUR, [aiOrigin_END] = SEEK_END};
+    return fseeko(file_of(opened), (off_t)offset, whence[origin]) ? aiReturn_FAILURE
+                                                                  : aiReturn_SUCCESS;
 }
 
 /* Without waiting for a pipe's other end. NULL: it is no file, or too large. */
@@ -89,7 +91,8 @@ static struct aiFile *open_model_file(struct aiFileIO *files, const char *path, 
     ModelFile *opened = calloc(1, sizeof *opened);
     if (!opened)
         memory_exhausted();
-    opened->calls = (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
+    opened->calls =
+        (struct aiFile){read_some, write_nothing, tell, size_of, seek, flush_nothing, NULL};
     opened->file = open_file(files->UserData, path, &opened->size);
     if (opened->file) {
         const char *dot = strrchr(path, '.');

@@ -1,7 +1,9 @@
-/* Texture coordinates may run mirrored over a part of a mesh, as where one half of a picture serves both halves of a face, or where those that are
- * made up turn back. Tangents turn left around the normal there and right elsewhere, and the mean of both is none: a vertex where triangles of both
+/* Texture coordinates may run mirrored over a part of a mesh, as where one half of a picture serves
+ * both halves of a face, or where those that are made up turn back. Tangents turn left around the
+ * normal there and right elsewhere, and the mean of both is none: a vertex where triangles of both
  * meet becomes two, as at any other seam.
- *     u = |x| on the squares left and right of x = 0: dP/du is (-1, 0, 0) left of it, (1, 0, 0) right of it, and never their mean */
+ *     u = |x| on the squares left and right of x = 0: dP/du is (-1, 0, 0) left of it, (1, 0, 0)
+ *     right of it, and never their mean */
 #include "runtime/scene/model_sides.h"
 #include <math.h>
 #include <stdlib.h>
@@ -19,7 +21,8 @@ float model_area(const float a[2], const float b[2], const float c[2])
 static int turn_of(const Shape *shape, const uint32_t index[3])
 {
     const ShapeVertex *vertices = shape->vertices;
-    const float area = model_area(vertices[index[0]].uv, vertices[index[1]].uv, vertices[index[2]].uv);
+    const float area =
+        model_area(vertices[index[0]].uv, vertices[index[1]].uv, vertices[index[2]].uv);
     return area > 0 ? TO_RIGHT : area < 0 ? TO_LEFT : 0;
 }
 
@@ -34,8 +37,10 @@ static int find_turns(const Shape *shape, unsigned char *turns)
     return both;
 }
 
-/* Appends the doubles; per vertex, which one triangles that turn left have. `kept` has as many rows as there may be vertices. */
-static void append_doubles(Shape *shape, const unsigned char *turns, uint32_t *left, float (*kept)[3])
+/* Appends the doubles; per vertex, which one triangles that turn left have. `kept` has as many rows
+ * as there may be vertices. */
+static void append_doubles(Shape *shape, const unsigned char *turns, uint32_t *left,
+                           float (*kept)[3])
 {
     const int count = shape->vertex_count;
     for (int i = 0; i < count; i++) {
@@ -55,7 +60,8 @@ static bool part(Shape *shape, unsigned char *turns, uint32_t *left, float (*kep
     const int both = find_turns(shape, turns);
     if (!both)
         return true;
-    ShapeVertex *vertices = realloc(shape->vertices, (size_t)(shape->vertex_count + both) * sizeof *vertices);
+    ShapeVertex *vertices =
+        realloc(shape->vertices, (size_t)(shape->vertex_count + both) * sizeof *vertices);
     if (!vertices)
         return false;
     shape->vertices = vertices;

@@ -1,5 +1,6 @@
-/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all numbers in double, in the world's axes, and
- * positions relative to Scene.origin (scene_origin.h), which is 0 unless the scene lies far from there. */
+/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all
+ * numbers in double, in the world's axes, and positions relative to Scene.origin (scene_origin.h),
+ * which is 0 unless the scene lies far from there. */
 #ifndef MATC_SCENE_H
 #define MATC_SCENE_H
 #include "compiler/base/hash.h"
@@ -9,9 +10,12 @@
 
 enum {
     SCENE_OBJECTS =
-        1 << 20, /* objects and groups that a scene may have, those that an alias repeats counted each time */
-    SCENE_TRIANGLES = 1 << 26, /* of meshes that differ: some 40 bytes each, and as much again for the driver */
-    SCENE_PLANES = 256,        /* infinite planes: each is asked at every pixel */
+        /* objects and groups that a scene may have, those that an alias repeats counted each
+         * time */
+    1 << 20,
+    /* of meshes that differ: some 40 bytes each, and as much again for the driver */
+    SCENE_TRIANGLES = 1 << 26,
+    SCENE_PLANES = 256, /* infinite planes: each is asked at every pixel */
     SCENE_NUMBERS = 6,
     SCENE_PLACE = 1024 /* bytes of a place as text, longer names of files being cut */
 };
@@ -31,21 +35,28 @@ typedef struct {
 typedef struct {
     const char *path;
     Shape shape;
-    int part;                     /* the file's material whose triangles these are; -1: all triangles of the file */
-    struct ScenePatches *patches; /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
-    double steps[2];              /* of a volume (scene_volume.h), in the world; 0: it is none */
+    /* the file's material whose triangles these are; -1: all triangles of the file */
+    int part;
+    /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
+    struct ScenePatches *patches;
+    double steps[2]; /* of a volume (scene_volume.h), in the world; 0: it is none */
 } SceneMesh;
 
 typedef struct {
     SceneKind kind; /* of the sort object: a solid, a Plane or a Mesh */
     double numbers
-        [SCENE_NUMBERS]; /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram: u, v */
-    int mesh;            /* of a Mesh: in Scene.meshes */
-    int material;        /* in Scene.materials */
-    bool adapts;         /* its detail is not given, and goes by the picture where a scene is large: scene_detail.h */
-    const char *name;    /* with those of its groups, "lamps/bulb"; NULL: it has none */
-    bool removed;        /* by a host: hidden for good, and its place is free for another */
-    bool hidden;         /* it is neither drawn nor casts shadows; the renderer is to be told by render_changed_meshes() */
+        /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram:
+         * u, v */
+        [SCENE_NUMBERS];
+    int mesh;     /* of a Mesh: in Scene.meshes */
+    int material; /* in Scene.materials */
+    /* its detail is not given, and goes by the picture where a scene is large: scene_detail.h */
+    bool adapts;
+    const char *name; /* with those of its groups, "lamps/bulb"; NULL: it has none */
+    bool removed;     /* by a host: hidden for good, and its place is free for another */
+    /* it is neither drawn nor casts shadows; the renderer is to be told by
+     * render_changed_meshes() */
+    bool hidden;
     SceneMatrix world_from_local;
 } SceneObject;
 
@@ -59,15 +70,18 @@ typedef struct {
     double edges[2][3];                /* of an Area: u, v */
     bool both_sides;                   /* of an Area */
     const char *name;                  /* NULL: it has none */
-    Word shadows;                      /* how objects cast shadows in its light: WORD_Shadows_none, ... */
+    /* how objects cast shadows in its light: WORD_Shadows_none, ... */
+    Word shadows;
 } SceneLight;
 
 typedef struct {
     SceneKind kind; /* Perspective or Orthographic */
     double position[3];
-    double target[3], upright[3];    /* a point that it looks at; what is up as far as it can be */
-    double right[3], up[3], back[3]; /* of these; unit vectors at right angles: it looks along -back */
-    double half;  /* of the shorter side of the picture: as a tangent, or, orthographic, as a length */
+    double target[3], upright[3]; /* a point that it looks at; what is up as far as it can be */
+    /* of these; unit vectors at right angles: it looks along -back */
+    double right[3], up[3], back[3];
+    /* of the shorter side of the picture: as a tangent, or, orthographic, as a length */
+    double half;
     double near;  /* Perspective: the nearest that is seen */
     double depth; /* Orthographic: the farthest */
 } SceneCamera;
@@ -93,25 +107,30 @@ typedef struct {
 
 /* What some methods of displacement go by. */
 typedef struct {
-    Word skirts; /* WORD_Skirts_auto, ... */
-    Word symbol; /* of points: WORD_Symbol_square, ... */
+    Word skirts;   /* WORD_Skirts_auto, ... */
+    Word symbol;   /* of points: WORD_Symbol_square, ... */
     double spread; /* of points: how far those of a triangle go to its middle */
-    double near, detail; /* of feedback: triangles are divided while distance - near < detail * area */
-    double push, bulge;  /* hard bodies become rounder: displace_point.glsl */
-    int steps;           /* of feedback: passes; 0: by the number of triangles */
+    /* of feedback: triangles are divided while distance - near < detail * area */
+    double near, detail;
+    double push, bulge; /* hard bodies become rounder: displace_point.glsl */
+    int steps;          /* of feedback: passes; 0: by the number of triangles */
 } SceneDividing;
 
 /* Of `indirect:`, as scene.def says. */
 typedef struct {
-    Word method;                      /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
-    int rays, samples, steps;         /* no rays: the scene was not read, and has no indirect light */
-    int history;                      /* frames that count */
-    double error;                     /* of openness, at which samples are enough; 0: all are taken */
+    /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
+    Word method;
+    /* no rays: the scene was not read, and has no indirect light */
+    int rays, samples, steps;
+    int history; /* frames that count */
+    /* of openness, at which samples are enough; 0: all are taken */
+    double error;
     double radius, offset, thickness; /* 0: to be found */
     double contrast;
     Word weight, distribution, sequence, rotation, march, filter;
-    int filter_size, coarse; /* pixels; of the picture, along an edge of one for which rays go out */
-    int moving;              /* the same while something moves */
+    /* pixels; of the picture, along an edge of one for which rays go out */
+    int filter_size, coarse;
+    int moving; /* the same while something moves */
     bool jitter, checked, directional, dims_direct;
     int bounces;
     double gain;
@@ -142,38 +161,43 @@ typedef struct Scene {
     int material_count;
     SceneMesh *meshes;
     int mesh_count;
-    int sky;             /* in materials, or -1 */
-    double sky_light[3]; /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
-    SceneKind tone;      /* of the sort toneMapping */
-    double exposure;     /* a factor; 1 where the kind has none */
+    int sky; /* in materials, or -1 */
+    /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
+    double sky_light[3];
+    SceneKind tone;         /* of the sort toneMapping */
+    double exposure;        /* a factor; 1 where the kind has none */
     double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias; Shoulder: knee */
-    bool tiles, glow;       /* where nothing is seen; with both, tiles are seen through glass alone */
-    int shadow_size;        /* texels of a shadow map's edge */
-    int shadow_filter;      /* texels over which a shadow's edge is spread; 0: none */
-    int shadow_cascades;    /* maps of a directional light */
-    int shadow_points;      /* of an Area, along each edge: each has a map */
-    Word shadow_volume;     /* of hybrid shadows: WORD_Volume_plain, ... */
-    Word shadow_path;       /* how its vertices come to their depths: WORD_Path_auto, ... */
-    double shadow_offset;   /* texels, of a blurred volume */
-    bool shadow_stretched;  /* its outermost texels lie at the map's edge */
-    bool shadow_colored;    /* what is transparent colours the light that goes through it */
-    int displaced;          /* objects whose meshes were displaced: scene_displace.c */
+    /* where nothing is seen; with both, tiles are seen through glass alone */
+    bool tiles, glow;
+    int shadow_size;       /* texels of a shadow map's edge */
+    int shadow_filter;     /* texels over which a shadow's edge is spread; 0: none */
+    int shadow_cascades;   /* maps of a directional light */
+    int shadow_points;     /* of an Area, along each edge: each has a map */
+    Word shadow_volume;    /* of hybrid shadows: WORD_Volume_plain, ... */
+    Word shadow_path;      /* how its vertices come to their depths: WORD_Path_auto, ... */
+    double shadow_offset;  /* texels, of a blurred volume */
+    bool shadow_stretched; /* its outermost texels lie at the map's edge */
+    bool shadow_colored;   /* what is transparent colours the light that goes through it */
+    int displaced;         /* objects whose meshes were displaced: scene_displace.c */
     SceneDisplacer *displacer;
-    Word displaced_by;       /* how: WORD_Displacing_mesh, ... */
-    double displaced_pixels; /* by bisection: that an error may have in the picture; 0: it is not looked at */
+    Word displaced_by; /* how: WORD_Displacing_mesh, ... */
+    /* by bisection: that an error may have in the picture; 0: it is not looked at */
+    double displaced_pixels;
     int displaced_level;     /* parts of an edge; 0: by the next */
     int displaced_triangles; /* to about how many such a mesh is divided, at least */
     SceneDividing dividing;
-    int voxel_size;          /* voxels along an edge of the whole: a power of two */
+    int voxel_size; /* voxels along an edge of the whole: a power of two */
     SceneIndirect indirect;
     SceneTools tools;
     MatcDocument **documents; /* further files of materials */
     int document_count;
 } Scene;
 
-/* Reads a document as matc_read does. If it has keys of a scene, *scene is the scene, or NULL where there are faults; they are among the
- * document's diagnostics. *scene is NULL for a document of materials alone. The scene goes before the document. */
-MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **scene);
+/* Reads a document as matc_read does. If it has keys of a scene, *scene is the scene, or NULL where
+ * there are faults; they are among the document's diagnostics. *scene is NULL for a document of
+ * materials alone. The scene goes before the document. */
+MatcDocument *scene_read(const char *name, const char *text, size_t size,
+                         const MatcOptions *options, Scene **scene);
 /* NULL is nothing. */
 void scene_free(Scene *scene);
 /* A method of the list Shadows by its name. False: there is none of it. */
@@ -188,10 +212,14 @@ void scene_lights_shadow(Scene *scene, Word method);
 bool scene_indirect_is(const Scene *scene); /* it has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
-/* The random number that materials know the object of that index by: objectRandom of formulas. In [0, 1), in steps of 2^-24: of object 0 .8833, from the generator
- * of Scatter, seeded by the index. scene_scatter.c */
+/* The random number that materials know the object of that index by: objectRandom of formulas. In
+ * [0, 1), in steps of 2^-24: of object 0 .8833, from the generator of Scatter, seeded by the index.
+ * scene_scatter.c */
 float scene_object_random(int object);
-static inline bool scene_light_casts(const SceneLight *light) { return light->shadows != WORD_Shadows_none; }
+static inline bool scene_light_casts(const SceneLight *light)
+{
+    return light->shadows != WORD_Shadows_none;
+}
 /* Some light does. */
 bool scene_casts(const Scene *scene);
 /* It can have shadows by a method of the list Shadows. */
@@ -201,8 +229,9 @@ unsigned scene_models(const Scene *scene);
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 
-/* What a change is to meshes: nothing; they go by it, and are what they were; objects have others, which whoever draws the scene takes by drawing it as a new
- * one; or those could not be made, and objects have what they had. scene_displace.c */
+/* What a change is to meshes: nothing; they go by it, and are what they were; objects have others,
+ * which whoever draws the scene takes by drawing it as a new one; or those could not be made, and
+ * objects have what they had. scene_displace.c */
 typedef enum {
     SCENE_DISPLACED_none,
     SCENE_DISPLACED_same,
@@ -212,17 +241,20 @@ typedef enum {
 /* So many objects from `first` on have other matrices. */
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 /* A param of a material has another value. */
-SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count);
+SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
+                                    const double *lanes, int count);
 /* All are divided by another method of the list Displacing. */
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
 /* The word, if it is the name of such a method; else NULL. */
 const char *scene_displace_name(Word word);
 /* Detail that goes by the picture (scene_detail.h) goes by one of another size. scene_displace.c */
 SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
-/* Whoever draws the scene cannot displace patches, or something wants their triangles: they become meshes that are divided alike, and so do those of later changes.
- * False: see scene_displace_fault. */
+/* Whoever draws the scene cannot displace patches, or something wants their triangles: they become
+ * meshes that are divided alike, and so do those of later changes. False: see
+ * scene_displace_fault. */
 bool scene_displace_patches(const Scene *scene);
-/* A material's params have the values that were set, in its document, until this is called once more. */
+/* A material's params have the values that were set, in its document, until this is called once
+ * more. */
 void scene_displace_params(const Scene *scene, int material);
 /* Why none could be made, and of which material. */
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
@@ -231,10 +263,12 @@ const char *scene_displace_fault(const Scene *scene, const SceneMaterial **mater
 typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
 SceneAim scene_camera_aim(SceneCamera *camera);
 
-/* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene has a motion. False: it has no direction. */
+/* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene
+ * has a motion. False: it has no direction. */
 bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);
 
-/* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has its own. */
+/* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has
+ * its own. */
 bool scene_solid(const SceneObject *object, Shape *made);
 /* Objects with one key have the same ones, those of a file too. */
 Key scene_solid_key(const SceneObject *object);

@@ -1,9 +1,10 @@
-/* The camera's foot on the light's plane is a u + b v from its corner. Lines of one a are sqrt(det / v.v) apart
- * for each 1 of a, det = u.u v.v - (u.v)^2, so that a strip of a certain width around the foot is known in a,
- * and likewise in b.
+/* The camera's foot on the light's plane is a u + b v from its corner. Lines of one a are sqrt(det
+ * / v.v) apart for each 1 of a, det = u.u v.v - (u.v)^2, so that a strip of a certain width around
+ * the foot is known in a, and likewise in b.
  *
- *     u = [1e9, 0, 0], v = [0, 1e9, 0] from [-5e8, -5e8, 10], a camera at [0, -6, 2] that looks 6 away: the plane is
- *     8 away, the foot at a = 0.5, b = 0.499999994, and the part 80,000 to each side, a from 0.49992 to 0.50008 */
+ *     u = [1e9, 0, 0], v = [0, 1e9, 0] from [-5e8, -5e8, 10], a camera at [0, -6, 2] that looks 6
+ *     away: the plane is 8 away, the foot at a = 0.5, b = 0.499999994, and the part 80,000 to each
+ *     side, a from 0.49992 to 0.50008 */
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -18,14 +19,16 @@ static double reach_of(const SceneCamera *camera, double height)
     for (int i = 0; i < 3; i++)
         way[i] = camera->position[i] - camera->target[i];
     const double away = sqrt(scene_vector_dot(way, way));
-    const double scale = fmax(fabs(height), camera->kind == SCENE_Orthographic ? fmax(away, camera->half) : away);
+    const double scale =
+        fmax(fabs(height), camera->kind == SCENE_Orthographic ? fmax(away, camera->half) : away);
     return SCENE_AREA_REACH * scale;
 }
 
 static void find_foot(const SceneCamera *camera, const SceneLight *light, Along along[2])
 {
     const double *u = light->edges[0], *v = light->edges[1];
-    const double uu = scene_vector_dot(u, u), uv = scene_vector_dot(u, v), vv = scene_vector_dot(v, v);
+    const double uu = scene_vector_dot(u, u), uv = scene_vector_dot(u, v),
+                 vv = scene_vector_dot(v, v);
     const double det = uu * vv - uv * uv;
     double from[3], normal[3];
     for (int i = 0; i < 3; i++)
@@ -46,7 +49,8 @@ bool scene_area_cut(const SceneCamera *camera, const SceneLight *light, SceneLig
     find_foot(camera, light, along);
     for (int edge = 0; edge < 2; edge++) {
         const double middle = fmin(fmax(along[edge].at, 0), 1);
-        const double low = fmax(middle - along[edge].width, 0), high = fmin(middle + along[edge].width, 1);
+        const double low = fmax(middle - along[edge].width, 0),
+                     high = fmin(middle + along[edge].width, 1);
         if (!(low > 0 || high < 1))
             continue;
         is_part = true;
@@ -63,6 +67,7 @@ bool scene_area_cuts(const Scene *scene)
     SceneLight cut;
     bool cuts = false;
     for (int i = 0; !cuts && i < scene->light_count; i++)
-        cuts = scene->lights[i].kind == SCENE_Area && scene_area_cut(&scene->camera, &scene->lights[i], &cut);
+        cuts = scene->lights[i].kind == SCENE_Area &&
+               scene_area_cut(&scene->camera, &scene->lights[i], &cut);
     return cuts;
 }

@@ -1,17 +1,23 @@
-/* Newest-vertex bisection over half-edges. A triangle (a, b, c) is divided at the middle m of its edge a b into (c, a, m) and (b, c, m), whose first edges, c a and
- * b c, are bisected next. All triangles at an edge are divided together, as soon as it is the first edge of all of them; where it is not, those are divided before
- * at theirs. So no point lies within an edge, ever.
+/* Newest-vertex bisection over half-edges. A triangle (a, b, c) is divided at the middle m of its
+ * edge a b into (c, a, m) and (b, c, m), whose first edges, c a and b c, are bisected next. All
+ * triangles at an edge are divided together, as soon as it is the first edge of all of them; where
+ * it is not, those are divided before at theirs. So no point lies within an edge, ever.
  *
- * That ends: among triangles of the shape the first edge is the longest, so that whoever has to be divided before has a longer one; and a triangle that a bisection
- * made has a first edge that is older than its others, so that whoever has to be divided before has an older one still.
+ * That ends: among triangles of the shape the first edge is the longest, so that whoever has to be
+ * divided before has a longer one; and a triangle that a bisection made has a first edge that is
+ * older than its others, so that whoever has to be divided before has an older one still.
  *
- *     a square of two triangles, whose diagonal is the longest edge of both: both are divided there, and there are four; each of these has a side of the square as
- *     its first edge, and is divided alone: eight, whose first edges are the halves of the diagonals, which two share again
+ *     a square of two triangles, whose diagonal is the longest edge of both: both are divided
+ *     there, and there are four; each of these has a side of the square as its first edge, and is
+ *     divided alone: eight, whose first edges are the halves of the diagonals, which two share
+ *     again
  *
- * A point is known by its weights among the corners of the shape's triangle that it lies in, which are whole numbers: so either side of an edge computes the same
- * point, and the surface is that of any other division.
- * Source: Mitchell, A comparison of adaptive refinement techniques for elliptic problems, 1989; half-edges as in Benyoub and Dupuy, Concurrent binary trees for
- * large-scale game components, 2024, whose trees begin with three triangles for each of the shape's instead. */
+ * A point is known by its weights among the corners of the shape's triangle that it lies in, which
+ * are whole numbers: so either side of an edge computes the same point, and the surface is that of
+ * any other division.
+ * Source: Mitchell, A comparison of adaptive refinement techniques for elliptic problems, 1989;
+ * half-edges as in Benyoub and Dupuy, Concurrent binary trees for large-scale game components,
+ * 2024, whose trees begin with three triangles for each of the shape's instead. */
 #include "runtime/scene/scene_bisection.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_divide.h"
@@ -44,7 +50,8 @@ static bool add_vertex(SceneBisection *b, const ShapeVertex *vertex, uint32_t pl
     if (place == b->place_count)
         return add_place(b, number);
     for (int lane = 0; lane < 3; lane++)
-        if (memcmp(vertex->normal, b->vertices[b->places[place].first].normal, sizeof vertex->normal) != 0)
+        if (memcmp(vertex->normal, b->vertices[b->places[place].first].normal,
+                   sizeof vertex->normal) != 0)
             b->places[place].normal[lane] += vertex->normal[lane];
     return true;
 }
@@ -54,7 +61,8 @@ static bool add_vertices(SceneBisection *b)
     int *first = scene_places(b->shape);
     bool fine = first != NULL;
     for (int i = 0; fine && i < b->shape->vertex_count; i++)
-        fine = add_vertex(b, &b->shape->vertices[i], first[i] == i ? (uint32_t)b->place_count : b->place_of[first[i]]);
+        fine = add_vertex(b, &b->shape->vertices[i],
+                          first[i] == i ? (uint32_t)b->place_count : b->place_of[first[i]]);
     free(first);
     return fine;
 }
@@ -81,7 +89,8 @@ static void join(SceneBisection *b, uint32_t edge, uint32_t other)
 }
 
 /* An edge of what was a triangle has another number. */
-static void renumber(SceneBisection *b, const SceneBisectionTriangle *was, int edge, uint32_t from, uint32_t to)
+static void renumber(SceneBisection *b, const SceneBisectionTriangle *was, int edge, uint32_t from,
+                     uint32_t to)
 {
     const bool is_alone = was->across[edge] == from;
     link(b, is_alone ? to : was->behind[edge], to);
@@ -101,12 +110,14 @@ static double length_of(const SceneBisection *b, const uint32_t vertex[2])
 static bool is_longer(const SceneBisection *b, const uint32_t x[2], const uint32_t y[2])
 {
     const double by_x = length_of(b, x), by_y = length_of(b, y);
-    const uint32_t ends[2][2] = {{b->place_of[x[0]], b->place_of[x[1]]}, {b->place_of[y[0]], b->place_of[y[1]]}};
+    const uint32_t ends[2][2] = {{b->place_of[x[0]], b->place_of[x[1]]},
+                                 {b->place_of[y[0]], b->place_of[y[1]]}};
     const uint32_t least[2] = {ends[0][0] < ends[0][1] ? ends[0][0] : ends[0][1],
                                ends[1][0] < ends[1][1] ? ends[1][0] : ends[1][1]};
     if (by_x != by_y)
         return by_x > by_y;
-    return least[0] != least[1] ? least[0] < least[1] : ends[0][0] + ends[0][1] < ends[1][0] + ends[1][1];
+    return least[0] != least[1] ? least[0] < least[1]
+                                : ends[0][0] + ends[0][1] < ends[1][0] + ends[1][1];
 }
 
 static bool add_triangle(SceneBisection *b, int base)
@@ -141,7 +152,8 @@ static void find_rings(SceneBisection *b)
 {
     HashIndex index = {0};
     for (uint32_t edge = 0; edge < 3 * b->count; edge++) {
-        const uint32_t from = place_at(b, edge, 0), to = place_at(b, edge, 1), hash = hash_of(from, to);
+        const uint32_t from = place_at(b, edge, 0), to = place_at(b, edge, 1),
+                       hash = hash_of(from, to);
         HashProbe probe = hash_probe(&index, hash);
         bool known = false;
         while (!known && hash_probe_next(&probe)) {
@@ -184,7 +196,10 @@ void scene_bisection_end(SceneBisection *b)
 
 /* -- bisection */
 
-enum { ALIKE = 4 /* of a ring, so many edges before are asked for the same vertices; a ring of more shares fewer */ };
+enum {
+    ALIKE = 4 /* of a ring, so many edges before are asked for the same vertices; a ring of more
+                 shares fewer */
+};
 
 static bool same_ends(const SceneBisectionTriangle *x, const SceneBisectionTriangle *y)
 {
@@ -192,8 +207,10 @@ static bool same_ends(const SceneBisectionTriangle *x, const SceneBisectionTrian
            (x->vertex[0] == y->vertex[1] && x->vertex[1] == y->vertex[0]);
 }
 
-/* The vertex in the middle of the first edge of the i-th triangle of the ring; `middle` has those of the others. UINT32_MAX: memory ran out. */
-static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place, const uint32_t middle[ALIKE])
+/* The vertex in the middle of the first edge of the i-th triangle of the ring; `middle` has those
+ * of the others. UINT32_MAX: memory ran out. */
+static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place,
+                              const uint32_t middle[ALIKE])
 {
     const SceneBisectionTriangle *t = &b->triangles[b->ring[i] / 3];
     int weights[3];
@@ -202,7 +219,8 @@ static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place, const
             return middle[k % ALIKE];
     for (int k = 0; k < 3; k++)
         weights[k] = (t->weights[0][k] + t->weights[1][k]) / 2;
-    const ShapeVertex vertex = scene_divide_point(b->shape, t->base, weights, SCENE_BISECTION_PARTS);
+    const ShapeVertex vertex =
+        scene_divide_point(b->shape, t->base, weights, SCENE_BISECTION_PARTS);
     return add_vertex(b, &vertex, place) ? (uint32_t)b->vertex_count - 1 : UINT32_MAX;
 }
 
@@ -229,7 +247,8 @@ static void divide(SceneBisection *b, uint32_t triangle, uint32_t middle)
     link(b, 3 * made + 1, 3 * triangle + 2);
 }
 
-/* The halves of an edge that was divided: those at either end of it are in a ring. ring: triangle, and the one that it made, by turns. */
+/* The halves of an edge that was divided: those at either end of it are in a ring. ring: triangle,
+ * and the one that it made, by turns. */
 static void link_halves(SceneBisection *b, size_t count)
 {
     uint32_t last[2] = {UINT32_MAX, UINT32_MAX}, end = UINT32_MAX;

@@ -1,5 +1,6 @@
-/* Triangles go along a curve that fills their base triangle: digits of the weights of their middle, by turns (Morton, 1966), so that those that follow each other
- * share vertices, which come in the order of their first use. */
+/* Triangles go along a curve that fills their base triangle: digits of the weights of their middle,
+ * by turns (Morton, 1966), so that those that follow each other share vertices, which come in the
+ * order of their first use. */
 #include "runtime/scene/scene_bisection.h"
 #include <math.h>
 #include <stdlib.h>
@@ -14,8 +15,8 @@ typedef struct {
 /* Bits of x to the even places. */
 static uint64_t spread(uint64_t x)
 {
-    static const uint64_t masks[] = {0x0000FFFF0000FFFF, 0x00FF00FF00FF00FF, 0x0F0F0F0F0F0F0F0F, 0x3333333333333333,
-                                     0x5555555555555555};
+    static const uint64_t masks[] = {0x0000FFFF0000FFFF, 0x00FF00FF00FF00FF, 0x0F0F0F0F0F0F0F0F,
+                                     0x3333333333333333, 0x5555555555555555};
     for (int i = 0; i < 5; i++)
         x = (x | x << (16 >> i)) & masks[i];
     return x;
@@ -95,7 +96,8 @@ static double base_area(const SceneBisection *b, int base)
             e[i][lane] = (double)b->shape->vertices[index[i + 1]].position[lane] -
                          b->shape->vertices[index[0]].position[lane];
     for (int i = 0; i < 3; i++) {
-        const double x = e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
+        const double x =
+            e[0][(i + 1) % 3] * e[1][(i + 2) % 3] - e[0][(i + 2) % 3] * e[1][(i + 1) % 3];
         sum += x * x;
     }
     return sqrt(sum) / 2;
@@ -105,5 +107,7 @@ double scene_bisection_area(const SceneBisection *b, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &b->triangles[triangle];
     const double parts = SCENE_BISECTION_PARTS;
-    return base_area(b, t->base) * fabs(scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2])) / (parts * parts);
+    return base_area(b, t->base) *
+           fabs(scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2])) /
+           (parts * parts);
 }

@@ -16,7 +16,8 @@ SceneAim scene_camera_aim(SceneCamera *camera)
     const bool looks = scene_vector_normalize(camera->back);
     const bool upright = scene_vector_normalize(up);
     scene_vector_cross(up, camera->back, camera->right);
-    const bool stands = scene_vector_dot(camera->right, camera->right) > 1e-18 && scene_vector_normalize(camera->right);
+    const bool stands = scene_vector_dot(camera->right, camera->right) > 1e-18 &&
+                        scene_vector_normalize(camera->right);
     scene_vector_cross(camera->back, camera->right, camera->up);
     return !looks ? SCENE_AIM_view : upright && stands ? SCENE_AIM_fine : SCENE_AIM_up;
 }
@@ -28,16 +29,21 @@ static void look(SceneReader *r, const SceneThing *thing, const int params[3], S
     scene_thing_vector(thing, params[2], camera->upright);
     const SceneAim aim = scene_camera_aim(camera);
     if (aim == SCENE_AIM_view)
-        diag_add(r->session, scene_thing_span(thing, params[1]), DIAG_no_direction, "the way from position to target");
+        diag_add(r->session, scene_thing_span(thing, params[1]), DIAG_no_direction,
+                 "the way from position to target");
     else if (aim == SCENE_AIM_up)
-        diag_add(r->session, scene_thing_span(thing, params[2]), DIAG_no_direction, "up, seen along the view,");
+        diag_add(r->session, scene_thing_span(thing, params[2]), DIAG_no_direction,
+                 "up, seen along the view,");
     r->fine &= aim == SCENE_AIM_fine;
 }
 
-/* How far behind the camera's own plane the parallel through a corner of the picture meets a plane. */
-static double behind(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane, int corner)
+/* How far behind the camera's own plane the parallel through a corner of the picture meets a
+ * plane. */
+static double behind(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane,
+                     int corner)
 {
-    const double shorter = scene->width < scene->height ? scene->width : scene->height, *m = plane->m;
+    const double shorter = scene->width < scene->height ? scene->width : scene->height,
+                 *m = plane->m;
     const double right = (corner & 1 ? 1 : -1) * camera->half * scene->width / shorter;
     const double up = (corner & 2 ? 1 : -1) * camera->half * scene->height / shorter;
     double normal[3], from[3];
@@ -49,7 +55,8 @@ static double behind(const Scene *scene, const SceneCamera *camera, const SceneM
     return fabs(facing) > 1e-6 ? scene_vector_dot(normal, from) / facing : -INFINITY;
 }
 
-bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane)
+bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera,
+                             const SceneMatrix *plane)
 {
     for (int corner = 0; camera->kind == SCENE_Orthographic && corner < 4; corner++)
         if (behind(scene, camera, plane, corner) > 0)
@@ -67,11 +74,14 @@ void scene_camera_read(SceneReader *r, Tree *tree)
         return;
     camera->kind = thing.kind;
     if (thing.kind == SCENE_Perspective) {
-        look(r, &thing, (const int[]){S_Perspective_position, S_Perspective_target, S_Perspective_up}, camera);
+        look(r, &thing,
+             (const int[]){S_Perspective_position, S_Perspective_target, S_Perspective_up}, camera);
         camera->half = tan(scene_thing_number(&thing, S_Perspective_angle) / 2 * RADIANS);
         camera->near = scene_thing_number(&thing, S_Perspective_near);
     } else {
-        look(r, &thing, (const int[]){S_Orthographic_position, S_Orthographic_target, S_Orthographic_up}, camera);
+        look(r, &thing,
+             (const int[]){S_Orthographic_position, S_Orthographic_target, S_Orthographic_up},
+             camera);
         camera->half = scene_thing_number(&thing, S_Orthographic_size) / 2;
         camera->depth = scene_thing_number(&thing, S_Orthographic_depth);
     }

@@ -1,10 +1,17 @@
-/* Objects of the document's `defs:`, which Instances name. They stand there beside maps and materials, and have the key `object`. */
+/* Objects of the document's `defs:`, which Instances name. They stand there beside maps and
+ * materials, and have the key `object`. */
 #include "runtime/scene/scene_part.h"
 #include <string.h>
 
-static bool is_object(const Tree *tree) { return tree->kind == TREE_object && tree_find(tree, "object"); }
+static bool is_object(const Tree *tree)
+{
+    return tree->kind == TREE_object && tree_find(tree, "object");
+}
 
-static const char *definition_name(const void *user, int i) { return ((const Tree *)user)->members[i].key; }
+static const char *definition_name(const void *user, int i)
+{
+    return ((const Tree *)user)->members[i].key;
+}
 
 void scene_definition_open(SceneReader *r, const Tree *document)
 {
@@ -25,7 +32,8 @@ Tree *scene_definition_find(SceneReader *r, const Tree *name)
         return found->value;
     }
     if (found || name->kind != TREE_scalar)
-        diag_add(r->session, name->span, DIAG_wrong_type, "of", "the name of an object under `defs:`",
+        diag_add(r->session, name->span, DIAG_wrong_type, "of",
+                 "the name of an object under `defs:`",
                  found ? "a map or a material" : tree_describe(r->session, name));
     else
         diag_add(r->session, name->span, DIAG_unknown_ref, name->text,

@@ -13,7 +13,8 @@ static double distance(const double a[3], const double b[3])
     return sqrt(scene_vector_dot(way, way));
 }
 
-/* The ball around so many places, and around what lies between two of them, which are at most `step` apart. */
+/* The ball around so many places, and around what lies between two of them, which are at most
+ * `step` apart. */
 static SceneDetailEye ball_of(const double (*at)[3], int count)
 {
     SceneDetailEye ball = {{0}, 0};
@@ -53,7 +54,8 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
 {
     const SceneCamera *camera = &scene->camera;
     const double sides[2] = {size[0], size[1]}, shorter = fmin(sides[0], sides[1]);
-    const double across = camera->half * sides[0] / shorter, along = camera->half * sides[1] / shorter;
+    const double across = camera->half * sides[0] / shorter,
+                 along = camera->half * sides[1] / shorter;
     const bool parallel = camera->kind == SCENE_Orthographic;
     *detail = (SceneDetail){.scene = scene, .pixels = shorter / 2 / camera->half};
     if (!parallel) /* a corner of the picture, where a sphere becomes an ellipse */
@@ -78,19 +80,23 @@ static double from_line(const double at[3], const double a[3], const double b[3]
     return distance(at, near);
 }
 
-/* How near a body counts as, for its shadow. A lamp makes it larger by as much as it leads it away: a length e at the place C, seen by its shadow
- * at S behind it, has e |S - L| / |C - L| / |S - E| pixels of a camera at E and a lamp at L, at most e over the distance from C to the line from E
- * to L. Of a light from afar the line has no end. */
-static double shadow_distance(const SceneDetailEye *eye, const SceneLight *light, const double center[3])
+/* How near a body counts as, for its shadow. A lamp makes it larger by as much as it leads it away:
+ * a length e at the place C, seen by its shadow at S behind it, has e |S - L| / |C - L| / |S - E|
+ * pixels of a camera at E and a lamp at L, at most e over the distance from C to the line from E to
+ * L. Of a light from afar the line has no end. */
+static double shadow_distance(const SceneDetailEye *eye, const SceneLight *light,
+                              const double center[3])
 {
     double way[3], edges = 0;
     if (light->kind == SCENE_Hemisphere || light->kind == SCENE_Sky || !scene_light_casts(light))
         return INFINITY;
     for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - eye->center[i];
+        way[i] = light->kind == SCENE_Directional ? -light->direction[i]
+                                                  : light->position[i] - eye->center[i];
     for (int i = 0; i < 2 && light->kind == SCENE_Area; i++)
         edges += sqrt(scene_vector_dot(light->edges[i], light->edges[i]));
-    return from_line(center, eye->center, way, light->kind == SCENE_Directional ? INFINITY : 1) - edges;
+    return from_line(center, eye->center, way, light->kind == SCENE_Directional ? INFINITY : 1) -
+           edges;
 }
 
 static bool is_magnified(const Scene *scene)
@@ -119,8 +125,8 @@ double scene_detail_pixels(const SceneDetail *detail, const double center[3], do
     return nearest > radius ? detail->pixels / (nearest - radius) : INFINITY;
 }
 
-/* With n steps a chord of a circle is off by r (1 - cos(pi / n)). A sphere's cells are squares of the same angle at most, and their
- * middles off by that of half a diagonal. */
+/* With n steps a chord of a circle is off by r (1 - cos(pi / n)). A sphere's cells are squares of
+ * the same angle at most, and their middles off by that of half a diagonal. */
 int scene_detail_steps(SceneKind kind, double pixels)
 {
     const double part = kind == SCENE_Sphere ? sqrt(2) : 1;
@@ -160,7 +166,8 @@ SceneBall scene_detail_ball(const SceneObject *object, const Shape *shape)
         return (SceneBall){{0, 0, n[1] / 2}, hypot(n[0], n[1] / 2)};
     case SCENE_Parallelogram:
         return (SceneBall){{(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2},
-                           (sqrt(scene_vector_dot(n, n)) + sqrt(scene_vector_dot(n + 3, n + 3))) / 2};
+                           (sqrt(scene_vector_dot(n, n)) + sqrt(scene_vector_dot(n + 3, n + 3))) /
+                               2};
     case SCENE_Mesh:
         return ball_of_shape(shape);
     default:
@@ -172,7 +179,8 @@ double scene_detail_stretch(const SceneMatrix *matrix)
 {
     const double *m = matrix->m;
     double most = 0;
-    for (int i = 0; i < 3; i++) { /* rows of the Gram matrix: none of its eigenvalues is greater than the largest sum */
+    /* rows of the Gram matrix: none of its eigenvalues is greater than the largest sum */
+    for (int i = 0; i < 3; i++) {
         double sum = 0;
         for (int k = 0; k < 3; k++)
             sum += fabs(scene_vector_dot(&m[4 * i], &m[4 * k]));
@@ -181,12 +189,13 @@ double scene_detail_stretch(const SceneMatrix *matrix)
     return sqrt(most);
 }
 
-double scene_detail_unit(const SceneDetail *detail, const SceneMatrix *world_from_local, const SceneBall *ball,
-                         double reach)
+double scene_detail_unit(const SceneDetail *detail, const SceneMatrix *world_from_local,
+                         const SceneBall *ball, double reach)
 {
     const double *m = world_from_local->m, *own = ball->center;
     double center[3];
     for (int i = 0; i < 3; i++)
         center[i] = m[i] * own[0] + m[4 + i] * own[1] + m[8 + i] * own[2] + m[12 + i];
-    return scene_detail_pixels(detail, center, ball->radius * scene_detail_stretch(world_from_local) + reach);
+    return scene_detail_pixels(detail, center,
+                               ball->radius * scene_detail_stretch(world_from_local) + reach);
 }

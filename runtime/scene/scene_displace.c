@@ -1,5 +1,6 @@
-/* Which meshes displaced objects have: one for all that are displaced alike. What changes afterwards, a param or where an object is, gives those that it changes
- * another mesh, and takes away what no object has any more. */
+/* Which meshes displaced objects have: one for all that are displaced alike. What changes
+ * afterwards, a param or where an object is, gives those that it changes another mesh, and takes
+ * away what no object has any more. */
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_displacer.h"
 #include "runtime/scene/scene_matrix.h"
@@ -18,8 +19,8 @@ typedef struct {
     int mesh_count;
 } Maker;
 
-/* What the shape depends on: the object's own, the material, and of the matrix what it measures, to a millionth, which turns and places leave as it is;
- * or all of it. */
+/* What the shape depends on: the object's own, the material, and of the matrix what it measures, to
+ * a millionth, which turns and places leave as it is; or all of it. */
 static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase *base)
 {
     const SceneDisplacer *by = scene->displacer;
@@ -37,7 +38,8 @@ static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase
             measure[i] = m[i / 3 * 4 + i % 3];
     else
         for (int i = 0; i < 9; i++)
-            measure[i] = rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
+            measure[i] =
+                rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
     if (by->moves[object->material] == MATC_MOVES_local)
         measure[9] += fine.share > 0 ? fine.number : rint(parts_of_one * log(size));
     const Key parts[] = {scene_solid_key(&before),
@@ -75,13 +77,15 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
     const SceneDisplacing how = {.document = of->document,
                                  .material = of->index,
                                  .options = &k->by->options,
-                                 .world_from_local = resized(&object->world_from_local, fineness.scale),
+                                 .world_from_local =
+                                     resized(&object->world_from_local, fineness.scale),
                                  .origin = scene->origin,
                                  .method = k->by->method,
                                  .level = scene->displaced_level,
                                  .dividing = scene->dividing,
                                  .triangles = fineness.triangles,
-                                 .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL, /* by bisection alone */
+                                 /* by bisection alone */
+                                 .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL,
                                  .pixels = scene->displaced_pixels,
                                  .processor = k->by->processor};
     Shape solid = {0};
@@ -90,8 +94,8 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
     if (base->kind != SCENE_Mesh && !scene_solid(&before, &solid))
         return scene_displacer_fail(k->by, object->material, "takes more memory than there is");
     scene_displace_params(scene, object->material);
-    const bool fine =
-        scene_displaced_mesh(&how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
+    const bool fine = scene_displaced_mesh(
+        &how, base->kind != SCENE_Mesh ? &solid : &scene->meshes[base->mesh].shape, made);
     scene_displace_params(scene, object->material);
     shape_free(&solid);
     if (made->patches)
@@ -99,15 +103,16 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
     k->triangles += fine ? scene_displaced_triangles(made) : 0;
     if (k->triangles > SCENE_TRIANGLES) {
         scene_mesh_free(made);
-        return scene_displacer_fail(
-            k->by, object->material,
-            "makes too many triangles: `displacement: { triangles: 10000 }` makes fewer of each mesh");
+        return scene_displacer_fail(k->by, object->material,
+                                    "makes too many triangles: `displacement: { triangles: 10000 "
+                                    "}` makes fewer of each mesh");
     }
-    return fine ||
-           scene_displacer_fail(k->by, object->material, "takes too many operations, or more memory than there is");
+    return fine || scene_displacer_fail(k->by, object->material,
+                                        "takes too many operations, or more memory than there is");
 }
 
-/* A place for one more: each object that is displaced may have two, one until the other is there. */
+/* A place for one more: each object that is displaced may have two, one until the other is
+ * there. */
 static int vacant_mesh(SceneDisplacer *by)
 {
     while (by->users[by->vacant])
@@ -177,8 +182,8 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
                .by = by,
                .next = malloc(((size_t)scene->object_count + 1) * sizeof *k.next),
                .mesh_count = scene->mesh_count};
-    bool fine = k.next != NULL ||
-                scene_displacer_fail(by, scene->objects[first].material, "takes more memory than there is"),
+    bool fine = k.next != NULL || scene_displacer_fail(by, scene->objects[first].material,
+                                                       "takes more memory than there is"),
          changed = false;
     for (int i = by->first; fine && i < scene->mesh_count; i++)
         if (by->users[i]) {
@@ -188,7 +193,8 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
     for (int i = 0; k.next && i < scene->object_count; i++)
         k.next[i] = -1;
     for (int i = first; fine && i < first + count; i++)
-        if (by->bases[i].kind != SCENE_Plane && (material < 0 || scene->objects[i].material == material))
+        if (by->bases[i].kind != SCENE_Plane &&
+            (material < 0 || scene->objects[i].material == material))
             fine = displace(&k, i);
     if (k.next)
         changed = settle(scene, &k, fine);
@@ -205,11 +211,13 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     for (int i = 0; i < scene->material_count; i++)
         by->moves[i] = matc_moves(scene->materials[i].document, scene->materials[i].index, options);
     for (int i = 0; scene->displaced_pixels > 0 && i < scene->material_count; i++)
-        by->moves[i] = by->moves[i] == MATC_MOVES_none ? MATC_MOVES_none : MATC_MOVES_world; /* by where it is seen */
+        /* by where it is seen */
+        by->moves[i] = by->moves[i] == MATC_MOVES_none ? MATC_MOVES_none : MATC_MOVES_world;
     for (int i = 0; i < scene->object_count; i++) {
         const SceneObject *object = &scene->objects[i];
         const bool moves = by->moves[object->material] != MATC_MOVES_none;
-        by->bases[i] = moves ? (SceneBase){object->kind, object->mesh} : (SceneBase){SCENE_Plane, 0};
+        by->bases[i] =
+            moves ? (SceneBase){object->kind, object->mesh} : (SceneBase){SCENE_Plane, 0};
         count += by->bases[i].kind != SCENE_Plane;
     }
     return count;
@@ -220,8 +228,10 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     Scene *scene = r->scene;
     Arena *arena = r->session->arena;
     SceneDisplacer *by = scene->displacer = ARENA_NEW(arena, SceneDisplacer);
-    *by = (SceneDisplacer){
-        .options = *options, .method = scene->displaced_by, .first = scene->mesh_count, .vacant = scene->mesh_count};
+    *by = (SceneDisplacer){.options = *options,
+                           .method = scene->displaced_by,
+                           .first = scene->mesh_count,
+                           .vacant = scene->mesh_count};
     if (scene->displaced_pixels > 0)
         scene_seen_find(scene, &by->seen);
     by->moves = ARENA_ARRAY(arena, MatcMoves, scene->material_count + 1);
@@ -240,7 +250,8 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     if (displace_objects(scene, -1, 0, scene->object_count) != SCENE_DISPLACED_failed)
         return true;
     const SceneMaterial *of = &scene->materials[by->fault];
-    diag_add(r->session, NO_SPAN, DIAG_scene_displaced, matc_material_name(of->document, of->index), by->why);
+    diag_add(r->session, NO_SPAN, DIAG_scene_displaced, matc_material_name(of->document, of->index),
+             by->why);
     return false;
 }
 
@@ -251,7 +262,10 @@ void scene_displace_shift(Scene *scene, const double by[3])
         displacer->detail.eyes[i / 3].center[i % 3] -= by[i % 3];
 }
 
-SceneSeen *scene_displace_seen(Scene *scene) { return scene->displacer ? &scene->displacer->seen : NULL; }
+SceneSeen *scene_displace_seen(Scene *scene)
+{
+    return scene->displacer ? &scene->displacer->seen : NULL;
+}
 
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material)
 {
@@ -283,7 +297,9 @@ bool scene_displace_patches(const Scene *scene)
     by->processor = true;
     by->method = by->method == WORD_Displacing_bisection ? by->method : WORD_Displacing_mesh;
     for (int i = 0; fine && i < scene->object_count; i++) {
-        SceneMesh *mesh = by->bases[i].kind != SCENE_Plane ? &scene->meshes[scene->objects[i].mesh] : NULL, made;
+        SceneMesh *mesh = by->bases[i].kind != SCENE_Plane ? &scene->meshes[scene->objects[i].mesh]
+                                                           : NULL,
+                  made;
         if (!mesh || !mesh->patches)
             continue;
         fine = make_mesh(&k, &scene->objects[i], &by->bases[i], &made);
@@ -300,7 +316,8 @@ SceneDisplaced scene_displace_moved(Scene *scene, int first, int count)
     return scene->displaced ? displace_objects(scene, -1, first, count) : SCENE_DISPLACED_none;
 }
 
-SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name, const double *lanes, int count)
+SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
+                                    const double *lanes, int count)
 {
     SceneDisplacer *by = scene->displacer;
     double before[4];
@@ -309,7 +326,8 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
         return SCENE_DISPLACED_none;
     SceneDisplacedParam *param = scene_displacer_param(scene, material, name, count);
     if (!param)
-        return scene_displacer_fail(by, material, "takes more memory than there is"), SCENE_DISPLACED_failed;
+        return scene_displacer_fail(by, material, "takes more memory than there is"),
+               SCENE_DISPLACED_failed;
     memcpy(before, param->lanes, sizeof before);
     memcpy(param->lanes, lanes, (size_t)count * sizeof *lanes);
     const SceneDisplaced made = displace_objects(scene, material, 0, scene->object_count);
@@ -323,5 +341,6 @@ SceneDisplaced scene_displace_resized(Scene *scene, int width, int height)
     if (!scene->displacer->bounds)
         return SCENE_DISPLACED_none;
     scene_fine_look(scene, width, height);
-    return scene->displaced ? displace_objects(scene, -1, 0, scene->object_count) : SCENE_DISPLACED_none;
+    return scene->displaced ? displace_objects(scene, -1, 0, scene->object_count)
+                            : SCENE_DISPLACED_none;
 }

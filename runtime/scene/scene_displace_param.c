@@ -1,4 +1,5 @@
-/* Params of materials that displace: values that they have been given, instead of those that their documents say. */
+/* Params of materials that displace: values that they have been given, instead of those that their
+ * documents say. */
 #include "runtime/scene/scene_displacer.h"
 #include "runtime/scene/scene_part.h"
 #include <stdlib.h>
@@ -24,7 +25,8 @@ void scene_displace_params(const Scene *scene, int material)
         double before[4];
         if (param->material != material)
             continue;
-        matc_set_default(scene->materials[material].document, param->name, param->lanes, param->count, before);
+        matc_set_default(scene->materials[material].document, param->name, param->lanes,
+                         param->count, before);
         memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
     }
 }
@@ -53,7 +55,8 @@ bool scene_displacer_reads(const Scene *scene, int material, const char *name, i
     options.moved = false;
     MatcProgram *program = matc_compile(of->document, of->index, MATC_KEY, &options);
     for (int i = 0; matc_ok(program) && i < matc_uniform_count(program); i++)
-        reads |= !strcmp(matc_uniform(program, i)->param, name) && matc_uniform(program, i)->lanes == count;
+        reads |= !strcmp(matc_uniform(program, i)->param, name) &&
+                 matc_uniform(program, i)->lanes == count;
     matc_program_free(program);
     return reads;
 }
@@ -64,7 +67,8 @@ SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const cha
     for (int i = 0; i < by->param_count; i++)
         if (by->params[i].material == material && !strcmp(by->params[i].name, name))
             return &by->params[i];
-    SceneDisplacedParam *params = realloc(by->params, ((size_t)by->param_count + 1) * sizeof *params);
+    SceneDisplacedParam *params =
+        realloc(by->params, ((size_t)by->param_count + 1) * sizeof *params);
     char *copy = strdup(name);
     by->params = params ? params : by->params;
     if (!params || !copy) {
@@ -74,6 +78,7 @@ SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const cha
     SceneDisplacedParam *param = &params[by->param_count++];
     *param = (SceneDisplacedParam){material, copy, {0}, count};
     const SceneMaterial *of = &scene->materials[material];
-    matc_set_default(of->document, name, param->lanes, count, param->lanes); /* gives what it is, and gets that back */
+    /* gives what it is, and gets that back */
+    matc_set_default(of->document, name, param->lanes, count, param->lanes);
     return param;
 }

@@ -1,9 +1,12 @@
-/* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each place is moved once, by the C reference in double, and
- * where triangles are divided by error a little more, to where they miss less (scene_refine_fit.h). What draws the scene then sees meshes
+/* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each
+ * place is moved once, by the C reference in double, and where triangles are divided by error a
+ * little more, to where they miss less (scene_refine_fit.h). What draws the scene then sees meshes
  * like any other, whatever it draws them for: shadows of each method, voxels, edges of the picture.
  *
- * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and all vertices of one place move together: along the unit sum of their normals, where
- * those are several, and by the texture coordinates and tangents of the first. So what was closed stays closed, bit for bit. */
+ * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and
+ * all vertices of one place move together: along the unit sum of their normals, where those are
+ * several, and by the texture coordinates and tangents of the first. So what was closed stays
+ * closed, bit for bit. */
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
@@ -19,7 +22,8 @@ static void turn(const SceneMatrix *m, bool transposed, const float v[3], double
     for (int row = 0; row < 3; row++) {
         result[row] = 0;
         for (int column = 0; column < 3; column++)
-            result[row] += m->m[transposed ? 4 * row + column : 4 * column + row] * (double)v[column];
+            result[row] +=
+                m->m[transposed ? 4 * row + column : 4 * column + row] * (double)v[column];
     }
 }
 
@@ -29,7 +33,8 @@ static void copy(const float from[3], double to[3])
         to[i] = (double)from[i];
 }
 
-MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse, const double origin[3])
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
+                                const SceneMatrix *inverse, const double origin[3])
 {
     MatcPoint point;
     turn(m, false, vertex->position, point.position);
@@ -64,14 +69,15 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
     for (int i = 0; points && i < count; i++)
         points[i] = scene_displaced_point(&at[i], m, inverse, mover->how->origin);
-    const bool fine =
-        points && matc_move(mover->how->document, mover->how->material, mover->how->options, points, count);
+    const bool fine = points && matc_move(mover->how->document, mover->how->material,
+                                          mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         double from[3];
         for (int lane = 0; lane < 3; lane++)
             from[lane] = points[i].position[lane] - (m->m[12 + lane] + mover->how->origin[lane]);
         for (int lane = 0; lane < 3; lane++)
-            to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] + inverse->m[8 + lane] * from[2];
+            to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] +
+                          inverse->m[8 + lane] * from[2];
     }
     free(points);
     return fine;
@@ -85,13 +91,14 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     MatcSolid *points = calloc((size_t)count + 1, sizeof *points);
     for (int i = 0; points && i < count; i++)
         points[i].at = scene_displaced_point(&columns[i].at, m, inverse, mover->how->origin);
-    const bool fine =
-        points && matc_solid(mover->how->document, mover->how->material, mover->how->options, points, count);
+    const bool fine = points && matc_solid(mover->how->document, mover->how->material,
+                                           mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
         const double *n = points[i].at.normal, size = fmax(sqrt(scene_vector_dot(n, n)), 1e-30);
         for (int lane = 0; lane < 3; lane++)
-            columns[i].along[lane] =
-                (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] + inverse->m[8 + lane] * n[2]) / size;
+            columns[i].along[lane] = (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] +
+                                      inverse->m[8 + lane] * n[2]) /
+                                     size;
         memcpy(columns[i].heights, points[i].heights, sizeof columns[i].heights);
     }
     free(points);
@@ -188,7 +195,8 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
         return false;
     if (matc_has_volume(how->document, how->material))
-        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles}, made, mesh->steps);
+        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles},
+                            made, mesh->steps);
     if (how->method != WORD_Displacing_bisection)
         return divide_alike(&mover, from, made);
     const SceneRefining refining = {.move = move_points,
@@ -200,12 +208,14 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     return scene_refine(from, &refining, made);
 }
 
-/* What of a motion of length 1 in the world is along an axis of the object's space: a row of the inverse. */
+/* What of a motion of length 1 in the world is along an axis of the object's space: a row of the
+ * inverse. */
 static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
 {
     for (int i = 0; i < 3; i++)
-        reach[i] = bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] +
-                                inverse->m[8 + i] * inverse->m[8 + i]);
+        reach[i] =
+            bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] +
+                         inverse->m[8 + i] * inverse->m[8 + i]);
 }
 
 double scene_displaced_bound(const MatcDocument *document, int material, const MatcOptions *given)
@@ -234,7 +244,8 @@ static double longest_edge(const ScenePatches *patches)
     for (int i = 0; i < 3 * patches->count; i++) {
         const float *a = patches->rows[patches->at[i / 3].own[i % 3]].position,
                     *b = patches->rows[patches->at[i / 3].own[(i + 1) % 3]].position;
-        const double way[3] = {(double)a[0] - (double)b[0], (double)a[1] - (double)b[1], (double)a[2] - (double)b[2]};
+        const double way[3] = {(double)a[0] - (double)b[0], (double)a[1] - (double)b[1],
+                               (double)a[2] - (double)b[2]};
         longest = fmax(longest, sqrt(scene_vector_dot(way, way)));
     }
     return longest;
@@ -249,15 +260,19 @@ static int power_of_two(int parts)
     return power;
 }
 
-/* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512 patches or more, which have 256 triangles each where all edges have 16 parts. */
-static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made, ScenePatches **patches)
+/* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512
+ * patches or more, which have 256 triangles each where all edges have 16 parts. */
+static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made,
+                              ScenePatches **patches)
 {
     enum { USUAL_TRIANGLES = 256 };
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
     const bool rounded =
-        how->dividing.push != 0 || how->dividing.bulge > 0; /* by corners of the mesh's own triangles */
-    const int across = how->method == WORD_Displacing_feedback || how->method == WORD_Displacing_bisection || rounded
+        /* by corners of the mesh's own triangles */
+        how->dividing.push != 0 || how->dividing.bulge > 0;
+    const int across = how->method == WORD_Displacing_feedback ||
+                               how->method == WORD_Displacing_bisection || rounded
                            ? 1
                        : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
                                     : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
@@ -282,8 +297,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
            feedback_triangles(*patches) * 4 <= how->triangles)
         (*patches)->dividing.steps++;
     (*patches)->apart = how->dividing.skirts != WORD_Skirts_auto;
-    (*patches)->torn =
-        (*patches)->apart || how->method == WORD_Displacing_points || how->method == WORD_Displacing_feedback;
+    (*patches)->torn = (*patches)->apart || how->method == WORD_Displacing_points ||
+                       how->method == WORD_Displacing_feedback;
     (*patches)->bound = bound;
     (*patches)->level = by_picture || parts > most * across ? most : (parts + across - 1) / across;
     (*patches)->pixels = how->pixels;
@@ -292,7 +307,8 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
         (*patches)->level = power_of_two((*patches)->level);
     set_reach(&inverse, bound, (*patches)->reach);
     for (int i = 0; i < 3; i++)
-        (*patches)->reach[i] += fabs(how->dividing.push) + how->dividing.bulge * longest_edge(*patches);
+        (*patches)->reach[i] +=
+            fabs(how->dividing.push) + how->dividing.bulge * longest_edge(*patches);
     return true;
 }
 
@@ -309,8 +325,8 @@ bool scene_displaced_by_driver(Word method, double pixels)
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
 {
     *made = (SceneMesh){.path = "", .part = -1};
-    const bool here =
-        how->processor || (how->method != WORD_Displacing_points && matc_has_volume(how->document, how->material));
+    const bool here = how->processor || (how->method != WORD_Displacing_points &&
+                                         matc_has_volume(how->document, how->material));
     if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
         !divide_to_patches(how, from, &made->shape, &made->patches))
         return false;
@@ -323,7 +339,8 @@ int64_t scene_displaced_triangles(const SceneMesh *mesh)
     if (!patches)
         return mesh->shape.index_count / 3;
     if (patches->method == WORD_Displacing_feedback)
-        return feedback_triangles(patches) < FEEDBACK_MOST ? feedback_triangles(patches) : FEEDBACK_MOST;
+        return feedback_triangles(patches) < FEEDBACK_MOST ? feedback_triangles(patches)
+                                                           : FEEDBACK_MOST;
     const int64_t all = (int64_t)patches->count * patches->level * patches->level;
     const int64_t most = patches->triangles > patches->count ? patches->triangles : patches->count;
     return patches->pixels > 0 && all > most ? most : all;

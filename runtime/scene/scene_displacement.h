@@ -4,14 +4,15 @@
 #include "runtime/scene/scene_patches.h"
 #include "runtime/scene/scene_seen.h"
 
-/* By which material, with whose options, where in the world, how it is divided, and to how many triangles at least. */
+/* By which material, with whose options, where in the world, how it is divided, and to how many
+ * triangles at least. */
 typedef struct {
     const MatcDocument *document;
     int material;
     const MatcOptions *options;
     SceneMatrix world_from_local;
     const double *origin; /* of the matrix' coordinates, in the world */
-    Word method; /* WORD_Displacing_mesh, ... */
+    Word method;          /* WORD_Displacing_mesh, ... */
     int triangles;
     SceneDividing dividing;
     int level;             /* parts of an edge of `from`, whatever `triangles` are; 0: by these */
@@ -20,14 +21,19 @@ typedef struct {
     bool processor;        /* whoever draws cannot displace */
 } SceneDisplacing;
 
-/* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that, and the origin of the matrix' coordinates. */
-MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m, const SceneMatrix *inverse, const double origin[3]);
+/* A vertex as matc_move takes it, of an object in the world, by its matrix and the inverse of that,
+ * and the origin of the matrix' coordinates. */
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
+                                const SceneMatrix *inverse, const double origin[3]);
 /* How far a material moves points of the world at most; infinite: that is not known. */
-double scene_displaced_bound(const MatcDocument *document, int material, const MatcOptions *options);
-/* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since nobody knew else where points are. False: memory ran out, or a value takes too
- * many operations; *made is empty. */
+double scene_displaced_bound(const MatcDocument *document, int material,
+                             const MatcOptions *options);
+/* Moved triangles; or, by a method of the driver's, patches: where the height has a bound, since
+ * nobody knew else where points are. False: memory ran out, or a value takes too many operations;
+ * *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
-/* Whoever draws the scene displaces by that method, where an error may have so many pixels, or, 0, is not looked at. */
+/* Whoever draws the scene displaces by that method, where an error may have so many pixels, or, 0,
+ * is not looked at. */
 bool scene_displaced_by_driver(Word method, double pixels);
 /* Pictures are traced, over triangles that are divided evenly. */
 bool scene_displaced_traced(Word method);
@@ -35,6 +41,7 @@ bool scene_displaced_traced(Word method);
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 /* By what a scene's displaced meshes were divided; NULL: it was not read. scene_displace.c */
 SceneSeen *scene_displace_seen(Scene *scene);
-/* Cameras that detail goes by (scene_detail.h) stand in coordinates whose origin has moved. scene_displace.c */
+/* Cameras that detail goes by (scene_detail.h) stand in coordinates whose origin has moved.
+ * scene_displace.c */
 void scene_displace_shift(Scene *scene, const double by[3]);
 #endif

@@ -27,7 +27,9 @@ struct SceneDisplacer {
     SceneDetail detail; /* where that goes by the picture */
     SceneBall *balls;   /* of the meshes of files */
     double *
-        bounds; /* by material: how far it moves points, infinite where detail does not go by the picture; NULL: it does nowhere */
+        /* by material: how far it moves points, infinite where detail does not go by the picture;
+         * NULL: it does nowhere */
+        bounds;
     SceneBase *bases; /* by object */
     Key *keys;        /* by mesh of the scene: what it was made of */
     int *users;       /* by mesh: so many objects have it */

@@ -1,5 +1,6 @@
-/* Finer triangles of the same shape. Two triangles that share an edge make the same points along it, whichever way they run: an edge is always
- * divided from the end that comes first by its coordinates.
+/* Finer triangles of the same shape. Two triangles that share an edge make the same points along
+ * it, whichever way they run: an edge is always divided from the end that comes first by its
+ * coordinates.
  *
  *     n = 2: corners a, b, c, and ab, ca, bc between them: a ab ca, ab b bc, ca bc c, ab bc ca */
 #include "runtime/scene/scene_divide.h"
@@ -16,7 +17,8 @@ static bool comes_first(const float a[3], const float b[3])
     return false;
 }
 
-/* Of three, by weights that are whole numbers and sum up to n; in the order of the corners' coordinates. */
+/* Of three, by weights that are whole numbers and sum up to n; in the order of the corners'
+ * coordinates. */
 static float mixed(const float *const v[3], const int weight[3], int lane, int n)
 {
     double sum = 0;
@@ -58,11 +60,15 @@ static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[
         at[i] = corner[order[i]];
         sorted[i] = weight[order[i]];
     }
-    mix_lanes((const float *const[]){at[0]->position, at[1]->position, at[2]->position}, sorted, n, 3, made.position);
-    mix_lanes((const float *const[]){at[0]->normal, at[1]->normal, at[2]->normal}, sorted, n, 3, made.normal);
+    mix_lanes((const float *const[]){at[0]->position, at[1]->position, at[2]->position}, sorted, n,
+              3, made.position);
+    mix_lanes((const float *const[]){at[0]->normal, at[1]->normal, at[2]->normal}, sorted, n, 3,
+              made.normal);
     mix_lanes((const float *const[]){at[0]->uv, at[1]->uv, at[2]->uv}, sorted, n, 2, made.uv);
-    mix_lanes((const float *const[]){at[0]->tangentU, at[1]->tangentU, at[2]->tangentU}, sorted, n, 3, made.tangentU);
-    mix_lanes((const float *const[]){at[0]->tangentV, at[1]->tangentV, at[2]->tangentV}, sorted, n, 3, made.tangentV);
+    mix_lanes((const float *const[]){at[0]->tangentU, at[1]->tangentU, at[2]->tangentU}, sorted, n,
+              3, made.tangentU);
+    mix_lanes((const float *const[]){at[0]->tangentV, at[1]->tangentV, at[2]->tangentV}, sorted, n,
+              3, made.tangentV);
     unit(made.normal);
     return made;
 }
@@ -100,7 +106,8 @@ uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next)
 {
     for (int row = 0; row < n; row++)
         for (int i = 0; i <= row; i++) {
-            const uint32_t top = rows[place_in_rows(row, i)], left = rows[place_in_rows(row + 1, i)],
+            const uint32_t top = rows[place_in_rows(row, i)],
+                           left = rows[place_in_rows(row + 1, i)],
                            right = rows[place_in_rows(row + 1, i + 1)];
             *next++ = top, *next++ = left, *next++ = right;
             if (i == row)
@@ -121,11 +128,13 @@ ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weigh
 
 bool scene_divide(const Shape *shape, int n, Shape *made)
 {
-    const size_t triangles = (size_t)shape->index_count / 3, each = (size_t)(n + 1) * (size_t)(n + 2) / 2;
+    const size_t triangles = (size_t)shape->index_count / 3,
+                 each = (size_t)(n + 1) * (size_t)(n + 2) / 2;
     Found found = {.shape = made};
     uint32_t *rows = calloc(each, sizeof *rows);
     *made = (Shape){.vertices = calloc(triangles * each + 1, sizeof *made->vertices),
-                    .indices = calloc(3 * triangles * (size_t)n * (size_t)n + 1, sizeof *made->indices)};
+                    .indices =
+                        calloc(3 * triangles * (size_t)n * (size_t)n + 1, sizeof *made->indices)};
     uint32_t *next = made->indices;
     const bool fine = rows && made->vertices && made->indices;
     for (size_t t = 0; fine && t < triangles; t++) {

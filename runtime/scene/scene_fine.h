@@ -11,12 +11,16 @@ typedef struct {
     int triangles; /* to about how many it is divided */
     int steps;     /* of the body that is displaced; 0: it says that itself */
     double
-        share; /* copies share a mesh if the logarithms of their sizes are in one interval of that length; 0: if they are equal */
+        /* copies share a mesh if the logarithms of their sizes are in one interval of that length;
+         * 0: if they are equal */
+        share;
     double number; /* of the interval */
-    double scale;  /* the mesh is made for the object's size times this: the middle of the interval */
+    /* the mesh is made for the object's size times this: the middle of the interval */
+    double scale;
 } SceneFineness;
 
-/* Decides by all triangles whether detail goes by the picture; then bodies that are not displaced have their steps. `by` has its bases. */
+/* Decides by all triangles whether detail goes by the picture; then bodies that are not displaced
+ * have their steps. `by` has its bases. */
 void scene_fine_choose(Scene *scene, Arena *arena);
 /* Repeats this for a picture of another size, where detail follows the picture. */
 void scene_fine_look(Scene *scene, int width, int height);

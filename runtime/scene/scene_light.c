@@ -12,14 +12,18 @@ typedef struct {
 } LightRow;
 
 static const LightRow rows[SCENE_KIND_COUNT] = {
-    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity, S_Point_shadows, S_Point_name},
-    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity, S_Spot_shadows, S_Spot_name},
-    [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color, S_Directional_intensity,
-                           S_Directional_shadows, S_Directional_name},
-    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, S_Area_shadows, S_Area_name},
+    [SCENE_Point] = {S_Point_position, -1, S_Point_color, S_Point_intensity, S_Point_shadows,
+                     S_Point_name},
+    [SCENE_Spot] = {S_Spot_position, S_Spot_direction, S_Spot_color, S_Spot_intensity,
+                    S_Spot_shadows, S_Spot_name},
+    [SCENE_Directional] = {-1, S_Directional_direction, S_Directional_color,
+                           S_Directional_intensity, S_Directional_shadows, S_Directional_name},
+    [SCENE_Area] = {S_Area_position, -1, S_Area_color, S_Area_intensity, S_Area_shadows,
+                    S_Area_name},
     [SCENE_Sky] = {-1, -1, S_Sky_color, S_Sky_intensity, -1, -1},
     [SCENE_Ambient] = {-1, -1, S_Ambient_color, S_Ambient_intensity, -1, S_Ambient_name},
-    [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1, S_Hemisphere_name},
+    [SCENE_Hemisphere] = {-1, -1, S_Hemisphere_color, S_Hemisphere_intensity, -1,
+                          S_Hemisphere_name},
 };
 
 static void read_cone(SceneReader *r, const SceneThing *thing, SceneLight *light)
@@ -60,7 +64,8 @@ static void read_area(SceneReader *r, const SceneThing *thing, SceneLight *light
     }
     if (scene_vector_span(light->edges[0], light->edges[1]))
         return;
-    diag_add(r->session, scene_thing_span(thing, S_Area_v), DIAG_scene_flat, "u and v span nothing");
+    diag_add(r->session, scene_thing_span(thing, S_Area_v), DIAG_scene_flat,
+             "u and v span nothing");
     r->fine = false;
 }
 
@@ -100,7 +105,8 @@ static void read_light(SceneReader *r, const SceneThing *thing)
     if (row->direction >= 0) {
         scene_thing_vector(thing, row->direction, light.direction);
         if (!scene_vector_normalize(light.direction)) {
-            diag_add(r->session, scene_thing_span(thing, row->direction), DIAG_no_direction, "direction");
+            diag_add(r->session, scene_thing_span(thing, row->direction), DIAG_no_direction,
+                     "direction");
             r->fine = false;
         }
     }

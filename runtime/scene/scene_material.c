@@ -1,5 +1,6 @@
-/* Materials of a scene: a name of `materials:`; a material, where it stands; one of another file. Those of the document itself are resolved
- * together, as a document's are: an inline one becomes a further member of `materials:`. */
+/* Materials of a scene: a name of `materials:`; a material, where it stands; one of another file.
+ * Those of the document itself are resolved together, as a document's are: an inline one becomes a
+ * further member of `materials:`. */
 #include "compiler/base/text.h"
 #include "compiler/document.h"
 #include "runtime/scene/scene_part.h"
@@ -15,7 +16,8 @@ static int fail(SceneReader *r)
     return -1;
 }
 
-/* The place of a material: among those in use, or, aside, among those that are aside, whose first is none. */
+/* The place of a material: among those in use, or, aside, among those that are aside, whose first
+ * is none. */
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
@@ -49,11 +51,13 @@ static int read_name(SceneReader *r, const Tree *tree)
         return use(r, r->document, (int)(found - r->named->members));
     const NameChoice names = {member_name, r->materials, (int)r->named_count};
     diag_add(r->session, tree->span, DIAG_no_such_material, tree->text,
-             diag_suggest_or_list(r->session, tree->text, &names, r->named_count ? "; there are " : NULL));
+             diag_suggest_or_list(r->session, tree->text, &names,
+                                  r->named_count ? "; there are " : NULL));
     return fail(r);
 }
 
-/* As a further member, by a name that no other has; the same place, where an alias stands for it again. */
+/* As a further member, by a name that no other has; the same place, where an alias stands for it
+ * again. */
 static int read_inline(SceneReader *r, Tree *tree)
 {
     char name[LIMIT_NAME];
@@ -66,7 +70,8 @@ static int read_inline(SceneReader *r, Tree *tree)
         snprintf(name, sizeof name, "inline%zu", r->inline_number++);
     while (r->named && tree_find(r->named, name));
     hash_index_add(arena, &r->inlines, hash_pointer(tree), (uint32_t)r->material_count);
-    const Member member = {arena_string(arena, name, strlen(name)), tree, tree->span, (uint32_t)strlen(name)};
+    const Member member = {arena_string(arena, name, strlen(name)), tree, tree->span,
+                           (uint32_t)strlen(name)};
     ARENA_PUSH(arena, r->materials, r->material_count, r->material_room, member);
     return use(r, r->document, (int)r->material_count - 1);
 }
@@ -100,7 +105,8 @@ static int read_document_file(SceneReader *r, const char *path, const char **why
 static MatcDocument *open_document(SceneReader *r, const Tree *tree)
 {
     const char *why = "";
-    const char *path = session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
+    const char *path =
+        session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
     const int known = names_find(&r->document_paths, path);
     if (known >= 0)
         return r->scene->documents[known];
@@ -131,7 +137,8 @@ static bool is_of_file(SceneReader *r, const Tree *tree)
 }
 
 /* The number of a document's material, of a name or the only one; -1: told. */
-static int find_material(SceneReader *r, const MatcDocument *document, const Tree *path, const Member *name)
+static int find_material(SceneReader *r, const MatcDocument *document, const Tree *path,
+                         const Member *name)
 {
     const int count = matc_material_count(document);
     const char *wanted = name ? name->value->text : "";
@@ -178,8 +185,8 @@ int scene_material_read(SceneReader *r, Tree *tree)
         return read_file(r, tree);
     if (tree->kind == TREE_object)
         return read_inline(r, tree);
-    diag_add(r->session, tree->span, DIAG_wrong_type, "material", "a name, a material, or `{ file: name }`",
-             tree_describe(r->session, tree));
+    diag_add(r->session, tree->span, DIAG_wrong_type, "material",
+             "a name, a material, or `{ file: name }`", tree_describe(r->session, tree));
     return fail(r);
 }
 
@@ -194,7 +201,8 @@ void scene_material_open(SceneReader *r, const Tree *document)
     if (!materials || materials->value->kind != TREE_object)
         return;
     for (uint32_t i = 0; i < materials->value->count; i++)
-        ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_room, materials->value->members[i]);
+        ARENA_PUSH(r->session->arena, r->materials, r->material_count, r->material_room,
+                   materials->value->members[i]);
     r->named_count = r->inline_number = r->material_count;
     r->named = materials->value;
 }
@@ -218,8 +226,9 @@ static Tree *only_materials(SceneReader *r, const Tree *document)
     *materials = (Tree){.kind = TREE_object, .span = given ? given->value->span : document->span};
     tree_set_members(r->session, materials, r->materials, r->material_count);
     if (r->material_count || given)
-        members[count++] = (Member){"materials", given && !r->material_count ? given->value : materials,
-                                    given ? given->span : document->span, sizeof "materials" - 1};
+        members[count++] =
+            (Member){"materials", given && !r->material_count ? given->value : materials,
+                     given ? given->span : document->span, sizeof "materials" - 1};
     tree_set_members(r->session, tree, members, count);
     return tree;
 }

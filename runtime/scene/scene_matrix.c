@@ -3,7 +3,10 @@
 #include <math.h>
 #include <string.h>
 
-SceneMatrix scene_matrix_identity(void) { return (SceneMatrix){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}}; }
+SceneMatrix scene_matrix_identity(void)
+{
+    return (SceneMatrix){{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+}
 
 SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b)
 {
@@ -63,7 +66,8 @@ SceneMatrix scene_matrix_place(const ScenePlace *place)
 
 static SceneMatrix of_components(const Transform *transform)
 {
-    const Value *const values[] = {&transform->translation, &transform->rotation, &transform->scale, &transform->shear};
+    const Value *const values[] = {&transform->translation, &transform->rotation, &transform->scale,
+                                   &transform->shear};
     ScenePlace place;
     double *const parts[] = {place.translation, place.rotation, place.scale, place.shear};
     for (int i = 0; i < 4; i++) {

@@ -6,8 +6,10 @@
 #include "runtime/scene/scene.h"
 
 SceneMatrix scene_matrix_identity(void);
-SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b); /* a b: b is applied first */
-/* Parts of a transformation, each done in turn: shear, scale, rotation about x, y, z (radians), translation. */
+/* a b: b is applied first */
+SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b);
+/* Parts of a transformation, each done in turn: shear, scale, rotation about x, y, z (radians),
+ * translation. */
 typedef struct {
     double translation[3], rotation[3], scale[3], shear[3];
 } ScenePlace;
@@ -23,7 +25,8 @@ double scene_matrix_determinant(const SceneMatrix *m);
 #define scene_vector_dot       vec3_dot
 #define scene_vector_cross     vec3_cross
 #define scene_vector_normalize vec3_normalize
-/* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x cross y. */
+/* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x
+ * cross y. */
 void scene_vector_axes(const double along[3], double x[3], double y[3]);
 /* Both have a length, and are not on one line. */
 bool scene_vector_span(const double u[3], const double v[3]);

@@ -11,8 +11,10 @@ enum { MESSAGE = 1024 };
 static const char *path_of(SceneReader *r, const Tree *tree)
 {
     if (tree->kind == TREE_scalar)
-        return session_path_beside(r->session, r->session->sources[tree->span.file].name, tree->text);
-    diag_add(r->session, tree->span, DIAG_wrong_type, "file", "a file name", tree_describe(r->session, tree));
+        return session_path_beside(r->session, r->session->sources[tree->span.file].name,
+                                   tree->text);
+    diag_add(r->session, tree->span, DIAG_wrong_type, "file", "a file name",
+             tree_describe(r->session, tree));
     r->fine = false;
     return NULL;
 }
@@ -31,7 +33,8 @@ static bool read_file(SceneReader *r, const ModelSource *source, char *error, si
     if (!model_read_source(source, &parts, &count, error, room))
         return false;
     for (int i = 0; i < count; i++)
-        add(r, (SceneMesh){.path = source->path, .shape = parts[i].shape, .part = parts[i].material});
+        add(r,
+            (SceneMesh){.path = source->path, .shape = parts[i].shape, .part = parts[i].material});
     free(parts);
     return true;
 }

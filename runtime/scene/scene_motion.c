@@ -1,8 +1,9 @@
-/* How the camera moves from frame to frame. A path is a cubic Hermite spline through its keys: the slope at a key is that of the chord between
- * its neighbours, at an end that to the one neighbour; so two keys are joined by a straight line.
+/* How the camera moves from frame to frame. A path is a cubic Hermite spline through its keys: the
+ * slope at a key is that of the chord between its neighbours, at an end that to the one neighbour;
+ * so two keys are joined by a straight line.
  *
- *     x is 0, 1, 4 at the times 0, 1, 2: the slopes are 1, 2, 3, and at the time 1/2
- *     x = (1 + 2 t) (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2 = 1/8 + 1/2 - 1/4 = 3/8 */
+ *     x is 0, 1, 4 at the times 0, 1, 2: the slopes are 1, 2, 3, and at the time 1/2 x = (1 + 2 t)
+ *     (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2 = 1/8 + 1/2 - 1/4 = 3/8 */
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_part.h"
 #include <math.h>
@@ -57,7 +58,8 @@ static double slope(const SceneMotion *motion, int i, int lane)
 static double at_time(const SceneMotion *motion, double time, int lane)
 {
     int i = 0,
-        end = motion->key_count - 1; /* a frame may be one of many, as may a key: the last that is not behind `time` */
+        /* a frame may be one of many, as may a key: the last that is not behind `time` */
+        end = motion->key_count - 1;
     while (i + 1 < end) {
         const int middle = (i + end) / 2;
         if (motion->keys[middle].time <= time)
@@ -65,9 +67,11 @@ static double at_time(const SceneMotion *motion, double time, int lane)
         else
             end = middle;
     }
-    const double length = motion->keys[i + 1].time - motion->keys[i].time, t = (time - motion->keys[i].time) / length;
+    const double length = motion->keys[i + 1].time - motion->keys[i].time,
+                 t = (time - motion->keys[i].time) / length;
     return (1 + 2 * t) * (1 - t) * (1 - t) * number(motion, i, lane) +
-           t * (1 - t) * (1 - t) * length * slope(motion, i, lane) + t * t * (3 - 2 * t) * number(motion, i + 1, lane) +
+           t * (1 - t) * (1 - t) * length * slope(motion, i, lane) +
+           t * t * (3 - 2 * t) * number(motion, i + 1, lane) +
            t * t * (t - 1) * length * slope(motion, i + 1, lane);
 }
 

@@ -24,14 +24,22 @@ static const ObjectRow rows[SCENE_KIND_COUNT] = {
     [SCENE_Group] = {S_Group_transform, S_Group_material, S_Group_name, {-1}, 0},
     [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, S_Scatter_name, {-1}, 0},
     [SCENE_Instance] = {S_Instance_transform, S_Instance_material, S_Instance_name, {-1}, 0},
-    [SCENE_Sphere] = {S_Sphere_transform, S_Sphere_material, S_Sphere_name, {S_Sphere_radius, S_Sphere_detail, -1}, 1},
+    [SCENE_Sphere] = {S_Sphere_transform,
+                      S_Sphere_material,
+                      S_Sphere_name,
+                      {S_Sphere_radius, S_Sphere_detail, -1},
+                      1},
     [SCENE_Box] = {S_Box_transform, S_Box_material, S_Box_name, {S_Box_size, -1}, 3},
     [SCENE_Cylinder] = {S_Cylinder_transform,
                         S_Cylinder_material,
                         S_Cylinder_name,
                         {S_Cylinder_radius, S_Cylinder_height, S_Cylinder_detail},
                         1},
-    [SCENE_Cone] = {S_Cone_transform, S_Cone_material, S_Cone_name, {S_Cone_radius, S_Cone_height, S_Cone_detail}, 1},
+    [SCENE_Cone] = {S_Cone_transform,
+                    S_Cone_material,
+                    S_Cone_name,
+                    {S_Cone_radius, S_Cone_height, S_Cone_detail},
+                    1},
     [SCENE_Parallelogram] = {S_Parallelogram_transform,
                              S_Parallelogram_material,
                              S_Parallelogram_name,
@@ -66,7 +74,8 @@ static double reach_of(const SceneObject *object)
     return reach;
 }
 
-/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to stay at a right angle. */
+/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to
+ * stay at a right angle. */
 static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
     const SceneMatrix *m = &object->world_from_local;
@@ -87,14 +96,17 @@ static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObj
     if (fabs(scene_vector_dot(axes[0], cross)) < 1e-9)
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
     if (thing->kind == SCENE_Plane && fabs(scene_vector_dot(x, y)) > 1e-6)
-        return fault(r, span, DIAG_scene_flat, "the transformation leaves x and y of a plane at no right angle");
+        return fault(r, span, DIAG_scene_flat,
+                     "the transformation leaves x and y of a plane at no right angle");
     return true;
 }
 
 static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
-    return thing->kind != SCENE_Parallelogram || scene_vector_span(object->numbers, object->numbers + 3) ||
-           fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat, "u and v span nothing");
+    return thing->kind != SCENE_Parallelogram ||
+           scene_vector_span(object->numbers, object->numbers + 3) ||
+           fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat,
+                 "u and v span nothing");
 }
 
 /* Its own, or that of what is around it. */
@@ -106,11 +118,13 @@ static int material_of(SceneReader *r, const SceneThing *thing, int around)
 
 static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *key)
 {
-    diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name, key);
+    diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name,
+             key);
     return r->fine = false;
 }
 
-/* The names of the groups around it and its own, joined by '/': lamps/bulb. NULL: there are none. */
+/* The names of the groups around it and its own, joined by '/': lamps/bulb. NULL: there are
+ * none. */
 static const char *name_of(SceneReader *r, const SceneThing *thing, const char *around)
 {
     const Tree *given = scene_thing_given(thing, rows[thing->kind].name);
@@ -168,12 +182,14 @@ static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject obj
     return true;
 }
 
-/* A mesh of a file with materials, which nothing around it and not the document gives one: an object for each. */
+/* A mesh of a file with materials, which nothing around it and not the document gives one: an
+ * object for each. */
 static bool is_in_parts(const SceneThing *thing, int material)
 {
     const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
     const char *dot = file && file->kind == TREE_scalar ? strrchr(file->text, '.') : NULL;
-    return dot && (!strcmp(dot, ".gltf") || !strcmp(dot, ".glb")) && material < 0 && !scene_thing_given(thing, S_Mesh_material);
+    return dot && (!strcmp(dot, ".gltf") || !strcmp(dot, ".glb")) && material < 0 &&
+           !scene_thing_given(thing, S_Mesh_material);
 }
 
 static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject object)
@@ -184,7 +200,8 @@ static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject objec
     for (int i = first; i < first + count; i++) {
         object.mesh = i;
         object.material = scene_material_read_of(r, file, r->scene->meshes[i].part);
-        if (object.material < 0 || (i > first && !count_thing(r, thing->tree->span)) || !push_object(r, thing, object))
+        if (object.material < 0 || (i > first && !count_thing(r, thing->tree->span)) ||
+            !push_object(r, thing, object))
             return false;
     }
     return count >= 0;
@@ -192,7 +209,8 @@ static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject objec
 
 static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
 {
-    const bool round = thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
+    const bool round =
+        thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
     SceneObject object = {.kind = thing->kind,
                           .name = around->name,
                           .adapts = round && !tree_find(thing->tree, "detail"),
@@ -206,8 +224,11 @@ static bool add_object(SceneReader *r, const SceneThing *thing, const Around *ar
     if (!find_mesh(r, thing, &object.mesh))
         return false;
     if (object.material < 0)
-        return scene_thing_given(thing, rows[thing->kind].material) ? r->fine : fault_missing(r, thing, "material");
-    return (thing->kind != SCENE_Plane || r->aside || add_plane(r, thing)) && push_object(r, thing, object);
+        return scene_thing_given(thing, rows[thing->kind].material)
+                   ? r->fine
+                   : fault_missing(r, thing, "material");
+    return (thing->kind != SCENE_Plane || r->aside || add_plane(r, thing)) &&
+           push_object(r, thing, object);
 }
 
 static void read_list(SceneReader *r, const Tree *list, const Around *around);
@@ -252,14 +273,16 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
         read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
 }
 
-/* An alias may stand for a list any number of times, in lists that are aliases: what is met is counted. */
+/* An alias may stand for a list any number of times, in lists that are aliases: what is met is
+ * counted. */
 static void read_list(SceneReader *r, const Tree *list, const Around *around)
 {
     for (uint32_t i = 0; i < list->count && count_thing(r, list->items[i]->span); i++)
         read_object(r, list->items[i], around);
 }
 
-/* A definition is open while what is in it is read: what is instanced then contains itself. False: told. */
+/* A definition is open while what is in it is read: what is instanced then contains itself. False:
+ * told. */
 static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around)
 {
     const Tree *name = scene_thing_given(thing, S_Instance_of);
@@ -278,7 +301,10 @@ static bool read_instance(SceneReader *r, const SceneThing *thing, const Around 
     return true;
 }
 
-static bool has(const SceneThing *thing, const char *key) { return tree_find(thing->tree, key) != NULL; }
+static bool has(const SceneThing *thing, const char *key)
+{
+    return tree_find(thing->tree, key) != NULL;
+}
 
 static bool fault_scatter(SceneReader *r, const SceneThing *thing, int param, const char *what)
 {
@@ -291,13 +317,16 @@ static bool check_scatter(SceneReader *r, const SceneThing *thing)
     if (scene_thing_number(thing, S_Scatter_least) > scene_thing_number(thing, S_Scatter_most))
         return fault_scatter(r, thing, S_Scatter_least, "the least scale is greater than the most");
     if (on && has(thing, "size"))
-        return fault_scatter(r, thing, S_Scatter_size, "copies on a surface stand in no box: `on` or `size`");
+        return fault_scatter(r, thing, S_Scatter_size,
+                             "copies on a surface stand in no box: `on` or `size`");
     if (has(thing, "density") && has(thing, "count"))
-        return fault_scatter(r, thing, S_Scatter_density, "there are as many copies as one says: `density` or `count`");
+        return fault_scatter(r, thing, S_Scatter_density,
+                             "there are as many copies as one says: `density` or `count`");
     if (!on && has(thing, "density"))
         return fault_scatter(r, thing, S_Scatter_density, "density is of a surface: it wants `on`");
     if (!on && has(thing, "aligned"))
-        return fault_scatter(r, thing, S_Scatter_aligned, "copies are aligned to a surface: it wants `on`");
+        return fault_scatter(r, thing, S_Scatter_aligned,
+                             "copies are aligned to a surface: it wants `on`");
     return true;
 }
 
@@ -306,26 +335,33 @@ static bool make_surface(SceneReader *r, const SceneThing *thing, int first, Sce
     const Scene *scene = r->scene;
     for (int i = first; i < scene->object_count; i++)
         if (scene->objects[i].kind == SCENE_Plane)
-            return fault_scatter(r, thing, S_Scatter_on, "a plane has no end: copies cannot stand evenly on all of it");
+            return fault_scatter(r, thing, S_Scatter_on,
+                                 "a plane has no end: copies cannot stand evenly on all of it");
     if (!scene_surface_make(scene, scene->objects + first, scene->object_count - first, made) ||
         (r->surface_triangles += made->count) > SCENE_SURFACE_TRIANGLES)
-        return fault_scatter(r, thing, S_Scatter_on, "surfaces that copies stand on have too many triangles in all");
-    return scene_surface_area(made) > 0 || fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
+        return fault_scatter(r, thing, S_Scatter_on,
+                             "surfaces that copies stand on have too many triangles in all");
+    return scene_surface_area(made) > 0 ||
+           fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
 }
 
-/* The objects of a tree, in its own space: they are added, and go with what the caller makes of object_count. */
+/* The objects of a tree, in its own space: they are added, and go with what the caller makes of
+ * object_count. */
 static void read_aside(SceneReader *r, Tree *tree, int depth)
 {
     const bool before = r->aside;
     const size_t stands = r->stand_count;
     r->aside = true;
-    read_object(r, tree, &(Around){.world_from_group = scene_matrix_identity(), .material = 0, .depth = depth});
+    read_object(
+        r, tree,
+        &(Around){.world_from_group = scene_matrix_identity(), .material = 0, .depth = depth});
     r->aside = before;
     r->stand_count = stands;
 }
 
 /* Of objects as any, in the copies' space. False: told. */
-static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around, SceneSurface *made)
+static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around,
+                         SceneSurface *made)
 {
     Scene *scene = r->scene;
     const int objects = scene->object_count;
@@ -335,7 +371,8 @@ static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *
     read_aside(r, scene_thing_given(thing, S_Scatter_on), around->depth);
     const bool done = r->fine && make_surface(r, thing, objects, made);
     if (done)
-        scene_stand_open(r, &around->world_from_group, objects, scene_thing_number(thing, S_Scatter_aligned) != 0);
+        scene_stand_open(r, &around->world_from_group, objects,
+                         scene_thing_number(thing, S_Scatter_aligned) != 0);
     scene->object_count = objects;
     return done;
 }
@@ -345,22 +382,26 @@ static int copies_of(const SceneThing *thing, const SceneSurface *surface)
 {
     if (!has(thing, "density"))
         return (int)scene_thing_number(thing, S_Scatter_count);
-    return (int)fmin(scene_thing_number(thing, S_Scatter_density) * scene_surface_area(surface) + .5,
+    return (int)fmin(scene_thing_number(thing, S_Scatter_density) * scene_surface_area(surface) +
+                         .5,
                      SCENE_OBJECTS + 1);
 }
 
 /* What is wrong with one copy is wrong with all. */
-static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around, const SceneScatter *scatter)
+static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around,
+                       const SceneScatter *scatter)
 {
     const Tree *list = scene_thing_given(thing, S_Scatter_objects);
     const int count = copies_of(thing, scatter->surface);
     uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
     const size_t stand = r->stand_count - 1; /* copies may have surfaces of their own */
-    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span); i++) {
+    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span);
+         i++) {
         SceneStood stood = {.first = r->scene->object_count};
         scene_scatter_numbers(state, stood.numbers);
         const SceneMatrix own = scene_scatter_matrix(scatter, &state);
-        const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
+        const Around here = {.world_from_group =
+                                 scene_matrix_multiply(&around->world_from_group, &own),
                              .material = around->material,
                              .depth = around->depth,
                              .name = around->name};

@@ -1,8 +1,8 @@
-/* For precision the origin may be any point near the camera. It is a point that the document names: where an
- * infinite plane stands, or else most of the objects and groups of the outermost list do. A scene that is
- * moved as a whole, by a group around it or object by object, so gets the coordinates that it had before,
- * and the same floats: its picture does not differ by rounding. Where no such point is near, the camera's own
- * position serves. */
+/* For precision the origin may be any point near the camera. It is a point that the document names:
+ * where an infinite plane stands, or else most of the objects and groups of the outermost list do.
+ * A scene that is moved as a whole, by a group around it or object by object, so gets the
+ * coordinates that it had before, and the same floats: its picture does not differ by rounding.
+ * Where no such point is near, the camera's own position serves. */
 #include "runtime/scene/scene_origin.h"
 #include "compiler/base/memory.h"
 #include "runtime/scene/scene_displacement.h"
@@ -10,10 +10,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The distances that follow are multiples of that from the camera to its target, or of half the width of an
- * orthographic picture. A float at that many of them is off by 1e-6 and 6e-5 of one. */
-static const double near_reach = 16;   /* a camera that stands so near the world's origin keeps it */
-static const double travel_reach = 1024; /* a camera may go so far from the origin until that follows it */
+/* The distances that follow are multiples of that from the camera to its target, or of half the
+ * width of an orthographic picture. A float at that many of them is off by 1e-6 and 6e-5 of one. */
+/* a camera that stands so near the world's origin keeps it */
+static const double near_reach = 16;
+/* a camera may go so far from the origin until that follows it */
+static const double travel_reach = 1024;
 
 enum { POINT = 3 };
 

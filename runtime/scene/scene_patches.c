@@ -1,7 +1,9 @@
-/* What moves the points of patches. Within a patch it is its corners' own; on an edge that is hard, the sum of its two sides' normals, mixed between its ends; along a seam, what
- * the first patch has there; at a corner the same of all around it.
+/* What moves the points of patches. Within a patch it is its corners' own; on an edge that is hard,
+ * the sum of its two sides' normals, mixed between its ends; along a seam, what the first patch has
+ * there; at a corner the same of all around it.
  *
- *     Two faces of a box: their edge moves along the sum of their normals, points beside it along their own face's. */
+ *     Two faces of a box: their edge moves along the sum of their normals, points beside it along
+ *     their own face's. */
 #include "runtime/scene/scene_patches.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_divide.h"
@@ -72,7 +74,8 @@ static void join(Maker *m, Edge *edge, const uint32_t ends[2])
 {
     ShapeVertex *rows = m->made->rows;
     const Edge was = *edge;
-    if (!differ(&rows[ends[0]], &rows[was.owner[0]]) && !differ(&rows[ends[1]], &rows[was.owner[1]]))
+    if (!differ(&rows[ends[0]], &rows[was.owner[0]]) &&
+        !differ(&rows[ends[1]], &rows[was.owner[1]]))
         return;
     for (int i = 0; i < 2; i++) {
         if (was.row[i] == was.owner[i])
@@ -81,7 +84,8 @@ static void join(Maker *m, Edge *edge, const uint32_t ends[2])
     }
 }
 
-/* All triangles but those with two corners in one place, at a pole: their points lie on an edge that their neighbours share. */
+/* All triangles but those with two corners in one place, at a pole: their points lie on an edge
+ * that their neighbours share. */
 static void find_patches(Maker *m)
 {
     for (int i = 0; i + 2 < m->shape->index_count; i += 3) {
@@ -136,7 +140,10 @@ bool scene_patches_make(const Shape *shape, ScenePatches *made)
 {
     const size_t triangles = (size_t)shape->index_count / 3, vertices = (size_t)shape->vertex_count;
     int *first = scene_places(shape);
-    Maker m = {.shape = shape, .first = first, .made = made, .edges = calloc(3 * triangles + 1, sizeof *m.edges)};
+    Maker m = {.shape = shape,
+               .first = first,
+               .made = made,
+               .edges = calloc(3 * triangles + 1, sizeof *m.edges)};
     *made = (ScenePatches){.rows = calloc(2 * vertices + 6 * triangles + 1, sizeof *made->rows),
                            .at = calloc(triangles + 1, sizeof *made->at),
                            .row_count = shape->vertex_count};
@@ -175,11 +182,13 @@ static void to_world(const ScenePatches *patches, const float local[3], double w
 {
     const double *m = patches->world_from_local.m;
     for (int i = 0; i < 3; i++)
-        world[i] = m[i] * (double)local[0] + m[4 + i] * (double)local[1] + m[8 + i] * (double)local[2] + m[12 + i];
+        world[i] = m[i] * (double)local[0] + m[4 + i] * (double)local[1] +
+                   m[8 + i] * (double)local[2] + m[12 + i];
 }
 
 /* By sums of both ends, whose order does not matter. */
-static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, const float *const ends[2])
+static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
+                        const float *const ends[2])
 {
     double world[2][3], middle[3], way[3];
     for (int i = 0; i < 2; i++)
@@ -188,7 +197,8 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, cons
         middle[i] = (world[0][i] + world[1][i]) / 2;
         way[i] = world[1][i] - world[0][i];
     }
-    const double wanted = sqrt(scene_vector_dot(way, way)) * scene_seen_pixels(seen, middle) / patches->pixels;
+    const double wanted =
+        sqrt(scene_vector_dot(way, way)) * scene_seen_pixels(seen, middle) / patches->pixels;
     int parts = 1;
     while (2 * parts <= patches->level && parts < wanted)
         parts *= 2;
@@ -198,10 +208,12 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen, cons
 /* What is rounded by corners, or a symbol, may go farther than `bound`. */
 bool scene_patches_hide(const ScenePatches *patches)
 {
-    return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 && patches->method != WORD_Displacing_points;
+    return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 &&
+           patches->method != WORD_Displacing_points;
 }
 
-static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3], const SceneSight *sight)
+static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, const double eye[3],
+                      const SceneSight *sight)
 {
     double corners[3][3];
     for (int k = 0; k < 3; k++)
@@ -211,7 +223,10 @@ static bool is_hidden(const ScenePatches *patches, const ScenePatch *patch, cons
 
 static int larger(int a, int b) { return a > b ? a : b; }
 
-int scene_patch_parts(const uint8_t parts[3]) { return larger(larger(parts[0], parts[1]), parts[2]); }
+int scene_patch_parts(const uint8_t parts[3])
+{
+    return larger(larger(parts[0], parts[1]), parts[2]);
+}
 
 /* No edge has more parts than that. */
 static int64_t triangles_of(const ScenePatches *patches, uint8_t (*parts)[3], int most)
@@ -245,7 +260,8 @@ void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera
             const uint32_t *own = patches->at[t].own;
             const float *const ends[2] = {patches->rows[own[(k + 1) % 3]].position,
                                           patches->rows[own[(k + 2) % 3]].position};
-            parts[t][k] = patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
+            parts[t][k] =
+                patches->pixels > 0 ? parts_of(patches, &seen, ends) : (uint8_t)patches->level;
         }
     for (int t = 0; sight && scene_patches_hide(patches) && t < patches->count; t++)
         if (is_hidden(patches, &patches->at[t], camera->position, sight))

@@ -31,14 +31,16 @@ static void read_tone(SceneReader *r, Tree *tree)
     static const int first[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity,
                                                 [SCENE_Drago] = S_Drago_bias,
                                                 [SCENE_Shoulder] = S_Shoulder_knee};
-    static const int numbers[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
+    static const int numbers[SCENE_KIND_COUNT] = {
+        [SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
     static const int exposures[SCENE_KIND_COUNT] = {
         [SCENE_Clamp] = S_Clamp_exposure,       [SCENE_Filmic] = S_Filmic_exposure,
         [SCENE_Shoulder] = S_Shoulder_exposure, [SCENE_Exponential] = S_Exponential_exposure,
         [SCENE_Linear] = S_Linear_exposure,     [SCENE_Drago] = S_Drago_exposure};
     Scene *scene = r->scene;
     scene->tone = thing.kind;
-    scene->exposure = exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
+    scene->exposure =
+        exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
     for (int i = 0; i < numbers[thing.kind]; i++)
         scene->tone_numbers[i] = scene_thing_number(&thing, first[thing.kind] + i);
 }
@@ -65,7 +67,8 @@ static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
 {
     size_t i = 0;
     while (i < r->plane_count &&
-           scene_camera_sees_plane(r->scene, camera, &r->scene->objects[r->planes[i]].world_from_local))
+           scene_camera_sees_plane(r->scene, camera,
+                                   &r->scene->objects[r->planes[i]].world_from_local))
         i++;
     return i == r->plane_count;
 }
@@ -121,14 +124,17 @@ static void read_displacement(SceneReader *r, Tree *tree)
     dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
     dividing->spread = scene_thing_number(&thing, S_Displacement_spread);
     dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
-    if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) && r->scene->displaced_pixels > 0)
+    if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) &&
+        r->scene->displaced_pixels > 0)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
                  word_table[method].name);
     else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
     else if ((dividing->push != 0 || dividing->bulge > 0) &&
              !scene_displaced_by_driver(method, r->scene->displaced_pixels))
-        diag_add(r->session, scene_thing_span(&thing, dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
+        diag_add(r->session,
+                 scene_thing_span(&thing,
+                                  dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
                  DIAG_scene_rounded, word_table[method].name);
     else if (!has_skirts(method, dividing->skirts))
         diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
@@ -163,7 +169,8 @@ static void check_rays(SceneReader *r, const SceneThing *document)
         return;
     bool fine = sees_planes(r, &camera);
     for (int frame = 0; fine && frame < scene->motion.frames; frame++)
-        fine = scene_motion_camera(scene, frame, scene->motion.frames, &camera) && sees_planes(r, &camera);
+        fine = scene_motion_camera(scene, frame, scene->motion.frames, &camera) &&
+               sees_planes(r, &camera);
     if (fine)
         return;
     diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
@@ -173,13 +180,15 @@ static void check_rays(SceneReader *r, const SceneThing *document)
 /* Whether a material emits light at one of some points. */
 static bool emits(const SceneMaterial *material)
 {
-    static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3", "u=0.87 v=0.29 x=-2 y=0.3 z=-1"};
+    static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3",
+                                         "u=0.87 v=0.29 x=-2 y=0.3 z=-1"};
     MatcOptions options;
     bool any = false;
     matc_options_init(&options);
     options.slot = "emissive";
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
-        const MatcNumbers light = matc_eval_slot(material->document, material->index, points[i], &options);
+        const MatcNumbers light =
+            matc_eval_slot(material->document, material->index, points[i], &options);
         for (int k = 0; k < light.lanes; k++)
             any |= light.lane[k] > 0;
     }
@@ -232,7 +241,8 @@ static void read_scene(SceneReader *r, Tree *document)
         warn_of_darkness(r, &thing);
 }
 
-MatcDocument *scene_read(const char *name, const char *text, size_t size, const MatcOptions *options, Scene **made)
+MatcDocument *scene_read(const char *name, const char *text, size_t size,
+                         const MatcOptions *options, Scene **made)
 {
     MatcDocument *document = document_read(name, text, size, options);
     Tree *tree = document->tree;

@@ -1,11 +1,16 @@
-/* Bisection by error. Each triangle has a few sample points within; where they are moved to differs from where the triangle has them, as it mixes what its corners
- * are moved to. The mean square of that distance, times the area, is the triangle's share of the whole error, and the largest are divided, an eighth of all
- * triangles at a time; samples go to the half that they lie in, and those that a half lacks are added.
+/* Bisection by error. Each triangle has a few sample points within; where they are moved to differs
+ * from where the triangle has them, as it mixes what its corners are moved to. The mean square of
+ * that distance, times the area, is the triangle's share of the whole error, and the largest are
+ * divided, an eighth of all triangles at a time; samples go to the half that they lie in, and those
+ * that a half lacks are added.
  *
- *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the halves that the ridge does not cross have 0, and stay as they are
+ *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the
+ *     halves that the ridge does not cross have 0, and stay as they are
  *
- * At last places are moved off the surface to where triangles miss less: scene_refine_fit.h. What no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and these have up to four times as many samples: a part of the
- * surface that is as large as two triangles of an even division has one within. */
+ * At last places are moved off the surface to where triangles miss less: scene_refine_fit.h. What
+ * no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and
+ * these have up to four times as many samples: a part of the surface that is as large as two
+ * triangles of an even division has one within. */
 #include "runtime/scene/scene_refine.h"
 #include "compiler/base/vec3.h"
 #include "runtime/scene/scene_bisection.h"
@@ -56,7 +61,8 @@ typedef struct {
 /* -- samples */
 
 /* Where a triangle has the point that is moved. */
-static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3], double result[3])
+static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3],
+                  double result[3])
 {
     const double whole = scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2]);
     const double a = scene_bisection_turn(weights, t->weights[1], t->weights[2]) / whole,
@@ -134,8 +140,9 @@ static double least_square(const Shape *shape)
     return most * most * ldexp(1, -48);
 }
 
-/* Evenly over a triangle: points of a lattice whose steps are 1 over the plastic number and its square, the far half of the square turned over (Roberts,
- * The unreasonable effectiveness of quasirandom sequences, 2018). */
+/* Evenly over a triangle: points of a lattice whose steps are 1 over the plastic number and its
+ * square, the far half of the square turned over (Roberts, The unreasonable effectiveness of
+ * quasirandom sequences, 2018). */
 static void place_sample(const SceneBisectionTriangle *t, size_t number, int weights[3])
 {
     const double steps[2] = {0.7548776662466927, 0.5698402909980532};
@@ -147,8 +154,9 @@ static void place_sample(const SceneBisectionTriangle *t, size_t number, int wei
         x[1] = 1 - x[1];
     }
     for (int lane = 0; lane < 2; lane++)
-        weights[lane] = (int)lrint(t->weights[2][lane] + x[0] * (t->weights[0][lane] - t->weights[2][lane]) +
-                                   x[1] * (t->weights[1][lane] - t->weights[2][lane]));
+        weights[lane] =
+            (int)lrint(t->weights[2][lane] + x[0] * (t->weights[0][lane] - t->weights[2][lane]) +
+                       x[1] * (t->weights[1][lane] - t->weights[2][lane]));
     weights[2] = SCENE_BISECTION_PARTS - weights[0] - weights[1];
 }
 
@@ -157,7 +165,8 @@ static bool fill_samples(Refiner *r, uint32_t triangle, int least)
     int count = 0;
     for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next)
         count++;
-    if (!scene_room(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_room, sizeof *r->samples))
+    if (!scene_room(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_room,
+                    sizeof *r->samples))
         return false;
     for (; count < least; count++) {
         Sample *made = &r->samples[r->sample_count];
@@ -206,7 +215,11 @@ static void share_samples(void *user, uint32_t triangle, uint32_t made)
     while (next != NONE) {
         Sample *sample = &r->samples[next];
         const uint32_t at = next,
-                       to = scene_bisection_turn(t->weights[0], t->weights[2], sample->weights) * side >= 0 ? triangle : made;
+                       to = scene_bisection_turn(t->weights[0], t->weights[2], sample->weights) *
+                                        side >=
+                                    0
+                                ? triangle
+                                : made;
         next = sample->next;
         sample->next = r->first[to];
         r->first[to] = at;
@@ -248,8 +261,8 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
         for (uint32_t k = all ? NONE : r->first[r->touched[i]]; k != NONE; k = r->samples[k].next)
             if (k >= r->sample_moved && count < BATCH) {
                 waiting[count] = k;
-                at[count++] = scene_divide_point(r->b.shape, r->b.triangles[r->touched[i]].base, r->samples[k].weights,
-                                                 SCENE_BISECTION_PARTS);
+                at[count++] = scene_divide_point(r->b.shape, r->b.triangles[r->touched[i]].base,
+                                                 r->samples[k].weights, SCENE_BISECTION_PARTS);
             }
         if ((!all && count + FIRST_SAMPLES <= BATCH) || !count)
             continue;
@@ -277,7 +290,8 @@ static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3]
 {
     bool fine = true;
     for (size_t i = 0; fine && !by_area && i < r->touched_count; i++)
-        fine = fill_samples(r, r->touched[i], r->round == r->first_round ? first_samples(r) : SAMPLES);
+        fine =
+            fill_samples(r, r->touched[i], r->round == r->first_round ? first_samples(r) : SAMPLES);
     fine = fine && (by_area || (move_places(r, at) && move_samples(r, at, to)));
     for (size_t i = 0; fine && i < r->touched_count; i++) {
         const uint32_t triangle = r->touched[i];
@@ -333,7 +347,8 @@ static double length_of(const Refiner *r, size_t place)
     return r->how->length ? r->how->length(r->how->user, by) : vec3_length(by);
 }
 
-/* Places are moved to where triangles miss less, all at once; those that would move farther than any did stay. */
+/* Places are moved to where triangles miss less, all at once; those that would move farther than
+ * any did stay. */
 static bool fit(Refiner *r)
 {
     SceneMiss *misses = malloc((r->b.count + 1) * sizeof *misses);
@@ -364,7 +379,8 @@ bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
     r.least = least_square(shape);
     r.b.divided = share_samples;
     r.b.user = &r;
-    fine = fine && (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
+    fine = fine &&
+           (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
     fine = fine && refine_to(&r, triangles, false) && fit(&r) &&
            scene_bisection_shape(&r.b, (const double(*)[3])r.to, made);
     scene_bisection_end(&r.b);

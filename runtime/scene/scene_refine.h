@@ -17,6 +17,7 @@ typedef struct {
     double least; /* error of a triangle, times the scale, that is small enough; 0: none is */
 } SceneRefining;
 
-/* The refined shape, moved, with where its vertices were (Shape.base). False: memory ran out, or points could not be moved; *made is empty. */
+/* The refined shape, moved, with where its vertices were (Shape.base). False: memory ran out, or
+ * points could not be moved; *made is empty. */
 bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made);
 #endif

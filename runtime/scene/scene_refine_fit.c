@@ -7,10 +7,12 @@ static const double STEP = 0.7; /* of a step of Jacobi's: two whole ones oversho
 static const double FLAT = 0.02 * 0.02;
 
 typedef struct {
-    double sum[3], area, low, high; /* of its triangles: what they miss; the squares of the best and the worst */
+    /* of its triangles: what they miss; the squares of the best and the worst */
+    double sum[3], area, low, high;
 } Around;
 
-static void add_triangle(const SceneBisection *b, uint32_t triangle, const SceneMiss *miss, Around *around)
+static void add_triangle(const SceneBisection *b, uint32_t triangle, const SceneMiss *miss,
+                         Around *around)
 {
     for (int corner = 0; corner < 3; corner++) {
         Around *at = &around[b->place_of[b->triangles[triangle].vertex[corner]]];
@@ -22,7 +24,8 @@ static void add_triangle(const SceneBisection *b, uint32_t triangle, const Scene
     }
 }
 
-bool scene_refine_fit(const SceneBisection *b, const SceneMiss *misses, double least, double (*to)[3])
+bool scene_refine_fit(const SceneBisection *b, const SceneMiss *misses, double least,
+                      double (*to)[3])
 {
     Around *around = calloc(b->place_count + 1, sizeof *around);
     if (!around)

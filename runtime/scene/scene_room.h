@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for `count` elements in an array that has it for *room; `array` is where the pointer to it lies. False: memory ran out, and all is as before. */
+/* Room for `count` elements in an array that has it for *room; `array` is where the pointer to it
+ * lies. False: memory ran out, and all is as before. */
 static inline bool scene_room(void *array, size_t count, size_t *room, size_t size)
 {
     const size_t least = 1024;

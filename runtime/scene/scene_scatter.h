@@ -4,7 +4,8 @@
 #include "runtime/scene/scene_surface.h"
 #include <stdint.h>
 
-/* SplitMix64 (Steele, Lea, Flood 2014): from a state to the next number. From the state 0 come 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4. */
+/* SplitMix64 (Steele, Lea, Flood 2014): from a state to the next number. From the state 0 come
+ * 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4. */
 uint64_t scene_scatter_next(uint64_t *state);
 
 typedef struct {
@@ -19,6 +20,7 @@ typedef struct {
 void scene_scatter_numbers(uint64_t state, double numbers[3]);
 /* A turn that takes z to a unit vector. */
 SceneMatrix scene_scatter_turn(const double n[3]);
-/* The next copy's matrix: seven numbers are drawn, for its place (x, y, z, or those of scene_surface_point), its rotations about x, y, z, and its scale. */
+/* The next copy's matrix: seven numbers are drawn, for its place (x, y, z, or those of
+ * scene_surface_point), its rotations about x, y, z, and its scale. */
 SceneMatrix scene_scatter_matrix(const SceneScatter *scatter, uint64_t *state);
 #endif

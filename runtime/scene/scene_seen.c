@@ -1,6 +1,8 @@
-/* Pixels of a unit of length at a distance: half the picture's shorter side is `half` as long as the distance, or, orthographic, as `half` itself.
+/* Pixels of a unit of length at a distance: half the picture's shorter side is `half` as long as
+ * the distance, or, orthographic, as `half` itself.
  *
- *     600 pixels, 90 degrees, 10 away: 300 pixels are tan 45 degrees times 10, so that a unit has 30 */
+ *     600 pixels, 90 degrees, 10 away: 300 pixels are tan 45 degrees times 10, so that a unit has
+ *     30 */
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -10,7 +12,8 @@ static const double rim = 1.1;       /* of the picture: displaced points come fr
 
 void scene_seen_find(const Scene *scene, SceneSeen *seen)
 {
-    const int frames = scene->motion.frames, count = frames < SCENE_SEEN_CAMERAS ? frames : SCENE_SEEN_CAMERAS;
+    const int frames = scene->motion.frames,
+              count = frames < SCENE_SEEN_CAMERAS ? frames : SCENE_SEEN_CAMERAS;
     const double sides[2] = {scene->width, scene->height};
     seen->shorter = fmin(sides[0], sides[1]);
     seen->count = 0;
@@ -33,7 +36,8 @@ static double pixels_of(const SceneSeen *seen, const SceneCamera *camera, const 
     const double depth = -scene_vector_dot(way, camera->back);
     const double distance = parallel ? 1 : fmax(sqrt(scene_vector_dot(way, way)), camera->near);
     const double reach = rim * camera->half * (parallel ? 1 : depth);
-    const bool inside = depth > 0 && fabs(scene_vector_dot(way, camera->right)) <= reach * seen->half[0] &&
+    const bool inside = depth > 0 &&
+                        fabs(scene_vector_dot(way, camera->right)) <= reach * seen->half[0] &&
                         fabs(scene_vector_dot(way, camera->up)) <= reach * seen->half[1];
     return seen->shorter / 2 / (camera->half * distance * (inside ? 1 : out_of_view));
 }

@@ -1,15 +1,23 @@
-/* A triangle, and all places where its shadow may fall, against the sides of what a camera sees. Along a ray from a light, how far it is inside of a side goes evenly: so it is beyond it
- * where it begins to fall, at the triangle, and where it leaves the box around all objects, or nowhere in between is in view.
+/* A triangle, and all places where its shadow may fall, against the sides of what a camera sees.
+ * Along a ray from a light, how far it is inside of a side goes evenly: so it is beyond it where it
+ * begins to fall, at the triangle, and where it leaves the box around all objects, or nowhere in
+ * between is in view.
  *
- *     What is right of x = 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends at 1 */
+ *     What is right of x = 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that
+ *     ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends at
+ *     1 */
 #include "runtime/scene/scene_sight.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
-static const double beside = 0.1; /* of how far a triangle is away: what comes into view beside it is kept */
+/* of how far a triangle is away: what comes into view beside it is kept */
+static const double beside = 0.1;
 static const double lifted =
-    0.001; /* of how far away points are, at most, that ask for shadows: they do so a part of a pixel above the surface */
-static const double widest = 4; /* of what a map of a lamp shows at a distance of 1, which is no wider */
+    /* of how far away points are, at most, that ask for shadows: they do so a part of a pixel above
+     * the surface */
+    0.001;
+/* of what a map of a lamp shows at a distance of 1, which is no wider */
+static const double widest = 4;
 
 /* A triangle whose points move by no more than `bound`. */
 typedef struct {
@@ -27,7 +35,10 @@ static SightTriangle triangle_of(const double corners[3][3], double bound)
     return moved;
 }
 
-static double inside_by(const double plane[4], const double at[3]) { return scene_vector_dot(plane, at) + plane[3]; }
+static double inside_by(const double plane[4], const double at[3])
+{
+    return scene_vector_dot(plane, at) + plane[3];
+}
 
 static double most_inside(const double plane[4], const SightTriangle *moved)
 {
@@ -37,7 +48,8 @@ static double most_inside(const double plane[4], const SightTriangle *moved)
     return most + moved->bound;
 }
 
-/* How far rays by the triangle go on until they have left the box: as a length, or as times what they have gone from a lamp. Infinite: that is not known. */
+/* How far rays by the triangle go on until they have left the box: as a length, or as times what
+ * they have gone from a lamp. Infinite: that is not known. */
 static double reach_of(const SceneSight *sight, const SceneLight *light, const SightTriangle *moved)
 {
     double reach = INFINITY;
@@ -54,8 +66,10 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
     return fmax(reach, light->kind == SCENE_Directional ? 0 : 1);
 }
 
-/* The same until no ray is before a ground any more. One that never comes there has no shadow on it; infinite: a ray may run along it. */
-static double ground_reach(const double ground[4], const SceneLight *light, const SightTriangle *moved)
+/* The same until no ray is before a ground any more. One that never comes there has no shadow on
+ * it; infinite: a ray may run along it. */
+static double ground_reach(const double ground[4], const SceneLight *light,
+                           const SightTriangle *moved)
 {
     const double along = 1e-9;
     const bool far = light->kind == SCENE_Directional;
@@ -70,7 +84,8 @@ static double ground_reach(const double ground[4], const SceneLight *light, cons
         return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
     }
     const double room =
-        fabs(from) - most; /* a ray that comes nearer to it from the lamp is there when it has come that near */
+        /* a ray that comes nearer to it from the lamp is there when it has come that near */
+        fabs(from) - most;
     return least >= fabs(from) ? 1 : room > along * fabs(from) ? fabs(from) / room : INFINITY;
 }
 
@@ -83,10 +98,12 @@ static double far_from(const double at[3], const double low[3], const double hig
 }
 
 /* What a map spreads: its filter, and how far a point is lifted to ask it. */
-static double spread_of(const SceneSight *sight, const SceneLight *light, const SightTriangle *moved, double reach)
+static double spread_of(const SceneSight *sight, const SceneLight *light,
+                        const SightTriangle *moved, double reach)
 {
     enum { TAPS = 2, MORE = 4 /* texels for one of the filter, and beside */ };
-    const double size = sight->casts->shadow_size, texels = TAPS * sight->casts->shadow_filter + MORE;
+    const double size = sight->casts->shadow_size,
+                 texels = TAPS * sight->casts->shadow_filter + MORE;
     if (light->kind == SCENE_Directional)
         return texels * 2 * far_from(sight->low, sight->low, sight->high) / size;
     return texels * widest / size * reach * far_from(light->position, moved->low, moved->high);
@@ -102,9 +119,10 @@ static bool casts_into_view(const SceneSight *sight, const double eye[3], const 
     if (!(reach < INFINITY))
         return true;
     if (sight->ground_count)
-        farthest = fmax(farthest, far ? far_from(eye, moved->low, moved->high) + reach
-                                      : far_from(eye, light->position, light->position) +
-                                            reach * far_from(light->position, moved->low, moved->high));
+        farthest =
+            fmax(farthest, far ? far_from(eye, moved->low, moved->high) + reach
+                               : far_from(eye, light->position, light->position) +
+                                     reach * far_from(light->position, moved->low, moved->high));
     const double margin = spread_of(sight, light, moved, reach) + lifted * farthest;
     bool beyond = false;
     for (int i = 0; i < sight->count && !beyond; i++) {
@@ -116,7 +134,8 @@ static bool casts_into_view(const SceneSight *sight, const double eye[3], const 
     return !beyond;
 }
 
-bool scene_sight_misses(const SceneSight *sight, const double eye[3], const double corners[3][3], double bound)
+bool scene_sight_misses(const SceneSight *sight, const double eye[3], const double corners[3][3],
+                        double bound)
 {
     const SightTriangle moved = triangle_of(corners, bound);
     double way[3];
@@ -129,6 +148,7 @@ bool scene_sight_misses(const SceneSight *sight, const double eye[3], const doub
     const Scene *casts = sight->casts;
     for (int i = 0; misses && casts && i < casts->light_count; i++)
         if (scene_light_casts(&casts->lights[i]))
-            misses = sight->low[0] < sight->high[0] && !casts_into_view(sight, eye, &casts->lights[i], &moved);
+            misses = sight->low[0] < sight->high[0] &&
+                     !casts_into_view(sight, eye, &casts->lights[i], &moved);
     return misses;
 }

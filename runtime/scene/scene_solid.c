@@ -1,4 +1,5 @@
-/* Objects as triangles. What preview shapes have is scaled: position and derivatives alike; the rest is made here. */
+/* Objects as triangles. What preview shapes have is scaled: position and derivatives alike; the
+ * rest is made here. */
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -8,9 +9,13 @@
 #define PI       3.14159265358979323846
 #define SHORTEST 1e-6 /* normal of a tip */
 
-static void put(float to[3], double x, double y, double z) { to[0] = (float)x, to[1] = (float)y, to[2] = (float)z; }
+static void put(float to[3], double x, double y, double z)
+{
+    to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
+}
 
-/* A preview shape, whose half extents are 1, with others. Its normals stay: a sphere has one, a box and a parallelogram are flat. */
+/* A preview shape, whose half extents are 1, with others. Its normals stay: a sphere has one, a box
+ * and a parallelogram are flat. */
 static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape *made)
 {
     if (!shape_make_detailed(kind, steps, made))
@@ -28,7 +33,8 @@ static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape
 /* P = s u + t v, (s, t) in the unit square. */
 static bool parallelogram(const double u[3], const double v[3], Shape *made)
 {
-    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, normal[3]; /* a product of lengths may be no number */
+    /* a product of lengths may be no number */
+    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, normal[3];
     scene_vector_normalize(a);
     scene_vector_normalize(b);
     scene_vector_cross(a, b, normal);
@@ -46,21 +52,24 @@ static bool parallelogram(const double u[3], const double v[3], Shape *made)
     return true;
 }
 
-/* A side between two circles, and a lid wherever one has an extent: vertices in rows of `steps` + 1. */
+/* A side between two circles, and a lid wherever one has an extent: vertices in rows of `steps` +
+ * 1. */
 typedef struct {
     double foot, top, height; /* radii */
     int steps;                /* of a circle */
 } Round;
 
-/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal leans by the slope of the side. Its length is r / foot: then it is linear in
- * P, and right within a triangle that ends in a tip, too. With normals of length 1 each triangle of a cone would take at its tip that of one
- * of its edges, half a step off: 0.9 degrees. At the tip itself a normal is short, and not nothing. */
+/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal leans by the slope of the
+ * side. Its length is r / foot: then it is linear in P, and right within a triangle that ends in a
+ * tip, too. With normals of length 1 each triangle of a cone would take at its tip that of one of
+ * its edges, half a step off: 0.9 degrees. At the tip itself a normal is short, and not nothing. */
 static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
 {
     const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
     const double long_as = fmax(r / o->foot, SHORTEST) / hypot(o->height, fall);
     for (int i = 0; i <= o->steps; i++, next++) {
-        const double s = (double)i / o->steps, a = 2 * PI * (i % o->steps) / o->steps, c = cos(a), d = sin(a);
+        const double s = (double)i / o->steps, a = 2 * PI * (i % o->steps) / o->steps, c = cos(a),
+                     d = sin(a);
         put(next->position, r * c, r * d, o->height * t);
         put(next->normal, o->height * long_as * c, o->height * long_as * d, fall * long_as);
         put(next->tangentU, -2 * PI * r * d, 2 * PI * r * c, 0);
@@ -70,12 +79,14 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
     return next;
 }
 
-/* A disc: its middle, then its rim; u and v are those of the square around it, turned over at the foot. */
+/* A disc: its middle, then its rim; u and v are those of the square around it, turned over at the
+ * foot. */
 static ShapeVertex *lid(const Round *o, bool up, ShapeVertex *next)
 {
     const double r = up ? o->top : o->foot, z = up ? o->height : 0, facing = up ? 1 : -1;
     for (int i = -1; i <= o->steps; i++, next++) {
-        const double a = 2 * PI * (i % o->steps) / o->steps, c = i < 0 ? 0 : cos(a), d = i < 0 ? 0 : sin(a);
+        const double a = 2 * PI * (i % o->steps) / o->steps, c = i < 0 ? 0 : cos(a),
+                     d = i < 0 ? 0 : sin(a);
         put(next->position, r * c, r * d, z);
         put(next->normal, 0, 0, facing);
         put(next->tangentU, 2 * r, 0, 0);
@@ -95,7 +106,8 @@ static uint32_t *add_triangle(uint32_t *next, uint32_t a, uint32_t b, uint32_t c
 static uint32_t *add_lid(uint32_t *next, uint32_t middle, uint32_t steps, bool up)
 {
     for (uint32_t i = 0; i < steps; i++)
-        next = add_triangle(next, middle, middle + 1 + (up ? i : i + 1), middle + 1 + (up ? i + 1 : i));
+        next = add_triangle(next, middle, middle + 1 + (up ? i : i + 1),
+                            middle + 1 + (up ? i + 1 : i));
     return next;
 }
 
@@ -159,7 +171,8 @@ bool scene_solid(const SceneObject *object, Shape *made)
     *made = (Shape){0};
     switch (object->kind) {
     case SCENE_Sphere:
-        return scaled(SHAPE_sphere, (int[]){(int)n[1], ((int)n[1] + 1) / 2}, (double[]){n[0], n[0], n[0]}, made);
+        return scaled(SHAPE_sphere, (int[]){(int)n[1], ((int)n[1] + 1) / 2},
+                      (double[]){n[0], n[0], n[0]}, made);
     case SCENE_Box:
         return scaled(SHAPE_cube, (int[]){1, 1}, (double[]){n[0] / 2, n[1] / 2, n[2] / 2}, made);
     case SCENE_Parallelogram:

@@ -1,7 +1,10 @@
 /* Materials are known when all objects are read, so copies stand on the base first.
  *
- * In the space of the copies a copy's matrix is T(p) R(n) O: where it stands, its turn to the normal, if it is aligned, and its own. It becomes T(q) R(m) O, with q and m those of the displaced surface: what is
- * in the world as W T(p) R(n) O X is multiplied by W T(q) R(m) (T(p) R(n))^-1 W^-1 from the left. A copy may hold surfaces with copies of their own; these come behind it, and what they stand on goes with it. */
+ * In the space of the copies a copy's matrix is T(p) R(n) O: where it stands, its turn to the
+ * normal, if it is aligned, and its own. It becomes T(q) R(m) O, with q and m those of the
+ * displaced surface: what is in the world as W T(p) R(n) O X is multiplied by W T(q) R(m) (T(p)
+ * R(n))^-1 W^-1 from the left. A copy may hold surfaces with copies of their own; these come behind
+ * it, and what they stand on goes with it. */
 #include "runtime/scene/scene_stand.h"
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_matrix.h"
@@ -12,14 +15,16 @@
 
 enum { CHUNK = 1024 }; /* copies that are moved by one call */
 
-void scene_stand_open(SceneReader *r, const SceneMatrix *world_from_group, int objects, bool aligned)
+void scene_stand_open(SceneReader *r, const SceneMatrix *world_from_group, int objects,
+                      bool aligned)
 {
     SceneStand stand = {.world_from_group = *world_from_group,
                         .object_count = r->scene->object_count - objects,
                         .first = objects,
                         .aligned = aligned};
     stand.objects = ARENA_ARRAY(r->session->arena, SceneObject, stand.object_count + 1);
-    memcpy(stand.objects, r->scene->objects + objects, (size_t)stand.object_count * sizeof *stand.objects);
+    memcpy(stand.objects, r->scene->objects + objects,
+           (size_t)stand.object_count * sizeof *stand.objects);
     ARENA_PUSH(r->session->arena, r->stands, r->stand_count, r->stand_room, stand);
 }
 
@@ -55,9 +60,10 @@ static void apply(const SceneMatrix *m, const double p[3], double w, double resu
         result[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i] * w;
 }
 
-/* The unit normal through the four points around, on the side of the base's; that one, where they span nothing. In the space of the copies. */
-static void find_normal(const Standing *s, const MatcPoint around[SCENE_SURFACE_AROUND], const double before[3],
-                        double normal[3])
+/* The unit normal through the four points around, on the side of the base's; that one, where they
+ * span nothing. In the space of the copies. */
+static void find_normal(const Standing *s, const MatcPoint around[SCENE_SURFACE_AROUND],
+                        const double before[3], double normal[3])
 {
     double at[SCENE_SURFACE_AROUND][3], u[3], v[3];
     for (int i = 0; i < SCENE_SURFACE_AROUND; i++)
@@ -74,9 +80,13 @@ static void find_normal(const Standing *s, const MatcPoint around[SCENE_SURFACE_
         normal[i] = -normal[i];
 }
 
-static void multiply(SceneMatrix *to, const SceneMatrix *by) { *to = scene_matrix_multiply(by, to); }
+static void multiply(SceneMatrix *to, const SceneMatrix *by)
+{
+    *to = scene_matrix_multiply(by, to);
+}
 
-static void place_copy(Standing *s, const SceneStood *copy, const MatcPoint around[SCENE_SURFACE_AROUND])
+static void place_copy(Standing *s, const SceneStood *copy,
+                       const MatcPoint around[SCENE_SURFACE_AROUND])
 {
     double at[3], normal[3], there[3], turned[3];
     scene_surface_point(&s->surface, copy->numbers, at, normal);
@@ -109,8 +119,10 @@ static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
 {
     ShapeVertex around[SCENE_SURFACE_AROUND];
     SceneMatrix inverse;
-    const SceneObject *object = &s->stand->objects[scene_surface_around(&s->surface, copy->numbers, around)];
-    const SceneMatrix m = scene_matrix_multiply(&s->stand->world_from_group, &object->world_from_local);
+    const SceneObject *object =
+        &s->stand->objects[scene_surface_around(&s->surface, copy->numbers, around)];
+    const SceneMatrix m =
+        scene_matrix_multiply(&s->stand->world_from_group, &object->world_from_local);
     made->material = object->material;
     if (!s->moves[object->material] || !scene_matrix_invert(&m, &inverse))
         return false;
@@ -131,8 +143,8 @@ static bool move_run(Standing *s, Moving *at, int count)
     MatcPoint *points = malloc((size_t)count * SCENE_SURFACE_AROUND * sizeof *points);
     for (int i = 0; points && i < count; i++)
         memcpy(points + i * SCENE_SURFACE_AROUND, at[i].around, sizeof at[i].around);
-    const bool fine =
-        points && matc_move(material->document, material->index, s->options, points, count * SCENE_SURFACE_AROUND);
+    const bool fine = points && matc_move(material->document, material->index, s->options, points,
+                                          count * SCENE_SURFACE_AROUND);
     for (int i = 0; fine && i < count; i++) {
         memcpy(at[i].around, points + i * SCENE_SURFACE_AROUND, sizeof at[i].around);
         for (int k = 0; k < SCENE_SURFACE_AROUND; k++)
@@ -143,7 +155,8 @@ static bool move_run(Standing *s, Moving *at, int count)
     return fine;
 }
 
-/* In runs of neighbours that stand on the same material; then each in its order, as what comes behind may be within it. */
+/* In runs of neighbours that stand on the same material; then each in its order, as what comes
+ * behind may be within it. */
 static bool move_chunk(Standing *s, Moving *chunk, int count)
 {
     bool fine = true;
@@ -182,7 +195,8 @@ static bool stands_on_moving(const Standing *s)
     return false;
 }
 
-/* What of materials aside moves, and what of it is rounded: no volume is, nor where nothing says so. */
+/* What of materials aside moves, and what of it is rounded: no volume is, nor where nothing says
+ * so. */
 typedef struct {
     bool *moves, *rounds, any;
 } Displaced;
@@ -190,8 +204,12 @@ typedef struct {
 static bool stand(SceneReader *r, const MatcOptions *options, size_t number, const Displaced *how)
 {
     SceneStand *own = &r->stands[number];
-    Standing s = {
-        .r = r, .options = options, .stand = own, .moves = how->moves, .rounds = how->rounds, .later = number + 1};
+    Standing s = {.r = r,
+                  .options = options,
+                  .stand = own,
+                  .moves = how->moves,
+                  .rounds = how->rounds,
+                  .later = number + 1};
     if (!stands_on_moving(&s) || !scene_matrix_invert(&own->world_from_group, &s.group_from_world))
         return true;
     const bool fine = scene_surface_make(r->scene, own->objects, own->object_count, &s.surface) &&
@@ -208,7 +226,8 @@ static Displaced find_displaced(SceneReader *r, const MatcOptions *options)
     for (size_t i = 1; i < r->aside_count && r->stand_count; i++) {
         const SceneMaterial *material = &r->asides[i];
         how.moves[i] = matc_moves(material->document, material->index, options) != MATC_MOVES_none;
-        how.rounds[i] = rounded && how.moves[i] && !matc_has_volume(material->document, material->index);
+        how.rounds[i] =
+            rounded && how.moves[i] && !matc_has_volume(material->document, material->index);
         how.any |= how.rounds[i];
     }
     return how;
@@ -221,7 +240,8 @@ bool scene_stand(SceneReader *r, const MatcOptions *options)
     for (size_t i = 0; i < r->stand_count && fine; i++)
         fine = stand(r, options, i, &how);
     if (!fine)
-        diag_add(r->session, NO_SPAN, DIAG_scene_scatter,
-                 "what displaces the surface takes too many operations, or more memory than there is");
+        diag_add(
+            r->session, NO_SPAN, DIAG_scene_scatter,
+            "what displaces the surface takes too many operations, or more memory than there is");
     return fine;
 }

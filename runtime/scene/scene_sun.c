@@ -13,7 +13,8 @@ static void add_sun(SceneReader *r, const GraphSky *sky)
     size_t count = (size_t)scene->light_count;
     for (int i = 0; i < 3; i++) {
         light.direction[i] = -sky->sun[i];
-        light.light[i] = scene->sky_light[i] * sky->irradiance[i] / PI; /* what a white surface sends back */
+        /* what a white surface sends back */
+        light.light[i] = scene->sky_light[i] * sky->irradiance[i] / PI;
     }
     ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
     scene->light_count = (int)count;

@@ -1,7 +1,9 @@
-/* The first number picks a triangle, by areas; the others a point of it: of a triangle (a, b, c) the point (1 - s) a + s (1 - t) b + s t c is even
- * where s is the square root of an even number, as a strip at s is as long as s.
+/* The first number picks a triangle, by areas; the others a point of it: of a triangle (a, b, c)
+ * the point (1 - s) a + s (1 - t) b + s t c is even where s is the square root of an even number,
+ * as a strip at s is as long as s.
  *
- *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s = 0.5, t = 0.5 */
+ *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s =
+ *     0.5, t = 0.5 */
 #include "runtime/scene/scene_surface.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
@@ -50,7 +52,8 @@ static void span_of(double corners[3][3], double span[3])
 
 static bool make_patch(const Scene *scene, const SceneObject *object, SceneSurfacePart *patch)
 {
-    *patch = (SceneSurfacePart){.made = object->kind != SCENE_Mesh, .matrix = object->world_from_local};
+    *patch =
+        (SceneSurfacePart){.made = object->kind != SCENE_Mesh, .matrix = object->world_from_local};
     if (patch->made)
         return scene_solid(object, &patch->shape);
     patch->shape = scene->meshes[object->mesh].shape;
@@ -62,7 +65,8 @@ static bool sum_areas(SceneSurface *made)
     double sum = 0;
     made->sums = malloc(((size_t)made->count + 1) * sizeof *made->sums);
     for (int i = 0, triangle = 0; made->sums && i < made->patch_count; i++)
-        for (; triangle < made->patches[i].first + made->patches[i].shape.index_count / 3; triangle++) {
+        for (; triangle < made->patches[i].first + made->patches[i].shape.index_count / 3;
+             triangle++) {
             double corners[3][3], span[3];
             corners_of(&made->patches[i], triangle, corners);
             span_of(corners, span);
@@ -71,7 +75,8 @@ static bool sum_areas(SceneSurface *made)
     return made->sums != NULL;
 }
 
-bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count, SceneSurface *made)
+bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count,
+                        SceneSurface *made)
 {
     *made = (SceneSurface){.patches = calloc((size_t)count + 1, sizeof *made->patches)};
     bool fine = made->patches != NULL;
@@ -141,7 +146,8 @@ static void share(const double numbers[3], double shares[3])
     shares[0] = 1 - s, shares[1] = s * (1 - t), shares[2] = s * t;
 }
 
-void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3], double normal[3])
+void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3],
+                         double normal[3])
 {
     const int triangle = pick(surface, numbers[0]);
     const SceneSurfacePart *patch = patch_of(surface, triangle);
@@ -150,7 +156,8 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
     double corners[3][3], mixed[3] = {0};
     corners_of(patch, triangle, corners);
     for (int i = 0; i < 3; i++) {
-        point[i] = shares[0] * corners[0][i] + shares[1] * corners[1][i] + shares[2] * corners[2][i];
+        point[i] =
+            shares[0] * corners[0][i] + shares[1] * corners[1][i] + shares[2] * corners[2][i];
         for (int k = 0; k < 3; k++)
             mixed[i] += shares[k] * corner(patch, triangle, k)->normal[i];
     }
@@ -183,11 +190,13 @@ static void share_around(const double numbers[3], double shares[SCENE_SURFACE_AR
     share(numbers, middle);
     for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {
         const double u = part * steps[i][0], v = part * steps[i][1];
-        shares[i][0] = middle[0] - u - v, shares[i][1] = middle[1] + u, shares[i][2] = middle[2] + v;
+        shares[i][0] = middle[0] - u - v, shares[i][1] = middle[1] + u,
+        shares[i][2] = middle[2] + v;
     }
 }
 
-int scene_surface_around(const SceneSurface *surface, const double numbers[3], ShapeVertex around[SCENE_SURFACE_AROUND])
+int scene_surface_around(const SceneSurface *surface, const double numbers[3],
+                         ShapeVertex around[SCENE_SURFACE_AROUND])
 {
     const int triangle = pick(surface, numbers[0]);
     const SceneSurfacePart *patch = patch_of(surface, triangle);
@@ -215,9 +224,11 @@ bool scene_surface_join(SceneSurface *surface)
 }
 
 /* Of a corner: the unit sum of all normals in its place, and where it is. */
-static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3], double at[3])
+static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3],
+                          double at[3])
 {
-    const ShapeVertex *v = &patch->joined[patch->place[patch->shape.indices[3 * (triangle - patch->first) + k]]];
+    const ShapeVertex *v =
+        &patch->joined[patch->place[patch->shape.indices[3 * (triangle - patch->first) + k]]];
     for (int i = 0; i < 3; i++) {
         normal[i] = (double)v->normal[i];
         at[i] = (double)v->position[i];
@@ -225,15 +236,17 @@ static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, do
     scene_vector_normalize(normal);
 }
 
-/* With n the mean of the corners' normals: push (1 - |n|) along it, and bulge times the way to where the planes through the corners have the point. */
-static void rounded(double normals[3][3], double at[3][3], const double shares[3], const SceneDividing *by,
-                    double to[3])
+/* With n the mean of the corners' normals: push (1 - |n|) along it, and bulge times the way to
+ * where the planes through the corners have the point. */
+static void rounded(double normals[3][3], double at[3][3], const double shares[3],
+                    const SceneDividing *by, double to[3])
 {
     double mean[3] = {0}, toward[3] = {0};
     for (int k = 0; k < 3; k++) {
         double away = 0; /* of the corner's plane from the point, along its normal */
         for (int i = 0; i < 3; i++)
-            away += normals[k][i] * (at[k][i] - shares[0] * at[0][i] - shares[1] * at[1][i] - shares[2] * at[2][i]);
+            away += normals[k][i] *
+                    (at[k][i] - shares[0] * at[0][i] - shares[1] * at[1][i] - shares[2] * at[2][i]);
         for (int i = 0; i < 3; i++) {
             mean[i] += shares[k] * normals[k][i];
             toward[i] += shares[k] * away * normals[k][i];
@@ -244,8 +257,8 @@ static void rounded(double normals[3][3], double at[3][3], const double shares[3
         to[i] = by->push * (1 - size) * mean[i] / size + by->bulge * toward[i];
 }
 
-void scene_surface_rounded(const SceneSurface *surface, const double numbers[3], const SceneDividing *by,
-                           double to[SCENE_SURFACE_AROUND][3])
+void scene_surface_rounded(const SceneSurface *surface, const double numbers[3],
+                           const SceneDividing *by, double to[SCENE_SURFACE_AROUND][3])
 {
     const int triangle = pick(surface, numbers[0]);
     const SceneSurfacePart *patch = patch_of(surface, triangle);

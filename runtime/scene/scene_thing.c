@@ -3,7 +3,10 @@
 #include "compiler/front/scene_check.h"
 #include <string.h>
 
-static const SceneKindRow *row_of(const SceneThing *thing) { return &scene_kind_table[thing->kind]; }
+static const SceneKindRow *row_of(const SceneThing *thing)
+{
+    return &scene_kind_table[thing->kind];
+}
 
 static bool fail(SceneReader *r) { return r->fine = false; }
 
@@ -19,7 +22,8 @@ static bool is_number(SceneReader *r, const SceneParamRow *row, const Value *val
 
 static bool are_numbers(SceneReader *r, const SceneParamRow *row, const Transform *transform)
 {
-    const Value *const parts[] = {&transform->scale, &transform->translation, &transform->rotation, &transform->shear};
+    const Value *const parts[] = {&transform->scale, &transform->translation, &transform->rotation,
+                                  &transform->shear};
     bool fine = true;
     for (int i = 0; i < 4; i++)
         fine &= is_number(r, row, parts[i]);
@@ -30,7 +34,8 @@ static bool read_plain(SceneReader *r, const SceneParamRow *row, Tree *tree, Val
 {
     if (!resolve_param(&r->resolver, &row->param, tree, value))
         return fail(r);
-    return value->kind == VALUE_transform ? are_numbers(r, row, value->transform) : is_number(r, row, value);
+    return value->kind == VALUE_transform ? are_numbers(r, row, value->transform)
+                                          : is_number(r, row, value);
 }
 
 static bool read_value(SceneReader *r, const Member *member, SceneThing *thing, int place)
@@ -68,7 +73,8 @@ static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *m
 }
 
 /* Every member but the one that names the kind, and `skips`: keys that belong to others. */
-static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const char *key), SceneThing *thing)
+static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const char *key),
+                         SceneThing *thing)
 {
     const SceneKindRow *row = row_of(thing);
     bool fine = true;
@@ -76,11 +82,13 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
     for (uint32_t i = 0; i < tree->count; i++) {
         const Member *member = &tree->members[i];
         int place = 0;
-        while (place < row->count && strcmp(scene_param_table[row->first + place].param.name, member->key) != 0)
+        while (place < row->count &&
+               strcmp(scene_param_table[row->first + place].param.name, member->key) != 0)
             place++;
         if (place < row->count)
             fine &= read_value(r, member, thing, place);
-        else if (strcmp(member->key, scene_sort_table[row->sort].name) != 0 && !(skips && skips(member->key)))
+        else if (strcmp(member->key, scene_sort_table[row->sort].name) != 0 &&
+                 !(skips && skips(member->key)))
             fine = unknown_key(r, thing, member);
     }
     return fine;
@@ -99,7 +107,10 @@ bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *th
     return !tree->failed;
 }
 
-static bool is_document_key(const char *key) { return resolve_is_document_key(key) || !strcmp(key, "materials"); }
+static bool is_document_key(const char *key)
+{
+    return resolve_is_document_key(key) || !strcmp(key, "materials");
+}
 
 bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing)
 {
@@ -124,7 +135,8 @@ void scene_thing_preset(SceneThing *thing, Word preset)
     for (int i = 0; i < scene_preset_count; i++) {
         const ScenePresetRow *row = &scene_preset_table[i];
         const char *name = scene_param_table[row->param].param.name;
-        if (row->kind == thing->kind && row->word == preset && !(thing->tree && tree_find(thing->tree, name)))
+        if (row->kind == thing->kind && row->word == preset &&
+            !(thing->tree && tree_find(thing->tree, name)))
             thing->values[place_of(thing, row->param)].number[0] = row->value;
     }
 }
@@ -151,12 +163,16 @@ const char *scene_thing_name(SceneReader *r, const Tree *given)
 {
     if (!given || (given->kind == TREE_scalar && *given->text))
         return given ? given->text : NULL;
-    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a text", tree_describe(r->session, given));
+    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a text",
+             tree_describe(r->session, given));
     fail(r);
     return NULL;
 }
 
-Tree *scene_thing_given(const SceneThing *thing, int param) { return thing->given[place_of(thing, param)]; }
+Tree *scene_thing_given(const SceneThing *thing, int param)
+{
+    return thing->given[place_of(thing, param)];
+}
 
 Span scene_thing_span(const SceneThing *thing, int param)
 {

@@ -7,7 +7,8 @@
 #include "compiler/front/resolve.h"
 #include "runtime/scene/scene.h"
 
-/* The meshes of a file lie side by side in scene->meshes. `why`: it cannot be read, and was tried once. */
+/* The meshes of a file lie side by side in scene->meshes. `why`: it cannot be read, and was tried
+ * once. */
 typedef struct {
     int first, count;
     const char *why;
@@ -38,10 +39,11 @@ typedef struct {
     size_t plane_count, plane_room;
     const Tree *definitions; /* the document's `defs:`; NULL: there are none */
     bool *instanced;         /* by the place of a definition */
-    bool aside;       /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    bool aside;
     SceneMaterial *asides; /* materials of it; the first is none */
     size_t aside_count, aside_room;
-    HashIndex aside_used; /* places in them */
+    HashIndex aside_used;      /* places in them */
     struct SceneStand *stands; /* copies that stand on surfaces, in the order of their objects */
     size_t stand_count, stand_room;
     int things;       /* objects and groups so far */

@@ -1,4 +1,5 @@
-/* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one mesh; and how many are drawn. */
+/* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one
+ * mesh; and how many are drawn. */
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_fine.h"
 #include "runtime/scene/scene_part.h"
@@ -64,8 +65,9 @@ static Origin most_of(Origin *origins, int count)
     qsort(origins, (size_t)count, sizeof *origins, by_place);
     for (int i = 0; i < count; i++) {
         const bool same = i && !by_place(&origins[i], &here);
-        here =
-            same ? (Origin){here.span, here.kind, here.copies + 1, here.triangles + origins[i].triangles} : origins[i];
+        here = same ? (Origin){here.span, here.kind, here.copies + 1,
+                               here.triangles + origins[i].triangles}
+                    : origins[i];
         if (here.triangles > most.triangles)
             most = here;
     }
@@ -78,12 +80,13 @@ void scene_triangles_warn(SceneReader *r)
     Origin *origins = ARENA_ARRAY(r->session->arena, Origin, scene->object_count + 1);
     int64_t triangles = 0;
     for (int i = 0; i < scene->object_count; i++) {
-        origins[i] = (Origin){r->origins[i], scene->objects[i].kind, 1, drawn_of(scene, &scene->objects[i])};
+        origins[i] =
+            (Origin){r->origins[i], scene->objects[i].kind, 1, drawn_of(scene, &scene->objects[i])};
         triangles += origins[i].triangles;
     }
     if (triangles <= SCENE_HEAVY_TRIANGLES)
         return;
     const Origin most = most_of(origins, scene->object_count);
-    diag_add(r->session, most.span, DIAG_scene_heavy, (long long)triangles, (long long)most.triangles,
-             scene_kind_table[most.kind].name, most.copies);
+    diag_add(r->session, most.span, DIAG_scene_heavy, (long long)triangles,
+             (long long)most.triangles, scene_kind_table[most.kind].name, most.copies);
 }

@@ -1,10 +1,14 @@
-/* Volumes: a grid over the shape, a column of what is solid over each of its places, triangles between these columns (scene_volume_cells.c), with
- * corners where the surface crosses their edges (scene_volume_spots.c), and its normals there.
+/* Volumes: a grid over the shape, a column of what is solid over each of its places, triangles
+ * between these columns (scene_volume_cells.c), with corners where the surface crosses their edges
+ * (scene_volume_spots.c), and its normals there.
  *
- * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A, over the place P, whose normal leads by A for a height of 1. Its normal is -grad f: with f's
- * slopes by the triangle's two directions and by z, across the way these three lead. All of them are differences over 1/128 of a step to either side.
+ * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A, over
+ * the place P, whose normal leads by A for a height of 1. Its normal is -grad f: with f's slopes by
+ * the triangle's two directions and by z, across the way these three lead. All of them are
+ * differences over 1/128 of a step to either side.
  *
- *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes are those of a ball at its equator too, where each height's has no end. */
+ *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes
+ *     are those of a ball at its equator too, where each height's has no end. */
 #include "runtime/scene/scene_volume.h"
 #include "compiler/base/vec3.h"
 #include "runtime/scene/scene_divide.h"
@@ -49,10 +53,12 @@ static bool make_columns(Making *m)
 
 static double distance(const double a[3], const double b[3])
 {
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* So thick are a pair and the gap between both where they are thickest: the thinnest of these three. */
+/* So thick are a pair and the gap between both where they are thickest: the thinnest of these
+ * three. */
 static double thickness_of(const SceneColumn *columns, int count)
 {
     double most[3] = {0}, least = INFINITY;
@@ -68,7 +74,8 @@ static double thickness_of(const SceneColumn *columns, int count)
     return least;
 }
 
-/* Levels as far apart as edges of the grid are long in the mean, or a quarter of what is thin, if that is less; the first and the last half a step beyond what is solid. */
+/* Levels as far apart as edges of the grid are long in the mean, or a quarter of what is thin, if
+ * that is less; the first and the last half a step beyond what is solid. */
 static void make_layers(Making *m)
 {
     const double none[3] = {0};
@@ -115,7 +122,8 @@ static bool march(Making *m, const Shape *from, int parts)
     return scene_volume_cells(&m->layers, &m->cells);
 }
 
-/* As many parts as make about so many triangles: by a coarse try, since what is solid over a shape has any number of surfaces. */
+/* As many parts as make about so many triangles: by a coarse try, since what is solid over a shape
+ * has any number of surfaces. */
 static bool march_to(Making *m, const Shape *from, double triangles)
 {
     enum { TRY_PART = 16, LEAST_TRY = 4, MOST_PARTS = 4096 };
@@ -143,41 +151,50 @@ static ShapeVertex base_of(const Making *m, const SceneNode *node, const SceneSp
 {
     const ShapeVertex *v = m->grid.vertices;
     const bool turned = m->place[node->a] > m->place[node->b];
-    return node->kind == SCENE_NODE_along ? scene_volume_mixed(&v[node->a], &v[node->b], turned ? 1 - s->t : s->t)
-                                          : v[node->a];
+    return node->kind == SCENE_NODE_along
+               ? scene_volume_mixed(&v[node->a], &v[node->b], turned ? 1 - s->t : s->t)
+               : v[node->a];
 }
 
 /* Around it: ahead and behind along two sides of its triangle, 1/128 of each. */
-static void set_around(const Making *m, const SceneNode *node, const ShapeVertex *base, SceneColumn around[OFFSETS])
+static void set_around(const Making *m, const SceneNode *node, const ShapeVertex *base,
+                       SceneColumn around[OFFSETS])
 {
     const uint32_t *index = &m->grid.indices[3 * (size_t)node->triangle];
     const ShapeVertex *v = m->grid.vertices;
     for (int i = 0; i < OFFSETS; i++) {
-        ShapeVertex way = scene_volume_mixed(&v[index[0]], &v[index[1 + i / 2]], 0), end = v[index[1 + i / 2]];
+        ShapeVertex way = scene_volume_mixed(&v[index[0]], &v[index[1 + i / 2]], 0),
+                    end = v[index[1 + i / 2]];
         const double by = i % 2 ? -offset_part : offset_part;
-        float *to[] = {around[i].at.position, around[i].at.normal, around[i].at.uv, around[i].at.tangentU,
-                       around[i].at.tangentV};
-        const float *at[] = {base->position, base->normal, base->uv, base->tangentU, base->tangentV},
+        float *to[] = {around[i].at.position, around[i].at.normal, around[i].at.uv,
+                       around[i].at.tangentU, around[i].at.tangentV};
+        const float *at[] = {base->position, base->normal, base->uv, base->tangentU,
+                             base->tangentV},
                     *from[] = {way.position, way.normal, way.uv, way.tangentU, way.tangentV},
                     *until[] = {end.position, end.normal, end.uv, end.tangentU, end.tangentV};
         for (int part = 0; part < 5; part++)
             for (int lane = 0; lane < (part == 2 ? 2 : 3); lane++)
-                to[part][lane] = at[part][lane] + (float)by * (until[part][lane] - from[part][lane]);
+                to[part][lane] =
+                    at[part][lane] + (float)by * (until[part][lane] - from[part][lane]);
     }
 }
 
-/* How f rises from behind to ahead. Where one of them is beyond the rim of what is solid, where heights meet and f rises no more, it is twice the half within; but not at a cliff, where f is not 0. */
+/* How f rises from behind to ahead. Where one of them is beyond the rim of what is solid, where
+ * heights meet and f rises no more, it is twice the half within; but not at a cliff, where f is not
+ * 0. */
 static double slope_of(const SceneColumn ends[2], const SceneSpot *s, unsigned pairs)
 {
     const double ahead = scene_volume_field(&ends[0], pairs, s->height),
                  behind = scene_volume_field(&ends[1], pairs, s->height);
-    if (scene_volume_pairs(&ends[0], 1) == scene_volume_pairs(&ends[1], 1) || fabs(s->field) > fmax(ahead, behind) / 4)
+    if (scene_volume_pairs(&ends[0], 1) == scene_volume_pairs(&ends[1], 1) ||
+        fabs(s->field) > fmax(ahead, behind) / 4)
         return ahead - behind;
     return ahead > behind ? 2 * (ahead - s->field) : 2 * (s->field - behind);
 }
 
 /* -grad f, of columns around a point and over it. */
-static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, double step, float normal[3])
+static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, double step,
+                       float normal[3])
 {
     const SceneColumn *over = &s->there;
     const double z = s->height;
@@ -208,12 +225,14 @@ static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, do
 }
 
 /* Across the wall over an edge, as the edge and its normal lead. */
-static void put_wall_normal(const Making *m, const SceneNode *node, const SceneColumn *over, float normal[3])
+static void put_wall_normal(const Making *m, const SceneNode *node, const SceneColumn *over,
+                            float normal[3])
 {
     const uint32_t *index = &m->grid.indices[3 * (size_t)node->triangle];
     const float *a = m->grid.vertices[index[node->rim]].position,
                 *b = m->grid.vertices[index[(node->rim + 1) % 3]].position;
-    const double way[3] = {(double)b[0] - (double)a[0], (double)b[1] - (double)a[1], (double)b[2] - (double)a[2]};
+    const double way[3] = {(double)b[0] - (double)a[0], (double)b[1] - (double)a[1],
+                           (double)b[2] - (double)a[2]};
     double across[3];
     vec3_cross(way, over->along, across);
     put_unit(across, 1, normal);
@@ -222,8 +241,8 @@ static void put_wall_normal(const Making *m, const SceneNode *node, const SceneC
 /* What is around two nodes is the same. */
 static bool same_around(const Making *m, const SceneSpot *spots, uint32_t a, uint32_t b)
 {
-    return m->cells.nodes[a].triangle == m->cells.nodes[b].triangle && spots[a].from == spots[b].from &&
-           spots[a].to == spots[b].to && spots[a].t == spots[b].t;
+    return m->cells.nodes[a].triangle == m->cells.nodes[b].triangle &&
+           spots[a].from == spots[b].from && spots[a].to == spots[b].to && spots[a].t == spots[b].t;
 }
 
 static void put_point(const Making *m, const SceneSpot *s, uint32_t number, Shape *made)
@@ -242,13 +261,15 @@ typedef struct {
     SceneColumn *room;
 } Putting;
 
-/* Of the nodes from `first` on, in their order, as many as there is room for what is around them. Returns how many. */
+/* Of the nodes from `first` on, in their order, as many as there is room for what is around them.
+ * Returns how many. */
 static size_t put_some(const Making *m, const Putting *p, size_t first, Shape *made)
 {
     int around[BATCH], columns = 0;
     size_t count = 0;
     uint32_t before = 0;
-    for (; first + count < m->cells.node_count && count < BATCH && columns + OFFSETS <= BATCH; count++) {
+    for (; first + count < m->cells.node_count && count < BATCH && columns + OFFSETS <= BATCH;
+         count++) {
         const uint32_t number = p->order[first + count];
         const SceneNode *node = &m->cells.nodes[number];
         put_point(m, &p->spots[number], number, made);
@@ -311,7 +332,8 @@ bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made, dou
     Making m = {.volume = volume};
     *made = (Shape){0};
     const bool fine =
-        (volume->parts ? march(&m, from, volume->parts) : march_to(&m, from, volume->triangles)) && put_shape(&m, made);
+        (volume->parts ? march(&m, from, volume->parts) : march_to(&m, from, volume->triangles)) &&
+        put_shape(&m, made);
     steps[0] = m.width;
     steps[1] = m.layers.step;
     forget(&m);

@@ -1,11 +1,16 @@
-/* Marching cubes (Lorensen and Cline 1987) for prisms over triangles. Instead of a table of cases the surface's border is traced on each face of a prism: going around the face as it is seen from
- * outside, each run of solid corners is cut off, from where the walk enters it to where it leaves it. What leaves a run on one face enters one on the face beyond that edge, so that these pieces
- * close into loops; and the neighbour of a face walks around it the other way, cuts off the same runs, and has the same pieces the other way round. So no case is ambiguous, and nothing gapes.
+/* Marching cubes (Lorensen and Cline 1987) for prisms over triangles. Instead of a table of cases
+ * the surface's border is traced on each face of a prism: going around the face as it is seen from
+ * outside, each run of solid corners is cut off, from where the walk enters it to where it leaves
+ * it. What leaves a run on one face enters one on the face beyond that edge, so that these pieces
+ * close into loops; and the neighbour of a face walks around it the other way, cuts off the same
+ * runs, and has the same pieces the other way round. So no case is ambiguous, and nothing gapes.
  *
- *     Corners 0, 1, 2 below are solid, 3, 4, 5 above are not. Face 0 1 4 3: solid 0 1, entered on edge 3 0, left on edge 1 4. The other sides: 1 4 to 2 5, 2 5 to 3 0. One loop, which turns
+ *     Corners 0, 1, 2 below are solid, 3, 4, 5 above are not. Face 0 1 4 3: solid 0 1, entered on
+ *     edge 3 0, left on edge 1 4. The other sides: 1 4 to 2 5, 2 5 to 3 0. One loop, which turns
  *     counterclockwise as it is seen from above.
  *
- * Over an edge that has one triangle alone what is solid ends: there the runs themselves become triangles, corners and all. */
+ * Over an edge that has one triangle alone what is solid ends: there the runs themselves become
+ * triangles, corners and all. */
 #include "runtime/scene/scene_volume_cells.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_room.h"
@@ -16,9 +21,11 @@
 enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MOST_CORNERS = 4 };
 
 /* As they are seen from outside, sides first; -1: a triangle has no fourth. */
-static const int faces[FACES][MOST_CORNERS] = {{0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
+static const int faces[FACES][MOST_CORNERS] = {
+    {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
 /* Of two corners: around the bottom, around the top, up. */
-static const int edges[EDGES][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5}, {5, 3}, {0, 3}, {1, 4}, {2, 5}};
+static const int edges[EDGES][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
+                                    {5, 3}, {0, 3}, {1, 4}, {2, 5}};
 
 typedef struct {
     const SceneLayers *layers;
@@ -56,7 +63,8 @@ static uint32_t add_node(Walk *w, SceneNode node)
 /* Of an edge of a prism, which is shared by all that have it. */
 static uint32_t shared_node(Walk *w, SceneNode node)
 {
-    const uint32_t low = node.a < node.b ? node.a : node.b, high = node.a < node.b ? node.b : node.a;
+    const uint32_t low = node.a < node.b ? node.a : node.b,
+                   high = node.a < node.b ? node.b : node.a;
     const uint32_t hash = hash_of(low, high, (uint32_t)node.level);
     HashProbe probe = hash_probe(&w->nodes, hash);
     node.a = low;
@@ -75,7 +83,8 @@ static uint32_t shared_node(Walk *w, SceneNode node)
 static void add_triangle(Walk *w, uint32_t a, uint32_t b, uint32_t c)
 {
     SceneCells *made = w->made;
-    if (!w->fine || !scene_room(&made->indices, made->index_count + 3, &made->index_room, sizeof *made->indices)) {
+    if (!w->fine || !scene_room(&made->indices, made->index_count + 3, &made->index_room,
+                                sizeof *made->indices)) {
         w->fine = false;
         return;
     }
@@ -168,7 +177,8 @@ static uint32_t rim_crossing(Walk *w, const Cell *cell, int side, int from, int 
 static uint32_t rim_corner(Walk *w, const Cell *cell, int side, int corner)
 {
     const uint32_t a = vertex_of(w, cell, corner);
-    return add_node(w, (SceneNode){SCENE_NODE_corner, a, a, cell->level + (corner >= 3), cell->triangle, side});
+    return add_node(
+        w, (SceneNode){SCENE_NODE_corner, a, a, cell->level + (corner >= 3), cell->triangle, side});
 }
 
 /* What of a side is solid: each run from where it is entered to where it is left; or all. */
@@ -184,7 +194,8 @@ static void put_wall(Walk *w, const Cell *cell, int side)
         ring[count++] = rim_crossing(w, cell, side, face[i], face[at % MOST_CORNERS]);
         for (; s[face[at % MOST_CORNERS]]; at++)
             ring[count++] = rim_corner(w, cell, side, face[at % MOST_CORNERS]);
-        ring[count++] = rim_crossing(w, cell, side, face[(at - 1) % MOST_CORNERS], face[at % MOST_CORNERS]);
+        ring[count++] =
+            rim_crossing(w, cell, side, face[(at - 1) % MOST_CORNERS], face[at % MOST_CORNERS]);
         for (int k = 2; k < count; k++)
             add_triangle(w, ring[0], ring[k - 1], ring[k]);
     }
@@ -210,7 +221,8 @@ static void put_cell(Walk *w, const Cell *cell)
 
 static const SceneColumn *column_of(const Walk *w, int triangle, int corner)
 {
-    return &w->layers->columns[w->layers->place[w->layers->grid->indices[3 * (size_t)triangle + (size_t)corner]]];
+    return &w->layers->columns
+                [w->layers->place[w->layers->grid->indices[3 * (size_t)triangle + (size_t)corner]]];
 }
 
 static void put_stack(Walk *w, int triangle)
@@ -226,25 +238,29 @@ static void put_stack(Walk *w, int triangle)
                 high = fmax(high, columns[k]->heights[i + 1]);
             }
     }
-    if (!(low < high) || columns[0] == columns[1] || columns[1] == columns[2] || columns[2] == columns[0])
+    if (!(low < high) || columns[0] == columns[1] || columns[1] == columns[2] ||
+        columns[2] == columns[0])
         return;
     const int first = (int)fmax(floor((low - layers->low) / layers->step) - 1, 0),
               last = (int)fmin(ceil((high - layers->low) / layers->step) + 1, layers->levels);
     for (int level = first; w->fine && level < last; level++) {
         Cell cell = {.triangle = triangle, .level = level};
         for (int i = 0; i < CORNERS; i++)
-            cell.solid[i] = scene_column_solid(columns[i % 3], layers->low + (level + i / 3) * layers->step);
+            cell.solid[i] =
+                scene_column_solid(columns[i % 3], layers->low + (level + i / 3) * layers->step);
         put_cell(w, &cell);
     }
 }
 
-/* An edge's first triangle has it alone, until another comes. Its number is that of the edge in all triangles. */
+/* An edge's first triangle has it alone, until another comes. Its number is that of the edge in all
+ * triangles. */
 static void find_rims(Walk *w, int triangle)
 {
     const SceneLayers *layers = w->layers;
     const uint32_t *index = &layers->grid->indices[3 * (size_t)triangle];
     for (int side = 0; side < SIDES; side++) {
-        const uint32_t a = (uint32_t)layers->place[index[side]], b = (uint32_t)layers->place[index[(side + 1) % 3]];
+        const uint32_t a = (uint32_t)layers->place[index[side]],
+                       b = (uint32_t)layers->place[index[(side + 1) % 3]];
         const uint32_t low = a < b ? a : b, high = a < b ? b : a, hash = hash_of(low, high, 0);
         HashProbe probe = hash_probe(&w->rims, hash);
         bool alone = true;
@@ -271,7 +287,8 @@ bool scene_volume_cells(const SceneLayers *layers, SceneCells *made)
     *made = (SceneCells){0};
     w.fine = w.rim != NULL;
     for (int t = 0; w.fine && t < triangles; t++)
-        if (column_of(&w, t, 0) != column_of(&w, t, 1) && column_of(&w, t, 1) != column_of(&w, t, 2) &&
+        if (column_of(&w, t, 0) != column_of(&w, t, 1) &&
+            column_of(&w, t, 1) != column_of(&w, t, 2) &&
             column_of(&w, t, 2) != column_of(&w, t, 0))
             find_rims(&w, t);
     for (int t = 0; w.fine && t < triangles; t++)

@@ -1,4 +1,5 @@
-/* Triangles around what is solid: over each triangle of a grid stand prisms, one on the other, and each is crossed by the surface where some of its corners are solid and some are not. */
+/* Triangles around what is solid: over each triangle of a grid stand prisms, one on the other, and
+ * each is crossed by the surface where some of its corners are solid and some are not. */
 #ifndef MATC_SCENE_VOLUME_CELLS_H
 #define MATC_SCENE_VOLUME_CELLS_H
 #include "runtime/gl/shape.h"
@@ -7,8 +8,9 @@
 /* What stands over one place. */
 typedef struct {
     ShapeVertex at;
-    double heights[4]; /* solid from [0] to [1] and from [2] to [3]; nothing where the second is no more */
-    double along[3];   /* where a height of 1 leads, in the object's space */
+    /* solid from [0] to [1] and from [2] to [3]; nothing where the second is no more */
+    double heights[4];
+    double along[3]; /* where a height of 1 leads, in the object's space */
 } SceneColumn;
 
 typedef struct {
@@ -31,7 +33,9 @@ typedef struct {
     uint32_t a, b;
     int level;
     int triangle; /* of the grid, one that it is over */
-    int rim; /* an edge of that triangle, beyond which there is no other: it stands on the wall over it; -1: it does not */
+    /* an edge of that triangle, beyond which there is no other: it stands on the wall over it; -1:
+     * it does not */
+    int rim;
 } SceneNode;
 
 typedef struct {
@@ -41,7 +45,8 @@ typedef struct {
 } SceneCells;
 
 bool scene_column_solid(const SceneColumn *column, double height);
-/* Triangles that turn counterclockwise as they are seen from where it is not solid, each side of which has another one. False: memory ran out, *made is empty. */
+/* Triangles that turn counterclockwise as they are seen from where it is not solid, each side of
+ * which has another one. False: memory ran out, *made is empty. */
 bool scene_volume_cells(const SceneLayers *layers, SceneCells *made);
 void scene_cells_free(SceneCells *cells);
 #endif

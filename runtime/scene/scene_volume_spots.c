@@ -1,8 +1,12 @@
-/* Along a column the ends of what is solid are known. Along an edge they are looked for: by ITP (Oliveira and Takahashi 2020), which asks about three columns where f is smooth, and one more than
- * halving where it jumps. A column that is asked for one level counts for all that cross the edge: of a cliff they are found together.
+/* Along a column the ends of what is solid are known. Along an edge they are looked for: by ITP
+ * (Oliveira and Takahashi 2020), which asks about three columns where f is smooth, and one more
+ * than halving where it jumps. A column that is asked for one level counts for all that cross the
+ * edge: of a cliff they are found together.
  *
- *     f = 1 - (4 t)^2 from 1 to -15, whose end is at 1/4: the line has 1/16, moved by a fifth of the square of what is left, 0.2, to 0.2625, where f is -0.1025; the line to there has 0.238,
- *     moved to 0.252, f = -0.016. Between 0 and 0.252 the line has 0.24799, and f there is 0.016: what is left of the way to its end is below 1/512 then. */
+ *     f = 1 - (4 t)^2 from 1 to -15, whose end is at 1/4: the line has 1/16, moved by a fifth of
+ *     the square of what is left, 0.2, to 0.2625, where f is -0.1025; the line to there has 0.238,
+ *     moved to 0.252, f = -0.016. Between 0 and 0.252 the line has 0.24799, and f there is 0.016:
+ *     what is left of the way to its end is below 1/512 then. */
 #include "runtime/scene/scene_volume_spots.h"
 #include <math.h>
 #include <stdlib.h>
@@ -18,8 +22,9 @@ typedef struct {
     uint32_t node;
     int asked;
     bool done;
-    unsigned pairs;                         /* that either place has */
-    double low, high, f_low, f_high, first; /* f at both, and how far apart that was in the beginning */
+    unsigned pairs; /* that either place has */
+    /* f at both, and how far apart that was in the beginning */
+    double low, high, f_low, f_high, first;
 } Search;
 
 typedef struct {
@@ -55,7 +60,8 @@ unsigned scene_volume_pairs(const SceneColumn *columns, int count)
     unsigned pairs = 0;
     for (int i = 0; i < count; i++)
         for (unsigned pair = 0; pair < 2; pair++)
-            pairs |= (unsigned)(columns[i].heights[2 * pair] < columns[i].heights[2 * pair + 1]) << pair;
+            pairs |= (unsigned)(columns[i].heights[2 * pair] < columns[i].heights[2 * pair + 1])
+                     << pair;
     return pairs;
 }
 
@@ -69,7 +75,8 @@ static double between(double from, double to, double z)
 double scene_volume_field(const SceneColumn *c, unsigned pairs, double z)
 {
     const double *h = c->heights;
-    return fmax(pairs & 1 ? between(h[0], h[1], z) : -INFINITY, pairs & 2 ? between(h[2], h[3], z) : -INFINITY);
+    return fmax(pairs & 1 ? between(h[0], h[1], z) : -INFINITY,
+                pairs & 2 ? between(h[2], h[3], z) : -INFINITY);
 }
 
 /* The end of what is solid about one end of a step, which is not at the other. */
@@ -78,7 +85,8 @@ static double end_within(const SceneColumn *c, double solid, bool above)
     double end = solid;
     for (int again = 0; again < 2; again++)
         for (int i = 0; i < 4; i += 2)
-            if (c->heights[i] < c->heights[i + 1] && c->heights[i] <= end && end <= c->heights[i + 1])
+            if (c->heights[i] < c->heights[i + 1] && c->heights[i] <= end &&
+                end <= c->heights[i + 1])
                 end = c->heights[above ? i + 1 : i];
     return end;
 }
@@ -86,7 +94,9 @@ static double end_within(const SceneColumn *c, double solid, bool above)
 static SceneSpot spot_of(const SceneLayers *layers, const SceneNode *node)
 {
     const int a = layers->place[node->a], b = layers->place[node->b];
-    SceneSpot s = {.from = a < b ? a : b, .to = a < b ? b : a, .height = layers->low + node->level * layers->step};
+    SceneSpot s = {.from = a < b ? a : b,
+                   .to = a < b ? b : a,
+                   .height = layers->low + node->level * layers->step};
     s.there = layers->columns[s.from];
     if (node->kind == SCENE_NODE_up) {
         const bool above = scene_column_solid(&s.there, s.height);
@@ -131,8 +141,8 @@ static void begin(Looking *l, uint32_t node)
 {
     const SceneSpot *s = &l->spots[node];
     Search search = {.node = node, .high = 1};
-    search.pairs =
-        scene_volume_pairs(&l->layers->columns[s->from], 1) | scene_volume_pairs(&l->layers->columns[s->to], 1);
+    search.pairs = scene_volume_pairs(&l->layers->columns[s->from], 1) |
+                   scene_volume_pairs(&l->layers->columns[s->to], 1);
     search.f_low = scene_volume_field(&l->layers->columns[s->from], search.pairs, s->height);
     search.f_high = scene_volume_field(&l->layers->columns[s->to], search.pairs, s->height);
     search.first = search.f_high - search.f_low;
@@ -146,7 +156,8 @@ static double by_line(const Search *s)
     return s->low + (s->high - s->low) * (part >= 0 && part <= 1 ? part : .5);
 }
 
-/* The line's place, moved towards the middle, so far that halving would not have been much faster. */
+/* The line's place, moved towards the middle, so far that halving would not have been much
+ * faster. */
 static double next_to_ask(const Search *s)
 {
     const double width = s->high - s->low, middle = (s->low + s->high) / 2, line = by_line(s);
@@ -178,7 +189,8 @@ static int ask_edge(Looking *l, size_t first, size_t end, int count)
             continue;
         l->asked[count] = (Asked){first, end, next_to_ask(s)};
         l->columns[count].at =
-            scene_volume_mixed(&l->layers->columns[spot->from].at, &l->layers->columns[spot->to].at, l->asked[count].t);
+            scene_volume_mixed(&l->layers->columns[spot->from].at, &l->layers->columns[spot->to].at,
+                               l->asked[count].t);
         s->asked++;
         count++;
         last = s;
@@ -194,7 +206,8 @@ static void take(const Looking *l, Search *s, const SceneColumn *column, double 
     if (s->done || t <= s->low || t >= s->high)
         return;
     const double f = scene_volume_field(column, s->pairs, spot->height);
-    const bool like_low = scene_column_solid(column, spot->height) == scene_column_solid(from, spot->height);
+    const bool like_low =
+        scene_column_solid(column, spot->height) == scene_column_solid(from, spot->height);
     *(like_low ? &s->low : &s->high) = t;
     *(like_low ? &s->f_low : &s->f_high) = f;
     s->done = s->high - s->low <= ldexp(1, -HALVINGS);
@@ -219,7 +232,8 @@ static bool answer(Looking *l, int count)
     return true;
 }
 
-/* Asks for each edge where something is still looked for, as many columns at a time as there is room for. False: it cannot be; *any tells whether there was one. */
+/* Asks for each edge where something is still looked for, as many columns at a time as there is
+ * room for. False: it cannot be; *any tells whether there was one. */
 static bool ask_all(Looking *l, bool *any)
 {
     int count = 0;
@@ -250,8 +264,8 @@ static bool make_room(Looking *l)
     return l->columns && l->asked;
 }
 
-bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers, const SceneCells *cells, SceneSpot *spots,
-                        uint32_t *order)
+bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers,
+                        const SceneCells *cells, SceneSpot *spots, uint32_t *order)
 {
     Looking l = {.volume = volume, .layers = layers, .spots = spots};
     for (size_t i = 0; i < cells->node_count; i++)

@@ -1,12 +1,15 @@
-// The plane of the triangle that a pixel sees, where shadows are found by silhouettes; facet_slopes.glsl writes it.
+// The plane of the triangle that a pixel sees, where shadows are found by silhouettes;
+// facet_slopes.glsl writes it.
 uniform usampler2D facet_slopes;
 
 vec3 facet_normal = vec3(0.0); // of the pixel that is lit, towards the eye; 0: it is not known, and the surface's own normal is taken
 
-// `point` is in the eye's space; of the pixel's ray z is -1, or, orthographic, x and y are the point's; `ray` and `view` are of view_space.h. Depth is
-// linear over the picture, in the ray's x and y: d = k (n.x x + n.y y - n.z), or, orthographic, 1 + z / view.x.
+// `point` is in the eye's space; of the pixel's ray z is -1, or, orthographic, x and y are the
+// point's; `ray` and `view` are of view_space.h. Depth is linear over the picture, in the ray's x
+// and y: d = k (n.x x + n.y y - n.z), or, orthographic, 1 + z / view.x.
 //
-//     a plane z = -4 before near .01: d is .0025 everywhere, both slopes are 0, and the normal is (0, 0, 1)
+//     a plane z = -4 before near .01: d is .0025 everywhere, both slopes are 0, and the normal is
+//     (0, 0, 1)
 void facetFind(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
     uint word = texelFetch(facet_slopes, pixel, 0).x;

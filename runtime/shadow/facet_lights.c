@@ -31,6 +31,12 @@ bool facet_lights_write(const Render *render)
            (!view || !strcmp(view, "shown") || !strcmp(view, "light"));
 }
 
-bool facet_lights_cast(const Render *render) { return silhouette_layers(render) > 0 && facet_lights_write(render); }
+bool facet_lights_cast(const Render *render)
+{
+    return silhouette_layers(render) > 0 && facet_lights_write(render);
+}
 
-bool facet_lights_seen(const Render *render) { return exact_lights_cast(render) || facet_lights_cast(render); }
+bool facet_lights_seen(const Render *render)
+{
+    return exact_lights_cast(render) || facet_lights_cast(render);
+}

@@ -1,6 +1,7 @@
-// The end of a program that gives what a surface lets through, for a shadow map: appends that to its texel's list. Nothing opaque is before it,
-// as the light sees them; what lets all through is not kept. Behind the heads of all texels, 0 or 1 + the number of a node, lie the nodes:
-// the next of the list, the depth, and three shares of 21 bits, off by 2.4e-7 at most.
+// The end of a program that gives what a surface lets through, for a shadow map: appends that to
+// its texel's list. Nothing opaque is before it, as the light sees them; what lets all through is
+// not kept. Behind the heads of all texels, 0 or 1 + the number of a node, lie the nodes: the next
+// of the list, the depth, and three shares of 21 bits, off by 2.4e-7 at most.
 layout(early_fragment_tests) in;
 uniform int glass_map;
 

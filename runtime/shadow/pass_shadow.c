@@ -1,5 +1,5 @@
-/* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws none. shadow.glsl says what becomes of
- * them. */
+/* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws
+ * none. shadow.glsl says what becomes of them. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_area.h"
@@ -19,10 +19,11 @@ static bool check_maps(const Render *render)
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (count > most || size > gl->max_texture_size)
-        return gl_fail(gl, "%d shadow maps of %d x %d are asked for, the driver has %d of %d x %d", count, size, size,
-                       most, gl->max_texture_size, gl->max_texture_size);
-    return mib <= SHADOW_MAPS_MIB || gl_fail(gl, "%d shadow maps of %d x %d take %d MiB; at most %d are made", count,
-                                             size, size, (int)mib, SHADOW_MAPS_MIB);
+        return gl_fail(gl, "%d shadow maps of %d x %d are asked for, the driver has %d of %d x %d",
+                       count, size, size, most, gl->max_texture_size, gl->max_texture_size);
+    return mib <= SHADOW_MAPS_MIB ||
+           gl_fail(gl, "%d shadow maps of %d x %d take %d MiB; at most %d are made", count, size,
+                   size, (int)mib, SHADOW_MAPS_MIB);
 }
 
 static bool make_maps(Render *render)
@@ -37,8 +38,8 @@ static bool make_maps(Render *render)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size, size, count, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
-                   NULL);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_DEPTH_COMPONENT32F, size, size, count, 0,
+                   GL_DEPTH_COMPONENT, GL_FLOAT, NULL);
     gl->GenFramebuffers(1, &maps->framebuffer);
     return gl_check(gl, "making shadow maps");
 }
@@ -46,10 +47,12 @@ static bool make_maps(Render *render)
 static bool make_solid(Render *render)
 {
     ShadowMaps *maps = render->shadows;
-    const bool instances = render->cache.instances, modern = render->gl->major * 10 + render->gl->minor >= 45;
+    const bool instances = render->cache.instances,
+               modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
-    const ProgramText text = {.vertex = {head, instances ? "#define INSTANCES\n" : "", render_text_shadow_depth},
-                              .fragment = {head, "void main() {}\n"}};
+    const ProgramText text = {
+        .vertex = {head, instances ? "#define INSTANCES\n" : "", render_text_shadow_depth},
+        .fragment = {head, "void main() {}\n"}};
     return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
@@ -66,8 +69,9 @@ static bool pass_shadow_count(Render *render)
 
 static bool pass_shadow_make(Render *render)
 {
-    return make_maps(render) && make_solid(render) && silhouette_make(render) && volume_blur_make(render) &&
-           volume_data_make(render) && shadow_parts_make(render) && pass_shadow_count(render);
+    return make_maps(render) && make_solid(render) && silhouette_make(render) &&
+           volume_blur_make(render) && volume_data_make(render) && shadow_parts_make(render) &&
+           pass_shadow_count(render);
 }
 
 static void pass_shadow_draw(Render *render)
@@ -106,7 +110,8 @@ static void pass_shadow_place(Render *render)
 
 static bool pass_shadow_changed(Render *render, unsigned what)
 {
-    const bool fitted = what & RENDER_CAMERA && (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
+    const bool fitted = what & RENDER_CAMERA &&
+                        (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
     if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may differ */
         render->shadows->drawn = false;
     return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what);

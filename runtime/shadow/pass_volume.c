@@ -1,10 +1,12 @@
-/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume for all that casts shadows: its texels are the
- * vertices, and those without depth lie infinitely far away. Where the volume's surface lies behind what is seen, back faces are counted up and front
+/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume for
+ * all that casts shadows: its texels are the vertices, and those without depth lie infinitely far
+ * away. Where the volume's surface lies behind what is seen, back faces are counted up and front
  * faces down, in the stencil; a count that is not 0 is a bit of the light in the target mask.
  *
- * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel light all that is infinitely far away is one
- * point. A spot or a face of a cube has a far side, from border to border; as it has the vertices of the border, both cancel exactly where
- * there is no shadow. Depth is clamped: nothing is cut off. */
+ * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel
+ * light all that is infinitely far away is one point. A spot or a face of a cube has a far side,
+ * from border to border; as it has the vertices of the border, both cancel exactly where there is
+ * no shadow. Depth is clamped: nothing is cut off. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
@@ -17,7 +19,8 @@ enum { BITS = 8 /* of a lane of the mask */ };
 
 /* -- programs */
 
-/* Points of the world, times 1 or, infinitely far away, 0, from a place in the map: x, y, and 1 and depth, or, of parallel light, depth and 1. */
+/* Points of the world, times 1 or, infinitely far away, 0, from a place in the map: x, y, and 1 and
+ * depth, or, of parallel light, depth and 1. */
 static void world_from_place(const ShadowView *view, double m[4][4])
 {
     const double(*rows)[4] = view->rows;
@@ -48,10 +51,11 @@ static void transform(const double m[16], const double v[4], double out[4])
     }
 }
 
-/* A direction that goes across the view has no place in the picture: w is 0 in clip space, which a GPU may not draw. An orthographic camera sees all
- * directions so. What is infinitely far away is therefore taken to be far away only: of light from a place always, 2^10 times as far as the camera, where a
- * millionth of the light arrives; of parallel light where it goes across the view. Its walls end in one point then, so they lean by 2^-20 of the way
- * to that. */
+/* A direction that goes across the view has no place in the picture: w is 0 in clip space, which a
+ * GPU may not draw. An orthographic camera sees all directions so. What is infinitely far away is
+ * therefore taken to be far away only: of light from a place always, 2^10 times as far as the
+ * camera, where a millionth of the light arrives; of parallel light where it goes across the view.
+ * Its walls end in one point then, so they lean by 2^-20 of the way to that. */
 static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024; /* cosine */
 
 static double distance_to(const Render *render, const double point[4])
@@ -60,17 +64,19 @@ static double distance_to(const Render *render, const double point[4])
     double away[3];
     for (int i = 0; i < 3; i++)
         away[i] = camera->position[i] - point[i];
-    return sqrt(scene_vector_dot(away, away)) + (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
+    return sqrt(scene_vector_dot(away, away)) +
+           (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
 }
 
 static bool goes_across(const Render *render, const double along[4])
 {
     const SceneCamera *camera = &render->scene->camera;
-    return camera->kind == SCENE_Orthographic ||
-           fabs(scene_vector_dot(camera->back, along)) < across * sqrt(scene_vector_dot(along, along));
+    return camera->kind == SCENE_Orthographic || fabs(scene_vector_dot(camera->back, along)) <
+                                                     across * sqrt(scene_vector_dot(along, along));
 }
 
-/* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle and corners that with the greatest w. */
+/* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle
+ * and corners that with the greatest w. */
 static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
 {
     static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -84,7 +90,8 @@ static void find_far(const Render *render, double world[4][4], double clip[4][4]
     for (int k = 0; k < 5; k++) {
         double point[4];
         for (int i = 0; i < 4; i++)
-            point[i] = places[k][0] * clip[0][i] + places[k][1] * clip[1][i] - depths * clip[2][i] + clip[3][i];
+            point[i] = places[k][0] * clip[0][i] + places[k][1] * clip[1][i] - depths * clip[2][i] +
+                       clip[3][i];
         for (int i = 0; i < 4 && fabs(point[3]) > 1.5 * best; i++)
             far[i] = (float)point[i];
         best = fmax(best, fabs(point[3]));
@@ -96,7 +103,8 @@ void pass_volume_place(const Render *render, int number, Material *material)
     static const char *const names[] = {"volume_x", "volume_y", "volume_z", "volume_w"};
     const ShadowView *view = &render->shadows->views.views[number];
     const Scene *scene = render->scene;
-    const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0, scene->shadow_stretched};
+    const float map[4] = {(float)number, (float)scene->shadow_size, view->near <= 0,
+                          scene->shadow_stretched};
     double world[4][4], eye[4], clip[4][4], projection[16];
     float far[4] = {0};
     world_from_place(view, world);
@@ -105,7 +113,8 @@ void pass_volume_place(const Render *render, int number, Material *material)
     for (int i = 0; i < 4; i++) {
         transform(render->space.eye_from_world, world[i], eye);
         transform(projection, eye, clip[i]);
-        const float column[4] = {(float)clip[i][0], (float)clip[i][1], (float)clip[i][2], (float)clip[i][3]};
+        const float column[4] = {(float)clip[i][0], (float)clip[i][1], (float)clip[i][2],
+                                 (float)clip[i][3]};
         material_set(material, &(MaterialValue){names[i], 4, column});
     }
     material_set(material, &(MaterialValue){"volume_map", 4, map});
@@ -118,22 +127,23 @@ void pass_volume_place(const Render *render, int number, Material *material)
 
 const char *pass_volume_head(const Render *render)
 {
-    return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n" : "#version 330 core\n";
+    return render->gl->major * 10 + render->gl->minor >= 45 ? "#version 450 core\n"
+                                                            : "#version 330 core\n";
 }
 
 static bool make_view(Render *render, int number)
 {
     FrameVolumes *volumes = render->volumes;
     const char *const head = pass_volume_head(render);
-    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
-                                                                                      volume_cells_are(render)
-                                                                                          ? render_text_volume_cells
-                                                                                          : "";
-    const ProgramText sheet = {.vertex = {head, volume_data_text(render, false), maps, render_text_shadow_volume, cells,
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "",
+                      *const cells = volume_cells_are(render) ? render_text_volume_cells : "";
+    const ProgramText sheet = {.vertex = {head, volume_data_text(render, false), maps,
+                                          render_text_shadow_volume, cells,
                                           render_text_volume_vertex},
                                .fragment = {head, "void main() {}\n"}};
-    const ProgramText cap = {.vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
-                             .fragment = {head, "void main() {}\n"}};
+    const ProgramText cap = {
+        .vertex = {head, "#define CAP\n", render_text_shadow_volume, render_text_volume_vertex},
+        .fragment = {head, "void main() {}\n"}};
     if (!material_make(render->store, NULL, &sheet, &volumes->sheets[number]))
         return false;
     pass_volume_place(render, number, &volumes->sheets[number]);
@@ -148,8 +158,9 @@ static bool make_view(Render *render, int number)
 /* Adds the bit of a light to what is there. */
 static bool make_mark(Render *render, int number)
 {
-    static const char text[] = "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
-                               "void main() { bits = mark_bit; }\n";
+    static const char text[] =
+        "layout(std140) uniform Mark { vec4 mark_bit; };\nlayout(location = 0) out vec4 bits;\n"
+        "void main() { bits = mark_bit; }\n";
     const char *const head = pass_volume_head(render);
     const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
     float bit[4] = {0};
@@ -162,8 +173,10 @@ static bool check(const Render *render)
 {
     const int count = volume_lights_count(render);
     if (count > VOLUME_LIGHTS)
-        return gl_fail(render->gl, "%d lights cast hybrid shadows, more than %d", count, VOLUME_LIGHTS);
-    return render->gl->PrimitiveRestartIndex || gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
+        return gl_fail(render->gl, "%d lights cast hybrid shadows, more than %d", count,
+                       VOLUME_LIGHTS);
+    return render->gl->PrimitiveRestartIndex ||
+           gl_fail(render->gl, "hybrid shadows take OpenGL 3.1");
 }
 
 static bool pass_volume_make(Render *render)

@@ -1,13 +1,18 @@
-// What of a light reaches a point, by its shadow maps and by infinite planes. shadow_views.h says what a view's rows are; here they start
-// from the eye's space. SHADOW_SIZE texels has an edge of a map, SHADOW_FILTER is over how many a shadow's edge is spread.
+// What of a light reaches a point, by its shadow maps and by infinite planes. shadow_views.h says
+// what a view's rows are; here they start from the eye's space. SHADOW_SIZE texels has an edge of a
+// map, SHADOW_FILTER is over how many a shadow's edge is spread.
 //
-// The bias. A map knows depth at the centres of texels. Each tap is compared at the depth of the receiver's point, moved beside it to the
-// tap's centre: by up to (SHADOW_FILTER + 1) / 2 texels along x and y, sqrt(2) times that aside. So
-//  - the point is lifted along its normal by so much, and a quarter of a texel for the rasteriser's 1/256: no tap goes below its tangent
+// The bias. A map knows depth at the centres of texels. Each tap is compared at the depth of the
+// receiver's point, moved beside it to the tap's centre: by up to (SHADOW_FILTER + 1) / 2 texels
+// along x and y, sqrt(2) times that aside. So
+//  - the point is lifted along its normal by so much, and a quarter of a texel for the rasteriser's
+//    1/256: no tap goes below its tangent
 //    plane, and what is convex never shades itself, however the light grazes it;
-//  - the map is drawn with a polygon offset of (SHADOW_FILTER + 1) times a triangle's slope: a point in front of a triangle's plane is in
+//  - the map is drawn with a polygon offset of (SHADOW_FILTER + 1) times a triangle's slope: a
+//    point in front of a triangle's plane is in
 //    front of what the map has of it, so that walls do not shade the floor before them.
-// A shadow is lost only where what casts it is nearer than that, a texel and a half with the default filter, measured across its plane.
+// A shadow is lost only where what casts it is nearer than that, a texel and a half with the
+// default filter, measured across its plane.
 const int SHADOW_ROW = 1024;
 
 // A share of light; where something transparent casts shadows, one of each colour.
@@ -24,8 +29,8 @@ layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what
 };
 #define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
-// Lists in parts (shadow_parts.c): a point's share of light is a sum over texels, of which those of the part count. What needs none counts in the
-// part that has the first texel of all.
+// Lists in parts (shadow_parts.c): a point's share of light is a sum over texels, of which those of
+// the part count. What needs none counts in the part that has the first texel of all.
 #ifdef SHADOW_PARTS
 bool shadowIsFirst()
 {
@@ -88,7 +93,8 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-// A texel's list: its first fragment, the one behind another, or 0; depth, and what it lets through.
+// A texel's list: its first fragment, the one behind another, or 0; depth, and what it lets
+// through.
 uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
 
 uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }
@@ -109,7 +115,8 @@ uvec2 shadowAt(int map, ivec2 texel)
     return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
 }
 
-// What all that is transparent and nearer to the light lets through: a product, for which nothing has to be sorted.
+// What all that is transparent and nearer to the light lets through: a product, for which nothing
+// has to be sorted.
 vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
     vec3 through = vec3(1.0);
@@ -152,7 +159,8 @@ SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
     return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), how.x / there.z);
 }
 
-// How much of a texel, along an axis, is in a square of SHADOW_FILTER texels that begins within texel 0, `part` of it beyond its edge.
+// How much of a texel, along an axis, is in a square of SHADOW_FILTER texels that begins within
+// texel 0, `part` of it beyond its edge.
 float shadowWeight(int texel, float part)
 {
     return texel == 0 ? 1.0 - part : texel == SHADOW_FILTER ? part : 1.0;
@@ -213,8 +221,8 @@ float shadowInside(int view, vec3 point, vec3 normal, float pixel)
     return clamp((edge - max(place.x, place.y)) / SHADOW_BAND, 0.0, 1.0);
 }
 
-// By cascades: the finest that has the point, which gives way to the next one along its edge, so that no seam is seen. The last has all that casts
-// shadows.
+// By cascades: the finest that has the point, which gives way to the next one along its edge, so
+// that no seam is seen. The last has all that casts shadows.
 SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     SHARE sum = SHARE(0.0);
@@ -227,7 +235,8 @@ SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
     return sum;
 }
 
-// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are `count` from `first` on.
+// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are
+// `count` from `first` on.
 SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     return shadowRow(first, 3).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
@@ -246,7 +255,8 @@ float volumeShare(int first, int how, vec3 point, ivec2 at)
     return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
 }
 #else
-// A triangle's depth over a place between three texels: b is beside a, c beyond b. Of parallel light it is as high as the map if one of them is far.
+// A triangle's depth over a place between three texels: b is beside a, c beyond b. Of parallel
+// light it is as high as the map if one of them is far.
 float volumeHeight(vec3 abc, vec2 part, bool parallel)
 {
     return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
@@ -300,14 +310,16 @@ vec4 shadowPlane(int texel)
     return texelFetch(shadow_planes, ivec2(texel % SHADOW_ROW, texel / SHADOW_ROW), 0);
 }
 
-// A plane stands between a point and a light if they are on its two sides. A point of the plane itself is on both.
+// A plane stands between a point and a light if they are on its two sides. A point of the plane
+// itself is on both.
 bool shadowBetween(vec4 plane, vec4 light, vec3 point)
 {
     float here = dot(plane, vec4(point, 1.0));
     return here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w));
 }
 
-// Of all planes: first those that are opaque, then, two texels each, those that let through the same everywhere.
+// Of all planes: first those that are opaque, then, two texels each, those that let through the
+// same everywhere.
 SHARE shadowPlanes(vec4 light, vec3 point)
 {
     SHARE share = SHARE(1.0);
@@ -325,7 +337,8 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 #ifdef SHADOW_SHEETS
 uniform usampler2DArray shadow_sheets;
 
-// What planes whose transparency varies let through of a light on its way to a pixel's point: shadow_sheet.c. `layer` is 1 + its layer, or 0.
+// What planes whose transparency varies let through of a light on its way to a pixel's point:
+// shadow_sheet.c. `layer` is 1 + its layer, or 0.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);
@@ -334,7 +347,8 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 }
 #endif
 
-// The share of a light that reaches a point. `views` has the first of its views, or -1, and how many; it casts no shadow if that is less.
+// The share of a light that reaches a point. `views` has the first of its views, or -1, and how
+// many; it casts no shadow if that is less.
 SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel, ivec2 at)
 {
     SHARE share = SHARE(1.0);

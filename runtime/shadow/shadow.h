@@ -1,4 +1,5 @@
-/* Shadows, for the passes: maps of lights, what is transparent in them, planes; and what the lighting of surfaces reads of them. */
+/* Shadows, for the passes: maps of lights, what is transparent in them, planes; and what the
+ * lighting of surfaces reads of them. */
 #ifndef MATC_SHADOW_SHADOW_H
 #define MATC_SHADOW_SHADOW_H
 #include "runtime/frame/frame_pass.h"
@@ -14,8 +15,9 @@ bool shadow_is_soft(const Render *render);
 /* How what is transparent does. */
 SetCasts shadow_casts(const Render *render);
 
-/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a part's lists; a buffer of so many; a part's lists
- * begun, which are none where the buffer has no room for their heads, and ended; the fragments that were to be listed then. */
+/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a
+ * part's lists; a buffer of so many; a part's lists begun, which are none where the buffer has no
+ * room for their heads, and ended; the fragments that were to be listed then. */
 enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
 bool shadow_glass_needed(const Render *render);
 ShadowPart shadow_glass_whole(const Render *render);
@@ -30,16 +32,19 @@ void shadow_glass_delete(Render *render);
 void shadow_draw_depths(Render *render);
 void shadow_draw_lists(Render *render, const ShadowPart *part);
 
-/* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted, and in one piece drawn. False: there may not be so much, or, in
- * parts, not even for one texel. In parts would do. How many there are; one of them drawn, if there are several. */
+/* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted,
+ * and in one piece drawn. False: there may not be so much, or, in parts, not even for one texel. In
+ * parts would do. How many there are; one of them drawn, if there are several. */
 bool shadow_parts_make(Render *render);
 bool shadow_parts_count(Render *render);
 bool shadow_parts_fall_back(const Render *render);
 int shadow_parts_number(const Render *render);
 void shadow_parts_load(Render *render, int part);
 
-/* Planes whose transparency varies (shadow_sheet.c): a light has a layer of what they let through; some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
- * them; made; told where the camera, lights and planes are, or where the tile is; a uniform of a material, false: none has it; drawn, of what has these depths; deleted. */
+/* Planes whose transparency varies (shadow_sheet.c): a light has a layer of what they let through;
+ * some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
+ * them; made; told where the camera, lights and planes are, or where the tile is; a uniform of a
+ * material, false: none has it; drawn, of what has these depths; deleted. */
 bool shadow_sheet_reads(const SceneLight *light);
 bool shadow_sheet_needed(const Render *render);
 bool shadow_sheet_check(const Render *render);
@@ -52,25 +57,30 @@ bool shadow_sheet_set(const Render *render, int material, const MaterialValue *v
 void shadow_sheet_draw(const Render *render, GLuint depth);
 void shadow_sheet_delete(Render *render);
 
-/* An infinite plane in the eye's space, where its matrix says: its normal, and what makes points of it 0. */
+/* An infinite plane in the eye's space, where its matrix says: its normal, and what makes points of
+ * it 0. */
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4]);
 /* What lights see, before any pass is made. */
 bool shadow_make_views(Render *render);
-/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights cast shadows by more or fewer maps. */
+/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights
+ * cast shadows by more or fewer maps. */
 bool shadow_change(Render *render, bool drawn_again);
-/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and nothing is computed. */
+/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and
+ * nothing is computed. */
 enum { SHADOW_DEFINITIONS = 512, SHADOW_UNITS = 6 };
 bool shadow_has_silhouettes(const Render *render);
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS]);
 bool shadow_make_tables(Render *render);
-/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it casts no shadows. Behind its light: 1 + the layer of what
- * sheets let through of it, or 0. */
-void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS], float (*texels)[4]);
+/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it
+ * casts no shadows. Behind its light: 1 + the layer of what sheets let through of it, or 0. */
+void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
+                       float (*texels)[4]);
 /* SHADOW_UNITS units from `unit` on. */
 void shadow_samplers(ScreenPass *pass, int unit);
 void shadow_bind(const Render *render, int unit);
 
-/* Silhouettes find shadows, and light is drawn: so are facets, if the driver can. And something casts, so that the target is there. facet_lights.c */
+/* Silhouettes find shadows, and light is drawn: so are facets, if the driver can. And something
+ * casts, so that the target is there. facet_lights.c */
 bool facet_lights_write(const Render *render);
 bool facet_lights_cast(const Render *render);
 /* These, or numbers of triangles: there is the target seen. */

@@ -12,7 +12,10 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 {
     static const double one[4] = {0, 0, 0, 1};
     const double near[4] = {0, 0, 0, view->near};
-    const double *const depth = view->near > 0 ? near : view->rows[2], *const w = view->near > 0 ? view->rows[2] : one;
+    const double *const depth = view->near > 0 ? near : view->rows[2], *const w =
+                                                                           view->near > 0
+                                                                               ? view->rows[2]
+                                                                               : one;
     for (int column = 0; column < 4; column++) {
         m[4 * column] = view->rows[0][column];
         m[4 * column + 1] = view->rows[1][column];
@@ -23,10 +26,17 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 
 enum { STEPS_PUSHED = -2 }; /* of depth */
 
-/* Of a slope over a texel, by which it is pushed away from the light. shadow.glsl says by how much, and why. */
-static float slopes_of(const Render *render) { return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64; }
+/* Of a slope over a texel, by which it is pushed away from the light. shadow.glsl says by how much,
+ * and why. */
+static float slopes_of(const Render *render)
+{
+    return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64;
+}
 
-static void push(const Render *render) { render->gl->PolygonOffset(slopes_of(render), STEPS_PUSHED); }
+static void push(const Render *render)
+{
+    render->gl->PolygonOffset(slopes_of(render), STEPS_PUSHED);
+}
 
 static void begin(const Render *render)
 {
@@ -62,8 +72,10 @@ typedef struct {
     CacheLightTrace trace;
 } Casting;
 
-/* What a view shows of what is opaque, or of the rest. Hybrid shadows and silhouettes go by triangles, so these are what they see. */
-static void cast_view(Render *render, const CacheSource *source, const Casting *casting, bool transparent)
+/* What a view shows of what is opaque, or of the rest. Hybrid shadows and silhouettes go by
+ * triangles, so these are what they see. */
+static void cast_view(Render *render, const CacheSource *source, const Casting *casting,
+                      bool transparent)
 {
     const ShadowView *view = casting->view;
     const CullVolume volume = shadow_views_volume(view);
@@ -81,7 +93,8 @@ static void cast_view(Render *render, const CacheSource *source, const Casting *
                transparent);
 }
 
-/* All faces lie in one layer. A texel is asked by a point's own way, so that slopes push by one texel. */
+/* All faces lie in one layer. A texel is asked by a point's own way, so that slopes push by one
+ * texel. */
 static void cast_soft(Render *render, const CacheSource *source, int number, bool transparent)
 {
     const GlContext *gl = render->gl;
@@ -95,7 +108,8 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
         gl->Viewport(rect[0], rect[1], rect[2], rect[3]);
         const float texel[2] = {2 / (float)rect[2], 2 / (float)rect[3]};
         const float corner[2] = {-texel[0] * (float)rect[0] - 1, -texel[1] * (float)rect[1] - 1};
-        const Casting casting = {&view, number, {{slopes, STEPS_PUSHED}, {texel[0], texel[1]}, {corner[0], corner[1]}}};
+        const Casting casting = {
+            &view, number, {{slopes, STEPS_PUSHED}, {texel[0], texel[1]}, {corner[0], corner[1]}}};
         cast_view(render, source, &casting, transparent);
     }
     gl->Viewport(0, 0, size, size);
@@ -109,17 +123,20 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
         cast_soft(render, source, number, transparent);
     else {
         const float texel = 2 / (float)render->scene->shadow_size;
-        const Casting casting = {view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}, {-1, -1}}};
+        const Casting casting = {
+            view, number, {{slopes_of(render), STEPS_PUSHED}, {texel, texel}, {-1, -1}}};
         cast_view(render, source, &casting, transparent);
     }
 }
 
 static void use_layer(const Render *render, int number)
 {
-    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0, number);
+    render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps,
+                                        0, number);
 }
 
-/* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that is made of it is closed. */
+/* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that
+ * is made of it is closed. */
 static void draw_hybrid(Render *render, const CacheSource *source, int number)
 {
     const GlContext *gl = render->gl;
@@ -174,7 +191,8 @@ void shadow_draw_depths(Render *render)
 static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
 {
     const GLint first = (GLint)part->row - (GLint)map_row, low = first > 0 ? first : 0;
-    gl->Scissor((GLint)part->column, low, (GLsizei)part->columns, first + (GLsizei)part->rows - low);
+    gl->Scissor((GLint)part->column, low, (GLsizei)part->columns,
+                first + (GLsizei)part->rows - low);
 }
 
 /* The maps that a part has texels of. */
@@ -190,7 +208,8 @@ void shadow_draw_lists(Render *render, const ShadowPart *part)
         use_layer(render, (int)i);
         cut(render->gl, part, i * size);
         render->gl->DepthFunc(
-            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER); /* blurred: not the surface */
+            /* blurred: not the surface */
+            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER);
         cast(render, &source, (int)i, true);
     }
     shadow_glass_end(render);

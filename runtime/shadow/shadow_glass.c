@@ -1,4 +1,5 @@
-/* Lists of what is transparent, for each texel of the shadow maps: the buffer. glass_store.glsl fills it, shadow.glsl reads it. */
+/* Lists of what is transparent, for each texel of the shadow maps: the buffer. glass_store.glsl
+ * fills it, shadow.glsl reads it. */
 #include "gen/shadow_glass_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/shadow.h"
@@ -21,14 +22,17 @@ static size_t texels_of(const ShadowPart *part) { return (size_t)part->columns *
 
 size_t shadow_glass_bytes(const ShadowPart *part)
 {
-    return sizeof(GLuint) * (SHADOW_GLASS_STATE_WORDS + texels_of(part) + NODE * (size_t)part->fragments);
+    return sizeof(GLuint) *
+           (SHADOW_GLASS_STATE_WORDS + texels_of(part) + NODE * (size_t)part->fragments);
 }
 
 bool shadow_glass_make(Render *render, size_t bytes)
 {
     const GlContext *gl = render->gl;
     ShadowGlass *glass = &render->shadows->glass;
-    glass->bytes = bytes > sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS ? bytes : sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS;
+    glass->bytes = bytes > sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS
+                       ? bytes
+                       : sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS;
     if (!glass->buffer)
         gl->GenBuffers(1, &glass->buffer);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, glass->buffer);
@@ -39,8 +43,8 @@ bool shadow_glass_make(Render *render, size_t bytes)
 /* Four words. Nothing but a clear, so that a frame may do it. */
 static void write_words(const GlContext *gl, GLuint first, const GLuint words[4])
 {
-    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, (GLintptr)(first * sizeof *words), 4 * sizeof *words,
-                           GL_RGBA_INTEGER, GL_UNSIGNED_INT, words);
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, (GLintptr)(first * sizeof *words),
+                           4 * sizeof *words, GL_RGBA_INTEGER, GL_UNSIGNED_INT, words);
 }
 
 void shadow_glass_begin(const Render *render, const ShadowPart *part)
@@ -48,14 +52,17 @@ void shadow_glass_begin(const Render *render, const ShadowPart *part)
     const GlContext *gl = render->gl;
     const ShadowGlass *glass = &render->shadows->glass;
     const GLuint size = (GLuint)render->scene->shadow_size;
-    const size_t start = sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS, all = sizeof(GLuint) * texels_of(part);
+    const size_t start = sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS,
+                 all = sizeof(GLuint) * texels_of(part);
     const bool counts = glass->bytes < start + all; /* it holds no list yet */
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, glass->buffer);
-    write_words(gl, SHADOW_GLASS_COLUMN, (GLuint[]){part->column, part->row, part->columns, part->rows});
-    write_words(gl, SHADOW_GLASS_HEADS, (GLuint[]){(GLuint)texels_of(part), counts ? 0 : part->fragments, size, 0});
+    write_words(gl, SHADOW_GLASS_COLUMN,
+                (GLuint[]){part->column, part->row, part->columns, part->rows});
+    write_words(gl, SHADOW_GLASS_HEADS,
+                (GLuint[]){(GLuint)texels_of(part), counts ? 0 : part->fragments, size, 0});
     if (!counts)
-        gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)start, (GLsizeiptr)all, GL_RED_INTEGER,
-                               GL_UNSIGNED_INT, NULL);
+        gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, (GLintptr)start, (GLsizeiptr)all,
+                               GL_RED_INTEGER, GL_UNSIGNED_INT, NULL);
 }
 
 void shadow_glass_end(const Render *render)
@@ -67,7 +74,8 @@ bool shadow_glass_count(Render *render, GLuint *count)
 {
     const GlContext *gl = render->gl;
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows->glass.buffer);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_COUNT * sizeof(GLuint), sizeof *count, count);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_COUNT * sizeof(GLuint),
+                         sizeof *count, count);
     return gl_check(render->gl, "counting what is transparent in shadow maps");
 }
 

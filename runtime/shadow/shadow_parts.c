@@ -1,9 +1,11 @@
-/* Lists of shadow maps that take more memory than there may be: in parts. A part is a rectangle of texels of all maps, one above the other, whose
- * lists find room. Light is a sum over the texels that a point reads, so it is exact to sum over those of one part after the other: each pass
- * that lights runs once for each part (lighting_run), and the lists are drawn again before it.
+/* Lists of shadow maps that take more memory than there may be: in parts. A part is a rectangle of
+ * texels of all maps, one above the other, whose lists find room. Light is a sum over the texels
+ * that a point reads, so it is exact to sum over those of one part after the other: each pass that
+ * lights runs once for each part (lighting_run), and the lists are drawn again before it.
  *
- * Worked example: two maps of 4 x 4 texels with three fragments each, 8 + 32 + 96 words. If there may be 80: rows 0 to 3 take 8 + 16 + 48, so
- * they are one part, and rows 4 to 7 the other. If there may be 20: a row takes 8 + 4 + 12 and is too much, two of its texels take 16. */
+ * Worked example: two maps of 4 x 4 texels with three fragments each, 8 + 32 + 96 words. If there
+ * may be 80: rows 0 to 3 take 8 + 16 + 48, so they are one part, and rows 4 to 7 the other. If
+ * there may be 20: a row takes 8 + 4 + 12 and is too much, two of its texels take 16. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/shadow/shadow.h"
@@ -21,7 +23,8 @@ static bool count(Render *render, ShadowPart *part)
 static bool fail_room(Render *render, const ShadowPart *part)
 {
     return gl_fail(render->gl,
-                   "shadows of what is transparent take %lu bytes for %lu fragments, and there may be %lu: smaller "
+                   "shadows of what is transparent take %lu bytes for %lu fragments, and there may "
+                   "be %lu: smaller "
                    "maps take less, and shadowMaps: { colored: false } none",
                    (unsigned long)shadow_glass_bytes(part), (unsigned long)part->fragments,
                    (unsigned long)transparency_most_bytes(render));
@@ -112,14 +115,24 @@ static bool divide(Render *render)
 bool shadow_parts_make(Render *render)
 {
     const ShadowPart whole = shadow_glass_whole(render);
-    return !shadow_glass_needed(render) || (add(render, &whole) && (render->parted || make_whole(render, &whole)));
+    return !shadow_glass_needed(render) ||
+           (add(render, &whole) && (render->parted || make_whole(render, &whole)));
 }
 
-bool shadow_parts_count(Render *render) { return render->parted ? divide(render) : count_whole(render); }
+bool shadow_parts_count(Render *render)
+{
+    return render->parted ? divide(render) : count_whole(render);
+}
 
-bool shadow_parts_fall_back(const Render *render) { return render->shadows->glass.full && !render->parted; }
+bool shadow_parts_fall_back(const Render *render)
+{
+    return render->shadows->glass.full && !render->parted;
+}
 
-int shadow_parts_number(const Render *render) { return render->parted ? render->shadows->glass.part_count : 1; }
+int shadow_parts_number(const Render *render)
+{
+    return render->parted ? render->shadows->glass.part_count : 1;
+}
 
 void shadow_parts_load(Render *render, int part)
 {

@@ -1,6 +1,8 @@
-/* Shadows of infinite planes whose transparency varies over them, here called sheets. Of what a pixel shows, the way to a light meets a sheet at a point, and
- * what passes there is the material's value: the plane's program, compiled for a layout of that slot alone, is drawn over all pixels with the ray that meets the
- * sheet just there (shadow_sheet.glsl). All sheets between multiply, into a layer of texels for each light, which the passes that light read.
+/* Shadows of infinite planes whose transparency varies over them, here called sheets. Of what a
+ * pixel shows, the way to a light meets a sheet at a point, and what passes there is the material's
+ * value: the plane's program, compiled for a layout of that slot alone, is drawn over all pixels
+ * with the ray that meets the sheet just there (shadow_sheet.glsl). All sheets between multiply,
+ * into a layer of texels for each light, which the passes that light read.
  *
  * As a texel has one depth, surfaces that are transparent are peeled where there are sheets. */
 #include "gen/render_text.h"
@@ -18,7 +20,10 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
 
 /* An area light has many points, and no layer. */
-bool shadow_sheet_reads(const SceneLight *light) { return scene_light_casts(light) && light->kind != SCENE_Area; }
+bool shadow_sheet_reads(const SceneLight *light)
+{
+    return scene_light_casts(light) && light->kind != SCENE_Area;
+}
 
 static int count_layers(const Render *render)
 {
@@ -32,7 +37,8 @@ bool shadow_sheet_needed(const Render *render)
 {
     bool needed = false;
     for (int i = 0; i < render->set.count && count_layers(render); i++)
-        needed |= render->set.programs[i].caster >= 0 && !strcmp(render->set.programs[i].pass, "plane");
+        needed |=
+            render->set.programs[i].caster >= 0 && !strcmp(render->set.programs[i].pass, "plane");
     return needed;
 }
 
@@ -40,7 +46,8 @@ bool shadow_sheet_check(const Render *render)
 {
     const char *way = render->options.transparency;
     return !shadow_sheet_needed(render) || !way || strcmp(way, "lists") != 0 ||
-           gl_fail(render->gl, "a plane whose transparency varies casts shadows, by which lists of fragments are not "
+           gl_fail(render->gl, "a plane whose transparency varies casts shadows, by which lists of "
+                               "fragments are not "
                                "lit: transparency auto or peeling is");
 }
 
@@ -60,8 +67,8 @@ int shadow_sheet_bytes(const Render *render)
 void shadow_sheet_put(Text *out, const Render *render)
 {
     if (render->shadows->sheets.layers)
-        text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets", "RG32UI",
-                    shadow_sheet_bytes(render), render->shadows->sheets.layer_count);
+        text_format(out, "%-8s  %-24s  %d: what planes let through of %d lights\n", "sheets",
+                    "RG32UI", shadow_sheet_bytes(render), render->shadows->sheets.layer_count);
 }
 
 /* -- what is made */
@@ -73,19 +80,22 @@ static bool make_layers(Render *render)
     GLint most = 0;
     gl->GetIntegerv(GL_MAX_ARRAY_TEXTURE_LAYERS, &most);
     if (sheets->layer_count > most)
-        return gl_fail(gl, "%d lights shine through planes whose transparency varies, and the driver has room for %d",
+        return gl_fail(gl,
+                       "%d lights shine through planes whose transparency varies, and the driver "
+                       "has room for %d",
                        sheets->layer_count, most);
     gl->GenTextures(1, &sheets->layers);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, sheets->layers);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, render->size[0], render->size[1], sheets->layer_count, 0,
-                   GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG32UI, render->size[0], render->size[1],
+                   sheets->layer_count, 0, GL_RG_INTEGER, GL_UNSIGNED_INT, NULL);
     return gl_check(gl, "making room for what planes let through");
 }
 
-/* The text with worldRay as a variable: "layout(location = 7) in vec3 worldRay;" less what stands before the type. From malloc. */
+/* The text with worldRay as a variable: "layout(location = 7) in vec3 worldRay;" less what stands
+ * before the type. From malloc. */
 static char *without_input(const char *fragment)
 {
     char *text = strdup(fragment), *name = text ? strstr(text, "vec3 worldRay;") : NULL;
@@ -98,12 +108,13 @@ static bool make_material(Render *render, const SetProgram *program, Material *m
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
-    char *own = without_input(strchr(set_fragment(&render->set, program), '\n') + 1); /* behind its #version */
+    /* behind its #version */
+    char *own = without_input(strchr(set_fragment(&render->set, program), '\n') + 1);
     if (!own)
         return gl_fail(render->gl, "out of memory");
-    const ProgramText text = {
-        .vertex = {head, screen_text},
-        .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n", render_text_shadow_sheet}};
+    const ProgramText text = {.vertex = {head, screen_text},
+                              .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n",
+                                           render_text_shadow_sheet}};
     const bool done = material_make(render->store, program->program, &text, made) ||
                       set_fail(render->gl, render->scene, program->material);
     free(own);
@@ -114,7 +125,8 @@ static bool make_materials(Render *render)
 {
     ShadowSheets *sheets = &render->shadows->sheets;
     const Cache *cache = &render->cache;
-    sheets->materials = calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
+    sheets->materials =
+        calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
     if (!sheets->materials)
         return gl_fail(render->gl, "out of memory");
     for (int layer = 0, k = 0; layer < sheets->layer_count; layer++)
@@ -165,24 +177,29 @@ static void set_light(const Render *render, const SceneLight *light, Material *m
     set(material, "sheet_light", 4, place);
 }
 
-/* Rays come from a point near the camera, on the light's side of the plane, from where they meet it steeply. */
-static void set_plane(const Render *render, const SceneLight *light, const SceneMatrix *plane, Material *material)
+/* Rays come from a point near the camera, on the light's side of the plane, from where they meet it
+ * steeply. */
+static void set_plane(const Render *render, const SceneLight *light, const SceneMatrix *plane,
+                      Material *material)
 {
     const SceneCamera *camera = &render->scene->camera;
     const double *m = plane->m, *const origin = m + 12;
     double n[3], foot[3], eye[3], row[4];
     scene_vector_cross(m, m + 4, n);
     scene_vector_normalize(n);
-    const double offset = scene_vector_dot(n, origin), away = scene_vector_dot(n, camera->position) - offset;
-    const double side = light->kind == SCENE_Directional ? -scene_vector_dot(n, light->direction)
-                                                         : scene_vector_dot(n, light->position) - offset;
+    const double offset = scene_vector_dot(n, origin),
+                 away = scene_vector_dot(n, camera->position) - offset;
+    const double side = light->kind == SCENE_Directional
+                            ? -scene_vector_dot(n, light->direction)
+                            : scene_vector_dot(n, light->position) - offset;
     for (int i = 0; i < 3; i++) {
         foot[i] = camera->position[i] - away * n[i];
         eye[i] = foot[i] + (side < 0 ? -1 : 1) * fmax(fabs(away), 1) * n[i];
         row[i] = scene_vector_dot(n, i == 0 ? camera->right : i == 1 ? camera->up : camera->back);
     }
     row[3] = away;
-    set(material, "sheet_plane", 4, (float[]){(float)row[0], (float)row[1], (float)row[2], (float)row[3]});
+    set(material, "sheet_plane", 4,
+        (float[]){(float)row[0], (float)row[1], (float)row[2], (float)row[3]});
     set_point(material, "sheet_foot", foot);
     set_point(material, "sheet_eye", eye);
     set_point(material, "matc_eyePosition", eye);
@@ -201,7 +218,8 @@ static void set_numbers(const Render *render, int layer, const SceneLight *light
             continue;
         set_world(render, material);
         set_light(render, light, material);
-        set_plane(render, light, &render->scene->objects[cache->planes[i].object].world_from_local, material);
+        set_plane(render, light, &render->scene->objects[cache->planes[i].object].world_from_local,
+                  material);
         set(material, "sheet_view", 4, render->space.depth);
         material_set_number(material, "sheet_layer", (float)layer);
         material_set_number(material, "sheet_more", (float)(before++ > 0));

@@ -1,8 +1,11 @@
-// What a sheet lets through of a light, for each pixel: behind a plane's fragment program, whose main() is surfaceMain() here, and whose input worldRay is a variable. The
-// way from what is seen at a pixel to the light meets the plane at a point, and the ray to it from sheet_eye is what the program is asked for. Where the
-// plane is not between, it is asked for a point that there is. fragment0 has three floats.
+// What a sheet lets through of a light, for each pixel: behind a plane's fragment program, whose
+// main() is surfaceMain() here, and whose input worldRay is a variable. The way from what is seen
+// at a pixel to the light meets the plane at a point, and the ray to it from sheet_eye is what the
+// program is asked for. Where the plane is not between, it is asked for a point that there is.
+// fragment0 has three floats.
 //
-// They are multiplied into the light's layer: three shares of 21 bits, as glass_store.glsl has them.
+// They are multiplied into the light's layer: three shares of 21 bits, as glass_store.glsl has
+// them.
 layout(std140) uniform Sheet {
     mat4 sheet_worldFromEye;
     vec4 sheet_ray;   // as light_ray, light_view

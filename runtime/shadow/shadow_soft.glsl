@@ -1,23 +1,32 @@
-// Soft shadows of area lights. From SOFT_POINTS x SOFT_POINTS points of the light, evenly spread from edge to edge, a map each shows what is in front of
-// it (soft_views.h); so each says exactly, but for its texels, whether its point reaches a surface. Four neighbours are the corners of a cell:
-//  - all of them arrive: so does the cell's light. If that is so for all cells, the light is left as it is, bit for bit;
+// Soft shadows of area lights. From SOFT_POINTS x SOFT_POINTS points of the light, evenly spread
+// from edge to edge, a map each shows what is in front of it (soft_views.h); so each says exactly,
+// but for its texels, whether its point reaches a surface. Four neighbours are the corners of a
+// cell:
+//  - all of them arrive: so does the cell's light. If that is so for all cells, the light is left
+//    as it is, bit for bit;
 //  - none does: the cell's light, the closed form of its own parallelogram, is taken away;
-//  - else what is taken away is the share of sixteen ways from inside the cell that something stops. The corners that do not arrive say where
-//    that stands: at the share `along` of the way from the light. A way passes there through a place that the map of the nearest corner
-//    knows, and is stopped by what is there: by what is nearer to the light than the middle between there and the surface.
-// So the end of a shadow is as wide as the light, what casts it and the surface make it, and smooth; and for ever more points it is exact.
+//  - else what is taken away is the share of sixteen ways from inside the cell that something
+//    stops. The corners that do not arrive say where
+//    that stands: at the share `along` of the way from the light. A way passes there through a
+//    place that the map of the nearest corner knows, and is stopped by what is there: by what is
+//    nearer to the light than the middle between there and the surface.
+// So the end of a shadow is as wide as the light, what casts it and the surface make it, and
+// smooth; and for ever more points it is exact.
 //
-// Worked example: five points along an edge, sixteen cells. A straight edge hides the left 3/8 of the light: the first two columns of points do not
-// arrive. Four cells lose all, and of the four beside them the ways from their left halves: in all 4/16 + 4 (1/2)/16 = 3/8.
+// Worked example: five points along an edge, sixteen cells. A straight edge hides the left 3/8 of
+// the light: the first two columns of points do not arrive. Four cells lose all, and of the four
+// beside them the ways from their left halves: in all 4/16 + 4 (1/2)/16 = 3/8.
 //
-// What is seen in a texel stops a way to a point only if it stands above the plane that touches the surface there, by SOFT_OFF texels and what a pixel of
-// the picture may be off. So no plane and no convex body shades itself, without a lift that would lose what stands close.
+// What is seen in a texel stops a way to a point only if it stands above the plane that touches the
+// surface there, by SOFT_OFF texels and what a pixel of the picture may be off. So no plane and no
+// convex body shades itself, without a lift that would lose what stands close.
 const float SOFT_OFF = 0.25;
 const float SOFT_INSET = 1.0 / 256.0; // of an edge, that the outermost points stand inside of it
 const int SOFT_CELLS = SOFT_POINTS - 1, SOFT_WAYS = 16;
 const int SOFT_WORDS = (SOFT_POINTS * SOFT_POINTS + 31) / 32;
 
-// A light, and a surface's point in its axes: x along u, z along the normal, to the point's side; the origin is its corner.
+// A light, and a surface's point in its axes: x along u, z along the normal, to the point's side;
+// the origin is its corner.
 struct Soft {
     vec3 corner, u, v; // in the eye's space
     vec3 eye;          // the point there
@@ -48,7 +57,8 @@ vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_
 
 vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
-// What a place of the light counts for a matt surface, but for a factor that is the light's and the point's own.
+// What a place of the light counts for a matt surface, but for a factor that is the light's and the
+// point's own.
 float softWeight(Soft s, vec3 place)
 {
     vec3 way = place - s.point;
@@ -94,7 +104,8 @@ bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
     return away < limit && dot(normal, from + ray * away - s.point) > over;
 }
 
-// The share of light that goes this way from a point, by what stands at less than `limit` of it; `along`: at which share of it something is, or 0.
+// The share of light that goes this way from a point, by what stands at less than `limit` of it;
+// `along`: at which share of it something is, or 0.
 SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 {
     float away;
@@ -164,7 +175,8 @@ struct SoftPoints {
     int asked, dims, darks; // numbers of points: of those that are not behind the surface
 };
 
-// The share of a point's light that arrives; `along`: where what is on the way stands, or 0: no map knows.
+// The share of a point's light that arrives; `along`: where what is on the way stands, or 0: no map
+// knows.
 SHARE softPointShare(Soft s, ivec2 point, out float along)
 {
     vec2 part = softPart(point);
@@ -207,7 +219,8 @@ ivec2 softCorners(SoftPoints points, ivec2 cell)
     return count;
 }
 
-// Where what stands before a cell's corners is, as the mean; 1: no map knows. They are asked once more, as few cells are so.
+// Where what stands before a cell's corners is, as the mean; 1: no map knows. They are asked once
+// more, as few cells are so.
 float softAlong(Soft s, ivec2 cell)
 {
     float sum = 0.0, known = 0.0;
@@ -221,7 +234,8 @@ float softAlong(Soft s, ivec2 cell)
     return known > 0.0 ? clamp(sum / known, 0.01, 1.0) : 1.0;
 }
 
-// The share of a cell's light that arrives. No two ways from any cells of a row, or of a column, start at one height.
+// The share of a cell's light that arrives. No two ways from any cells of a row, or of a column,
+// start at one height.
 SHARE softCell(Soft s, ivec2 cell)
 {
     vec2 shift = (vec2(cell.yx) + 0.5) / float(SOFT_CELLS);
@@ -245,7 +259,8 @@ SHARE softCell(Soft s, ivec2 cell)
     return all > 0.0 ? sum / all : SHARE(1.0);
 }
 
-// What a surface sends of an area light, each lane once for radiance 1. First all of it, then, less that, what of each cell does not arrive.
+// What a surface sends of an area light, each lane once for radiance 1. First all of it, then, less
+// that, what of each cell does not arrive.
 vec3 softLight(int light, Seen seen)
 {
     vec4 corner = lightTexel(light, 0), u = lightTexel(light, 2), v = lightTexel(light, 3);

@@ -24,8 +24,9 @@ typedef struct {
 typedef struct {
     Material *materials;    /* by layer and sheet */
     int layer_count, count; /* of lights, of sheets */
-    GLuint layers;          /* an array of shares of each pixel, a layer for each light that casts shadows */
-    int depth_unit;         /* where they find the depth of what is lit */
+    /* an array of shares of each pixel, a layer for each light that casts shadows */
+    GLuint layers;
+    int depth_unit; /* where they find the depth of what is lit */
 } ShadowSheets;
 
 /* Edges of a mesh, in the buffer of all. */
@@ -47,8 +48,9 @@ struct ShadowMaps {
     ShadowGlass glass;
     ShadowSheets sheets;
     Silhouettes silhouettes;
-    GLuint maps;        /* an array of depths, a layer for each view */
-    GLuint table;       /* texels of the views, four each: their rows from the eye's space; near, texel */
+    GLuint maps; /* an array of depths, a layer for each view */
+    /* texels of the views, four each: their rows from the eye's space; near, texel */
+    GLuint table;
     GLuint planes;      /* texels of infinite planes in the eye's space */
     GLuint framebuffer; /* of the layer that is drawn */
     Material solid;     /* draws depth alone; stays until the renderer goes */
@@ -57,9 +59,10 @@ struct ShadowMaps {
 
 /* Of pass_volume.c, volume_data.c and volume_blur.c. */
 struct FrameVolumes {
-    Material *sheets, *caps; /* by view, of those that are hybrid; caps of those that are perspective */
-    Material *marks;         /* of each hybrid light */
-    Material *shown;         /* as sheets, to be looked at; NULL: they are not */
+    /* by view, of those that are hybrid; caps of those that are perspective */
+    Material *sheets, *caps;
+    Material *marks; /* of each hybrid light */
+    Material *shown; /* as sheets, to be looked at; NULL: they are not */
     int view_count, light_count;
     GLuint array; /* of caps and cells, whose vertices have no numbers but their own */
     Word path;    /* of volume_data.c, as is what follows; never auto */

@@ -1,4 +1,5 @@
-/* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl goes by. */
+/* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl
+ * goes by. */
 #include "gen/render_text.h"
 #include "runtime/exact/exact_lists.h"
 #include "runtime/frame/frame.h"
@@ -33,7 +34,9 @@ static void put_view(const Render *render, const ShadowView *view, int layer, fl
 {
     for (int row = 0; row < 3; row++)
         from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
-    memcpy(texels[3], (float[4]){(float)view->near, (float)view->texel, view->hybrid ? 0 : (float)layer, (float)layer},
+    memcpy(texels[3],
+           (float[4]){(float)view->near, (float)view->texel, view->hybrid ? 0 : (float)layer,
+                      (float)layer},
            sizeof texels[3]);
 }
 
@@ -50,8 +53,10 @@ void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
 static bool write_table(GlContext *gl, const float (*from)[4], const int extents[2], GLuint *table)
 {
     const int count = extents[0], row = count < ROW ? count : ROW;
-    const TextureSpec spec = {
-        .width = row * extents[1], .height = (count + ROW - 1) / ROW, .lanes = 4, .floats = from[0]};
+    const TextureSpec spec = {.width = row * extents[1],
+                              .height = (count + ROW - 1) / ROW,
+                              .lanes = 4,
+                              .floats = from[0]};
     if (*table)
         texture_rewrite(gl, *table, &spec);
     else
@@ -69,8 +74,8 @@ static bool write_views(Render *render)
         const ShadowView *view = &maps->views.views[i];
         put_view(render, view, view->silhouettes ? ++layer : 0, texels + (size_t)i * VIEW_TEXELS);
     }
-    const bool done =
-        write_table(render->gl, (const float(*)[4])texels, (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
+    const bool done = write_table(render->gl, (const float(*)[4])texels,
+                                  (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
     free(texels);
     return done;
 }
@@ -91,7 +96,8 @@ static void put_through(const Render *render, const SetProgram *program, float t
 {
     const float *t = program->through;
     for (int i = 0; i < 3; i++)
-        texel[i] = !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
+        texel[i] =
+            !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
 }
 
 /* Opaque ones, then those of glass, each with what it lets through behind it. */
@@ -107,11 +113,13 @@ static bool write_planes(Render *render)
             const CachePlane *plane = &cache->planes[i];
             if (glass ? !is_glass(plane) : plane->transparent)
                 continue;
-            shadow_plane(render, &render->scene->objects[plane->object].world_from_local, texels[count++]);
+            shadow_plane(render, &render->scene->objects[plane->object].world_from_local,
+                         texels[count++]);
             if (glass)
                 put_through(render, plane->program, texels[count++]);
         }
-    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1}, &render->shadows->planes);
+    const bool done = write_table(render->gl, (const float(*)[4])texels, (int[]){count, 1},
+                                  &render->shadows->planes);
     free(texels);
     return done;
 }
@@ -137,7 +145,8 @@ SetCasts shadow_casts(const Render *render)
 {
     bool maps = false; /* volumes have no cut-outs */
     for (int i = 0; i < render->scene->light_count; i++)
-        maps |= scene_light_casts(&render->scene->lights[i]) && render->scene->lights[i].shadows != WORD_Shadows_hybrid;
+        maps |= scene_light_casts(&render->scene->lights[i]) &&
+                render->scene->lights[i].shadows != WORD_Shadows_hybrid;
     if (!shadow_is_cast(render))
         return SET_CASTS_none;
     if (render->scene->shadow_colored && transparency_has_lists(render->gl))
@@ -148,13 +157,15 @@ SetCasts shadow_casts(const Render *render)
 /* Infinite planes need no map. */
 static bool has_planes(const Render *render)
 {
-    return shadow_is_cast(render) && (render->cache.opaque_plane_count > 0 || count_glass(render) > 0);
+    return shadow_is_cast(render) &&
+           (render->cache.opaque_plane_count > 0 || count_glass(render) > 0);
 }
 
 bool shadow_make_views(Render *render)
 {
     return render->options.no_shadows ||
-           shadow_views_make(render->scene, &render->cache, render->whole, &render->shadows->views) ||
+           shadow_views_make(render->scene, &render->cache, render->whole,
+                             &render->shadows->views) ||
            gl_fail(render->gl, "out of memory");
 }
 
@@ -162,7 +173,8 @@ bool shadow_make_tables(Render *render)
 {
     const ShadowMaps *maps = render->shadows;
     return (!shadow_has_maps(render) || maps->table || write_views(render)) &&
-           (!has_planes(render) || maps->planes || write_planes(render)) && shadow_sheet_make(render);
+           (!has_planes(render) || maps->planes || write_planes(render)) &&
+           shadow_sheet_make(render);
 }
 
 bool shadow_change(Render *render, bool drawn_again)
@@ -176,9 +188,11 @@ bool shadow_change(Render *render, bool drawn_again)
         maps->drawn = false;
         render->uncounted |= shadow_glass_needed(render);
     }
-    if (maps->views.count != before || (has_planes(render) && !maps->planes && frame_has(render, FRAME_TARGET_light)))
-        return gl_fail(render->gl, "the lights' shadows take %d maps, not %d: this is another scene", maps->views.count,
-                       before);
+    if (maps->views.count != before ||
+        (has_planes(render) && !maps->planes && frame_has(render, FRAME_TARGET_light)))
+        return gl_fail(render->gl,
+                       "the lights' shadows take %d maps, not %d: this is another scene",
+                       maps->views.count, before);
     shadow_sheet_change(render);
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
@@ -188,7 +202,8 @@ bool shadow_has_silhouettes(const Render *render)
 {
     bool has = false;
     for (int i = 0; i < render->shadows->views.count; i++)
-        has |= render->shadows->views.views[i].silhouettes && !render->shadows->views.views[i].hybrid;
+        has |=
+            render->shadows->views.views[i].silhouettes && !render->shadows->views.views[i].hybrid;
     return has;
 }
 
@@ -203,35 +218,39 @@ static const char *cells_text(const Render *render, bool opaque)
 
 const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
 {
-    const bool maps = shadow_has_maps(render), planes = has_planes(render), sheets = shadow_sheet_needed(render);
+    const bool maps = shadow_has_maps(render), planes = has_planes(render),
+               sheets = shadow_sheet_needed(render);
     const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
     int size = 0;
     *defined = 0;
     if (glass || panes)
-        size +=
-            snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s%s", glass ? "#define SHADOW_GLASS\n" : "",
-                     glass && render->parted ? "#define SHADOW_PARTS\n" : "");
+        size += snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s%s",
+                         glass ? "#define SHADOW_GLASS\n" : "",
+                         glass && render->parted ? "#define SHADOW_PARTS\n" : "");
     if (maps)
         size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
                          "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
                          render->scene->shadow_size, render->scene->shadow_filter);
     if (shadow_has_silhouettes(render))
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SILHOUETTES\n");
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_SILHOUETTES\n");
     if (volume_lights_cast(render))
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_HYBRID\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
-                         opaque ? "#define SHADOW_MASK\n" : "", cells_text(render, opaque),
-                         render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
-                         render->scene->shadow_stretched ? "true" : "false");
+        size += snprintf(
+            defined + size, SHADOW_DEFINITIONS - (size_t)size,
+            "#define SHADOW_HYBRID\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
+            opaque ? "#define SHADOW_MASK\n" : "", cells_text(render, opaque),
+            render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
+            render->scene->shadow_stretched ? "true" : "false");
     if (shadow_is_soft(render))
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
+        size +=
+            snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                     "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
     if (planes)
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_PLANES %d\n",
-                         render->cache.opaque_plane_count);
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_PLANES %d\n", render->cache.opaque_plane_count);
     if (panes)
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_GLASS_PLANES %d\n",
-                         count_glass(render));
+        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
+                         "#define SHADOW_GLASS_PLANES %d\n", count_glass(render));
     if (sheets)
         snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SHEETS\n");
     return maps || planes || sheets ? render_text_shadow : "";
@@ -245,13 +264,15 @@ static void put_areas(const Render *render, const int *counts, float (*texels)[4
     for (int i = 0; i < render->scene->light_count; i++) {
         if (render->scene->lights[i].kind != SCENE_Area)
             continue;
-        const bool casts = soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows;
+        const bool casts =
+            soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows;
         next[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[i].first) : 1;
         next += VIEW_SPACE_LIGHT_TEXELS;
     }
 }
 
-void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS], float (*texels)[4])
+void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
+                       float (*texels)[4])
 {
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;

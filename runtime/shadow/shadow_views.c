@@ -8,8 +8,10 @@
 
 enum { CORNERS = 8 };
 
-static const double widest = 0.5;         /* cosine: a spot with a wider cone has a cube, whose texels are finer */
-static const double nearest = 1.0 / 4096; /* of the distance to the farthest object: what is nearer casts no shadow */
+/* cosine: a spot with a wider cone has a cube, whose texels are finer */
+static const double widest = 0.5;
+/* of the distance to the farthest object: what is nearer casts no shadow */
+static const double nearest = 1.0 / 4096;
 
 static const double coarser = 4; /* a cascade ends at so many times the depth of the one before */
 static const double steps = 4;   /* of sizes of a cascade's texels from one to twice it */
@@ -29,7 +31,8 @@ static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_f
     for (int i = 0; i < CORNERS; i++, fit->count++) {
         const double at[3] = {ends[i & 1][0], ends[i >> 1 & 1][1], ends[i >> 2 & 1][2]};
         for (int lane = 0; lane < 3; lane++)
-            fit->corners[fit->count][lane] = m[lane] * at[0] + m[4 + lane] * at[1] + m[8 + lane] * at[2] + m[12 + lane];
+            fit->corners[fit->count][lane] =
+                m[lane] * at[0] + m[4 + lane] * at[1] + m[8 + lane] * at[2] + m[12 + lane];
     }
 }
 
@@ -43,13 +46,14 @@ static void set_row(const double axis[3], double scale, const double origin[3], 
 
 /* -- point and spot */
 
-/* How near the view begins: at the nearest box around an object, but no nearer than a share of the distance to the farthest. Nearer, and depth
- * far away would be lost; further, and objects. */
+/* How near the view begins: at the nearest box around an object, but no nearer than a share of the
+ * distance to the farthest. Nearer, and depth far away would be lost; further, and objects. */
 static double near_of(const Fit *fit, const double position[3])
 {
     double least = INFINITY, most = 0;
     for (int object = 0; object < fit->count; object += CORNERS) {
-        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, square = 0;
+        double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY},
+               square = 0;
         for (int i = 0; i < CORNERS; i++) {
             const double *corner = fit->corners[object + i];
             double distance = 0;
@@ -61,7 +65,8 @@ static double near_of(const Fit *fit, const double position[3])
             most = fmax(most, distance);
         }
         for (int lane = 0; lane < 3; lane++) {
-            const double out = fmax(fmax(low[lane] - position[lane], position[lane] - high[lane]), 0);
+            const double out =
+                fmax(fmax(low[lane] - position[lane], position[lane] - high[lane]), 0);
             square += out * out;
         }
         least = fmin(least, sqrt(square));
@@ -70,12 +75,14 @@ static double near_of(const Fit *fit, const double position[3])
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
-/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow, and silhouettes have none beyond a border's centres: faces
- * overlap by it. */
+/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow, and
+ * silhouettes have none beyond a border's centres: faces overlap by it. */
 static double face_of(const Scene *scene, const SceneLight *light)
 {
-    enum { BORDER = 4 }; /* texels, of both sides: the border, and half of one to the centre of the next */
-    const bool wide = light->shadows == WORD_Shadows_hybrid || light->shadows == WORD_Shadows_silhouette;
+    /* texels, of both sides: the border, and half of one to the centre of the next */
+    enum { BORDER = 4 };
+    const bool wide =
+        light->shadows == WORD_Shadows_hybrid || light->shadows == WORD_Shadows_silhouette;
     return wide ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
 }
 
@@ -88,20 +95,29 @@ static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[S
         double axes[3][3] = {{0}};
         axes[0][(axis + 1) % 3] = axes[1][(axis + 2) % 3] = axes[2][axis] = 1;
         for (int row = 0; row < 3; row++)
-            set_row(axes[row], row < 2 ? 1 / half : face % 2 ? -1 : 1, light->position, views[face].rows[row]);
+            set_row(axes[row],
+                    row < 2    ? 1 / half
+                    : face % 2 ? -1
+                               : 1,
+                    light->position, views[face].rows[row]);
         views[face].near = near;
         views[face].texel = 2 * half / fit->scene->shadow_size;
-        views[face].mirrored = face % 2 == 0; /* x, y and z of a right-handed view: z comes towards it */
+        /* x, y and z of a right-handed view: z comes towards it */
+        views[face].mirrored = face % 2 == 0;
     }
 }
 
 /* Room beside the cone for what the filter reads. */
-static double widened(const Scene *scene) { return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size; }
+static double widened(const Scene *scene)
+{
+    return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size;
+}
 
 static void fit_cone(const Fit *fit, const SceneLight *light, ShadowView *view)
 {
     const double cosine = fmax(light->outer_cosine, widest);
-    const double half = fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
+    const double half =
+        fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
     double x[3], y[3];
     scene_vector_axes(light->direction, x, y);
     set_row(x, 1 / half, light->position, view->rows[0]);
@@ -130,9 +146,11 @@ typedef struct {
     double middle, half;
 } Reach;
 
-/* Texels of a cascade lie where they lay before the camera moved a little: their size is one of few, and their edges are at multiples of it. So ends
- * of shadows stand still. A map of 8 texels for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ... seven texels of 0.707 hold it, and one is for the
- * shift; its middle, 7.5, goes to 11 of them, 7.778. It shows 4.950 to 10.606. For 5.2 to 10, too. */
+/* Texels of a cascade lie where they lay before the camera moved a little: their size is one of
+ * few, and their edges are at multiples of it. So ends of shadows stand still. A map of 8 texels
+ * for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ... seven texels of 0.707 hold it,
+ * and one is for the shift; its middle, 7.5, goes to 11 of them, 7.778. It shows 4.950 to 10.606.
+ * For 5.2 to 10, too. */
 static void snap(int size, Reach *reach)
 {
     const double least = 2 * reach->half / (size - 1);
@@ -142,7 +160,8 @@ static void snap(int size, Reach *reach)
 }
 
 /* What a cascade shows along two axes, or all that casts shadows. */
-static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2], ShadowView *view)
+static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2],
+                    ShadowView *view)
 {
     double axes[3][3], ranges[3][2], most = 1e-30;
     memcpy(axes[2], light->direction, sizeof axes[2]);
@@ -193,11 +212,13 @@ static void corner_of(const Fit *fit, double depth, int number, double corner[3]
     const double right = (number & 1 ? 1 : -1) * reach * fit->size[0],
                  up = (number & 2 ? 1 : -1) * reach * fit->size[1];
     for (int i = 0; i < 3; i++)
-        corner[i] = camera->position[i] - depth * camera->back[i] + right * camera->right[i] + up * camera->up[i];
+        corner[i] = camera->position[i] - depth * camera->back[i] + right * camera->right[i] +
+                    up * camera->up[i];
 }
 
 /* From the least depth to another: how far that reaches along two axes across the light. */
-static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2], double shown[2][2])
+static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2],
+                       double shown[2][2])
 {
     double axes[2][3], corner[3];
     scene_vector_axes(light->direction, axes[0], axes[1]);
@@ -213,8 +234,9 @@ static void find_shown(const Fit *fit, const SceneLight *light, const double dep
     }
 }
 
-/* Four cascades of what is seen from 1 to 64: to 4, to 16, to 64, and the last of all objects. Where less is seen, by smaller steps: from 1 to
- * 8 they end at 2, 4, 8. What is seen nowhere takes the view of all. */
+/* Four cascades of what is seen from 1 to 64: to 4, to 16, to 64, and the last of all objects.
+ * Where less is seen, by smaller steps: from 1 to 8 they end at 2, 4, 8. What is seen nowhere takes
+ * the view of all. */
 static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *views)
 {
     const int seen = fit->scene->shadow_cascades - 1;
@@ -251,7 +273,8 @@ static void fit_area(Fit *fit, int number)
 
 static bool has_cube(const SceneLight *light)
 {
-    return light->kind == SCENE_Point || (light->kind == SCENE_Spot && light->outer_cosine <= widest);
+    return light->kind == SCENE_Point ||
+           (light->kind == SCENE_Spot && light->outer_cosine <= widest);
 }
 
 static void fit_light(Fit *fit, int number)

@@ -1,8 +1,9 @@
 /* What lights see of a scene: the views of which shadow maps are drawn, in double. No GL.
  *
- * A view has three rows of four numbers; each, times (point, 1), is a lane of the point's place. Perspective: x / z and y / z go from -1 to 1
- * over the map, z is the distance along the view, and depth is near / z, as a camera's. Directional: x and y go from -1 to 1, and the
- * third lane is depth itself: 1 at the nearest object, 0.5 at the farthest. Greater is nearer to the light. */
+ * A view has three rows of four numbers; each, times (point, 1), is a lane of the point's place.
+ * Perspective: x / z and y / z go from -1 to 1 over the map, z is the distance along the view, and
+ * depth is near / z, as a camera's. Directional: x and y go from -1 to 1, and the third lane is
+ * depth itself: 1 at the nearest object, 0.5 at the farthest. Greater is nearer to the light. */
 #ifndef MATC_RENDER_SHADOW_VIEWS_H
 #define MATC_RENDER_SHADOW_VIEWS_H
 #include "runtime/cache/cache.h"
@@ -17,13 +18,15 @@ typedef struct {
     bool silhouettes;  /* with crossings: silhouette.h */
     bool mirrored;     /* left-handed: triangles turn the other way round */
     bool soft;         /* of an area light's point: soft_views.h */
-    bool transparent;  /* it has what varies in its transparency alone: exact_lists.h has the rest */
+    /* it has what varies in its transparency alone: exact_lists.h has the rest */
+    bool transparent;
 } ShadowView;
 
-/* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the last of which has all objects; or
- * SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2 k + 1 against it, with the axes k + 1 and
- * k + 2 (modulo 3) as x and y. Those of a light by hybrid shadows or silhouettes are wider than 90 degrees, by a border of two texels. An area
- * light has as many as points, twice that where it shines to both sides. */
+/* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the
+ * last of which has all objects; or SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2
+ * k + 1 against it, with the axes k + 1 and k + 2 (modulo 3) as x and y. Those of a light by hybrid
+ * shadows or silhouettes are wider than 90 degrees, by a border of two texels. An area light has as
+ * many as points, twice that where it shines to both sides. */
 typedef struct {
     int first, count;
 } ShadowLight;
@@ -34,8 +37,10 @@ typedef struct {
     ShadowLight *lights; /* of each light of the scene */
 } ShadowViews;
 
-/* Of a picture of that size, which cascades are fitted to. False: memory ran out; *made is empty then. */
-bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made);
+/* Of a picture of that size, which cascades are fitted to. False: memory ran out; *made is empty
+ * then. */
+bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2],
+                       ShadowViews *made);
 /* Half spaces that a view's map shows. */
 CullVolume shadow_views_volume(const ShadowView *view);
 /* Safe on an empty one, which it leaves behind. */

@@ -1,4 +1,5 @@
-/* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of whole numbers, and from there into a texture. */
+/* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of
+ * whole numbers, and from there into a texture. */
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/shadow/silhouette.h"
@@ -9,7 +10,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PLACES_BINDING = 1, EDGES_BINDING, EXTENTS_BINDING, GROUP = 64, SQUARE = 8, MOST_GROUPS = 65535 };
+enum {
+    PLACES_BINDING = 1,
+    EDGES_BINDING,
+    EXTENTS_BINDING,
+    GROUP = 64,
+    SQUARE = 8,
+    MOST_GROUPS = 65535
+};
 enum { MOST_EDGES = MOST_GROUPS * GROUP /* one dispatch has so many */ };
 
 int silhouette_layer(const Render *render, int view)
@@ -20,7 +28,10 @@ int silhouette_layer(const Render *render, int view)
     return count;
 }
 
-int silhouette_layers(const Render *render) { return silhouette_layer(render, render->shadows->views.count); }
+int silhouette_layers(const Render *render)
+{
+    return silhouette_layer(render, render->shadows->views.count);
+}
 
 /* -- edges of meshes */
 
@@ -32,7 +43,8 @@ static void put_edge(const MeshEdge *from, int face, SilhouetteEdge edge)
     memcpy(edge[3], from->apexes[from->open ? face : 1], sizeof edge[3]);
 }
 
-/* Of an edge that is open one for each face, of which there may be more than two: those that were met first and last. */
+/* Of an edge that is open one for each face, of which there may be more than two: those that were
+ * met first and last. */
 static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
 {
     int count = 0;
@@ -53,7 +65,8 @@ static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, Silhou
     if (!grown)
         return false;
     *edges = grown;
-    made->meshes[number] = (SilhouetteMesh){made->edge_count, put_edges(mesh, grown + made->edge_count)};
+    made->meshes[number] =
+        (SilhouetteMesh){made->edge_count, put_edges(mesh, grown + made->edge_count)};
     made->edge_count += made->meshes[number].count;
     return true;
 }
@@ -100,7 +113,8 @@ static bool make_edges(Render *render, Silhouettes *made)
     made->meshes = calloc((size_t)render->cache.mesh_count + 1, sizeof *made->meshes);
     if (!made->meshes || !gather_edges(render, made, &edges)) {
         free(edges);
-        return gl_fail(render->gl, "out of memory, or more than %d edges for shadows: silhouette", (int)MOST_EDGES);
+        return gl_fail(render->gl, "out of memory, or more than %d edges for shadows: silhouette",
+                       (int)MOST_EDGES);
     }
     made->edges = make_buffer(render, edges, (size_t)made->edge_count * sizeof *edges + 1);
     free(edges);
@@ -122,8 +136,8 @@ static bool make_textures(Render *render, Silhouettes *made)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAX_LEVEL, 0);
-    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG8, size, size, silhouette_layers(render), 0, GL_RG, GL_UNSIGNED_BYTE,
-                   NULL);
+    gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RG8, size, size, silhouette_layers(render), 0, GL_RG,
+                   GL_UNSIGNED_BYTE, NULL);
     made->extents = make_buffer(render, NULL, extents_bytes(render));
     gl->GenBuffers(1, &made->places);
     return made->extents && gl_check(render->gl, "making crossings of silhouettes");
@@ -136,12 +150,14 @@ bool silhouette_make(Render *render)
     if (!silhouette_layers(render))
         return true;
     if (!render->cache.instances || !render->gl->DispatchCompute)
-        return gl_fail(render->gl, "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d", render->gl->major,
-                       render->gl->minor);
+        return gl_fail(render->gl, "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d",
+                       render->gl->major, render->gl->minor);
     return make_edges(render, made) && make_textures(render, made) &&
-           material_make(render->store, NULL, &(ProgramText){.compute = {head, render_text_silhouette_find}},
+           material_make(render->store, NULL,
+                         &(ProgramText){.compute = {head, render_text_silhouette_find}},
                          &made->find) &&
-           material_make(render->store, NULL, &(ProgramText){.compute = {head, render_text_silhouette_pack}},
+           material_make(render->store, NULL,
+                         &(ProgramText){.compute = {head, render_text_silhouette_pack}},
                          &made->pack);
 }
 
@@ -174,7 +190,8 @@ static void set_view(const Render *render, int number, Material *material)
     material_set(material, &(MaterialValue){"silhouette_view", 16, m});
 }
 
-/* Opaque objects that a view sees, sorted by mesh: what casts by depth alone comes first. How many. */
+/* Opaque objects that a view sees, sorted by mesh: what casts by depth alone comes first. How
+ * many. */
 static int list_places(Render *render, const ShadowView *view)
 {
     Cache *cache = &render->cache;
@@ -185,11 +202,13 @@ static int list_places(Render *render, const ShadowView *view)
     for (int i = 0; i < cache->cast_count; i++) {
         const CachePlace *place = &cache->places[cache->cast_order[i]];
         if (!place->transparent &&
-            cull_sees(&volume, &cache->boxes[place->mesh], &render->scene->objects[place->object].world_from_local))
+            cull_sees(&volume, &cache->boxes[place->mesh],
+                      &render->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
     }
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows->silhouettes.places);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list, GL_DYNAMIC_DRAW);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list,
+                   GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
     return count;
 }
@@ -217,8 +236,8 @@ static void bind(const Render *render)
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES_BINDING, made->places);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EDGES_BINDING, made->edges);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXTENTS_BINDING, made->extents);
-    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, (GLsizeiptr)extents_bytes(render), GL_RED_INTEGER,
-                           GL_UNSIGNED_INT, (GLuint[]){0});
+    gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_R32UI, 0, (GLsizeiptr)extents_bytes(render),
+                           GL_RED_INTEGER, GL_UNSIGNED_INT, (GLuint[]){0});
 }
 
 static void pack(Render *render, int layer)

@@ -1,27 +1,35 @@
-// Silhouette shadows: whether a light reaches a point, by the depths at the four centres of texels around it and by where silhouettes cross between them.
+// Silhouette shadows: whether a light reaches a point, by the depths at the four centres of texels
+// around it and by where silhouettes cross between them.
 //
-// Each centre is compared with the plane through the point that has its normal: what is nearer to the light there by more than the bias covers the point
-// from there. Centres beside each other without a crossing between them are of one surface, which covers all that is below it or nothing: it is
-// free if one of its centres is. So neither a slope nor a surface that bends towards the light shades itself. If some centres are covered, a line through the
-// cell parts them from the others, from crossing to crossing.
+// Each centre is compared with the plane through the point that has its normal: what is nearer to
+// the light there by more than the bias covers the point from there. Centres beside each other
+// without a crossing between them are of one surface, which covers all that is below it or nothing:
+// it is free if one of its centres is. So neither a slope nor a surface that bends towards the
+// light shades itself. If some centres are covered, a line through the cell parts them from the
+// others, from crossing to crossing.
 //
-// The bias is a texel along the light, but across the plane 1/16 to 1/4 texel: so much the triangles around may bend towards the light before they shade the
-// point. To this comes what the normal may be off, times the way from the point to a centre.
+// The bias is a texel along the light, but across the plane 1/16 to 1/4 texel: so much the
+// triangles around may bend towards the light before they shade the point. To this comes what the
+// normal may be off, times the way from the point to a centre.
 //
 // A cell between four centres: where that line runs, as marching squares have it.
 //
-//     covered: (0, 0) alone; cuts at .3 of the lower segment, .6 of the left one: covered where x / .3 + y / .6 < 1
+//     covered: (0, 0) alone; cuts at .3 of the lower segment, .6 of the left one: covered where x /
+//     .3 + y / .6 < 1
 //
-// Two covered centres across the cell from each other are one surface if more than half of the four segments is covered.
+// Two covered centres across the cell from each other are one surface if more than half of the four
+// segments is covered.
 
-// Whether a point is in the corner (0, 0) of a cell, before the line from legs.x on one segment to legs.y on the other.
+// Whether a point is in the corner (0, 0) of a cell, before the line from legs.x on one segment to
+// legs.y on the other.
 bool silhouetteCuts(vec2 legs, vec2 point)
 {
     return point.x * legs.y + point.y * legs.x < legs.x * legs.y;
 }
 
-// `low` and `high` are the covered centres of two sides, at (0, 0) and (1, 0), at (0, 1) and (1, 1); where segments are cut: the lower and the upper
-// one along x, the left and the right one along y.
+// `low` and `high` are the covered centres of two sides, at (0, 0) and (1, 0), at (0, 1) and (1,
+// 1); where segments are cut: the lower and the upper one along x, the left and the right one along
+// y.
 bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 {
     int count = int(low.x) + int(low.y) + int(high.x) + int(high.y);
@@ -44,7 +52,8 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0; // of the bias across the plane, in texels
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
-// What a view shows of a point: its place there, and how depth changes from texel to texel on its plane.
+// What a view shows of a point: its place there, and how depth changes from texel to texel on its
+// plane.
 struct SilhouettePlace {
     vec2 at;     // in texels
     float depth; // greater is nearer to the light
@@ -52,8 +61,9 @@ struct SilhouettePlace {
     float texel; // how much depth is as long as a texel is wide
 };
 
-// `normal` is the plane's; point and normal are in the eye's space. By p = (x, y, z) of the view the plane is n . p = k. Of parallel light z is depth; else
-// depth is near / z, which is near / k (n.x x / z + n.y y / z + n.z).
+// `normal` is the plane's; point and normal are in the eye's space. By p = (x, y, z) of the view
+// the plane is n . p = k. Of parallel light z is depth; else depth is near / z, which is near / k
+// (n.x x / z + n.y y / z + n.z).
 SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
 {
     vec4 rows[3] = vec4[3](shadowRow(view, 0), shadowRow(view, 1), shadowRow(view, 2)), how = shadowRow(view, 3);
@@ -70,7 +80,8 @@ SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
     return SilhouettePlace(((parallel ? p.xy : p.xy / p.z) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5, depth, slope, texel);
 }
 
-// Which of the centres around a point do not cover it: 1 or 0, in textureGather's order, which is (0, 1), (1, 1), (1, 0), (0, 0) of the cell.
+// Which of the centres around a point do not cover it: 1 or 0, in textureGather's order, which is
+// (0, 1), (1, 1), (1, 0), (0, 0) of the cell.
 vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
@@ -107,7 +118,8 @@ bool facet_away = false;     // it looks away from the light, while the surface'
 #endif
 
 #ifdef SHADOW_GLASS
-// What all that is transparent lets through, over texels that nothing opaque covers; so its edges are a map's.
+// What all that is transparent lets through, over texels that nothing opaque covers; so its edges
+// are a map's.
 SHARE silhouetteThrough(int view, vec3 point)
 {
     vec4 how = shadowRow(view, 3);

@@ -1,10 +1,12 @@
-/* Silhouette shadows: shadow maps with the places where silhouettes of what is opaque cross between the centres of texels. Found on the driver's side
- * when maps are drawn (silhouette_find.glsl), then kept as two bytes a texel (silhouette_pack.glsl); silhouette.glsl reads them. */
+/* Silhouette shadows: shadow maps with the places where silhouettes of what is opaque cross between
+ * the centres of texels. Found on the driver's side when maps are drawn (silhouette_find.glsl),
+ * then kept as two bytes a texel (silhouette_pack.glsl); silhouette.glsl reads them. */
 #ifndef MATC_SHADOW_SILHOUETTE_H
 #define MATC_SHADOW_SILHOUETTE_H
 #include "runtime/frame/render_options.h"
 
-/* Of edge_mesh.h: an edge's ends, then the third corners of its faces; the same one twice where a face is alone. */
+/* Of edge_mesh.h: an edge's ends, then the third corners of its faces; the same one twice where a
+ * face is alone. */
 typedef float SilhouetteEdge[4][3];
 
 /* How many views have crossings. */

@@ -1,15 +1,18 @@
-// Where silhouettes cross the segments between the centres of a shadow map's texels: a thread for an edge of a mesh and an object. An edge is one of the
-// silhouette if both its faces lie to the same side of it, as the light sees them; an edge of one face is given that face twice. It is walked along all
-// rows and columns of texels that it crosses.
+// Where silhouettes cross the segments between the centres of a shadow map's texels: a thread for
+// an edge of a mesh and an object. An edge is one of the silhouette if both its faces lie to the
+// same side of it, as the light sees them; an edge of one face is given that face twice. It is
+// walked along all rows and columns of texels that it crosses.
 //
-// A crossing counts on a segment whose one centre is nearer to the light than the other, if its edge is no deeper than what lies at the farther one, and
-// its faces are to the nearer one's side. Of several, the one farthest from the nearer centre stays: all between is covered. It is kept as its distance
-// from there.
+// A crossing counts on a segment whose one centre is nearer to the light than the other, if its
+// edge is no deeper than what lies at the farther one, and its faces are to the nearer one's side.
+// Of several, the one farthest from the nearer centre stays: all between is covered. It is kept as
+// its distance from there.
 //
-//     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25; one at 3.75 of depth .7, too: .75
+//     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25;
+//     one at 3.75 of depth .7, too: .75
 //
-// A rasteriser rounds corners to 1/256 of a texel, so that a centre nearer than that to an edge may be on its other side: the segment beyond has the
-// crossing as well.
+// A rasteriser rounds corners to 1/256 of a texel, so that a centre nearer than that to an edge may
+// be on its other side: the segment beyond has the crossing as well.
 layout(local_size_x = 64) in;
 
 struct Instance {
@@ -72,7 +75,8 @@ struct Edge {
     vec2 faces; // there is one to the side 1; to the side -1
 };
 
-// `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`, the crossing is at `part` of it.
+// `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`, the crossing is at
+// `part` of it.
 void record(Edge edge, int along, ivec2 texel, float part, float depth)
 {
     ivec2 next = ivec2(along == 0, along == 1);

@@ -5,9 +5,13 @@
 #include <math.h>
 #include <string.h>
 
-static const double inset = 1.0 / 256; /* of an edge: a point is not in what stands along the light's edge */
+/* of an edge: a point is not in what stands along the light's edge */
+static const double inset = 1.0 / 256;
 
-bool soft_views_wanted(const SceneLight *light) { return light->kind == SCENE_Area && scene_light_casts(light); }
+bool soft_views_wanted(const SceneLight *light)
+{
+    return light->kind == SCENE_Area && scene_light_casts(light);
+}
 
 static int points_of(const Scene *scene) { return scene->shadow_points * scene->shadow_points; }
 
@@ -40,7 +44,8 @@ static void axes_of(const SceneLight *light, bool back, double axes[3][3])
         axes[2][i] = -axes[2][i];
 }
 
-void soft_views_make(const Scene *scene, const SceneLight *light, int number, double near, ShadowView *view)
+void soft_views_make(const Scene *scene, const SceneLight *light, int number, double near,
+                     ShadowView *view)
 {
     const int quarter = scene->shadow_size / 4;
     double axes[3][3], position[3];

@@ -11,19 +11,22 @@ enum {
     VOLUME_AUTO_MIB = 256 /* that the path auto may take for buffers */
 };
 
-/* A light casts hybrid shadows; how many do; one does, and there is something that casts. volume_lights.c */
+/* A light casts hybrid shadows; how many do; one does, and there is something that casts.
+ * volume_lights.c */
 bool volume_lights_has(const Render *render, int light);
 int volume_lights_count(const Render *render);
 bool volume_lights_cast(const Render *render);
 
-/* Where depths are blurred: what that takes; depth is drawn to what will be; its means to what is drawn to. volume_blur.c */
+/* Where depths are blurred: what that takes; depth is drawn to what will be; its means to what is
+ * drawn to. volume_blur.c */
 bool volume_blur_make(Render *render);
 void volume_blur_use(const Render *render);
 void volume_blur_draw(Render *render);
 void volume_blur_delete(Render *render);
 
-/* Vertices by the scene's path: made; written, when maps have been drawn; what the vertex program goes by, which is to be looked at or not; a view's drawn; a line
- * on them; deleted. volume_data.c */
+/* Vertices by the scene's path: made; written, when maps have been drawn; what the vertex program
+ * goes by, which is to be looked at or not; a view's drawn; a line on them; deleted.
+ * volume_data.c */
 bool volume_data_make(Render *render);
 void volume_data_write(Render *render);
 const char *volume_data_text(const Render *render, bool shown);
@@ -31,8 +34,9 @@ void volume_data_draw(const Render *render, int view, bool shown);
 void volume_data_put(Text *out, const Render *render);
 void volume_data_delete(Render *render);
 
-/* The same where silhouettes cut volumes: whether they do; the samplers that volume_cells.glsl reads; only cells in lists are drawn, or all of them, in one
- * order, for a view that mixes colours; bytes of the lists. volume_cells.c */
+/* The same where silhouettes cut volumes: whether they do; the samplers that volume_cells.glsl
+ * reads; only cells in lists are drawn, or all of them, in one order, for a view that mixes
+ * colours; bytes of the lists. volume_cells.c */
 bool volume_cells_are(const Render *render);
 bool volume_cells_make(Render *render);
 void volume_cells_write(Render *render);
@@ -46,7 +50,8 @@ void volume_cells_delete(Render *render);
 const VolumeView *volume_view_find(const char *name);
 /* The view shows them. volume_view.c */
 bool volume_view_has_volume(const Render *render);
-/* What the pass tools takes for volumes, once maps are made; the view is another; drawn, to light and tools with depth. volume_shown.c */
+/* What the pass tools takes for volumes, once maps are made; the view is another; drawn, to light
+ * and tools with depth. volume_shown.c */
 bool volume_shown_make(Render *render);
 void volume_shown_place(const Render *render);
 void volume_shown_draw(Render *render);

@@ -1,4 +1,5 @@
-/* Depth blurring: a map's depths are drawn to a texture of their own first; their means are the map. */
+/* Depth blurring: a map's depths are drawn to a texture of their own first; their means are the
+ * map. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
@@ -18,7 +19,8 @@ bool volume_blur_make(Render *render)
 
 void volume_blur_use(const Render *render)
 {
-    render->gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, render->volumes->sharp, 0);
+    render->gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
+                                     render->volumes->sharp, 0);
 }
 
 void volume_blur_draw(Render *render)

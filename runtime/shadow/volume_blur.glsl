@@ -1,5 +1,6 @@
-// Depth blurring: the mean of a texel and of eight samples around it, 1.5 texels away, each linear between texels. So the texel counts 4 times, those
-// beside it on an axis twice, all others of 5 x 5 once, of 36.
+// Depth blurring: the mean of a texel and of eight samples around it, 1.5 texels away, each linear
+// between texels. So the texel counts 4 times, those beside it on an axis twice, all others of 5 x
+// 5 once, of 36.
 uniform sampler2D blur_depths;
 
 void main()

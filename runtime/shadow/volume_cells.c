@@ -1,5 +1,7 @@
-/* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When maps are drawn, a program lists the cells of each view that
- * have a surface, those that silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take, which two draws then go by. */
+/* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When
+ * maps are drawn, a program lists the cells of each view that have a surface, those that
+ * silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take,
+ * which two draws then go by. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -7,17 +9,27 @@
 #include "runtime/shadow/volume.h"
 #include <stdint.h>
 
-enum { LIST, COMMANDS /* binding points */, GROUP = 8, PARTS = 2 /* not crossed, crossed */, CROSSINGS_UNIT = 1 };
+enum {
+    LIST,
+    COMMANDS /* binding points */,
+    GROUP = 8,
+    PARTS = 2 /* not crossed, crossed */,
+    CROSSINGS_UNIT = 1
+};
 
 /* As GL has it. */
 typedef struct {
     GLuint count, instances, first, base;
 } Command;
 
-static const char maps_text[] = "uniform sampler2DArray volume_depths, volume_crossings;\n"
-                                "#define VOLUME_DEPTHS volume_depths\n#define VOLUME_CROSSINGS volume_crossings\n";
+static const char maps_text[] =
+    "uniform sampler2DArray volume_depths, volume_crossings;\n"
+    "#define VOLUME_DEPTHS volume_depths\n#define VOLUME_CROSSINGS volume_crossings\n";
 
-bool volume_cells_are(const Render *render) { return render->scene->shadow_volume == WORD_Volume_silhouette; }
+bool volume_cells_are(const Render *render)
+{
+    return render->scene->shadow_volume == WORD_Volume_silhouette;
+}
 
 static int views_of(const Render *render)
 {
@@ -51,10 +63,11 @@ static bool check(const Render *render)
         return gl_fail(gl, "shadow volumes that silhouettes cut take OpenGL 4.5");
     gl->GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
     if (blocks < 1)
-        return gl_fail(gl,
-                       "shadow volumes that silhouettes cut take vertices that read buffers, which the driver lacks");
-    return bytes <= most || gl_fail(gl, "cells of shadow volumes take %lu bytes in a buffer, and there may be %lu",
-                                    (unsigned long)bytes, (unsigned long)most);
+        return gl_fail(gl, "shadow volumes that silhouettes cut take vertices that read buffers, "
+                           "which the driver lacks");
+    return bytes <= most ||
+           gl_fail(gl, "cells of shadow volumes take %lu bytes in a buffer, and there may be %lu",
+                   (unsigned long)bytes, (unsigned long)most);
 }
 
 static GLuint make_buffer(const GlContext *gl, size_t bytes)
@@ -70,24 +83,30 @@ static GLuint make_buffer(const GlContext *gl, size_t bytes)
 bool volume_cells_make(Render *render)
 {
     FrameVolumes *volumes = render->volumes;
-    const ProgramText list = {.compute = {"#version 450 core\n", maps_text, render_text_shadow_volume,
-                                          render_text_volume_cells, render_text_volume_list}};
+    const ProgramText list = {.compute = {"#version 450 core\n", maps_text,
+                                          render_text_shadow_volume, render_text_volume_cells,
+                                          render_text_volume_list}};
     if (!check(render))
         return false;
-    volumes->cells = make_buffer(render->gl, (size_t)views_of(render) * cells_of(render) * sizeof(GLuint));
+    volumes->cells =
+        make_buffer(render->gl, (size_t)views_of(render) * cells_of(render) * sizeof(GLuint));
     volumes->commands = make_buffer(render->gl, (size_t)views_of(render) * PARTS * sizeof(Command));
     return material_make(render->store, NULL, &list, &volumes->writer) &&
            gl_check(render->gl, "making cells of shadow volumes");
 }
 
-const char *volume_cells_head(bool listed) { return listed ? "#define CELLS\n#define LISTED\n" : "#define CELLS\n"; }
+const char *volume_cells_head(bool listed)
+{
+    return listed ? "#define CELLS\n#define LISTED\n" : "#define CELLS\n";
+}
 
 const char *volume_cells_maps(void) { return maps_text; }
 
 void volume_cells_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    gl->DeleteBuffers(2, (GLuint[]){render->volumes->cells, render->volumes->commands}); /* GL ignores the name 0 */
+    /* GL ignores the name 0 */
+    gl->DeleteBuffers(2, (GLuint[]){render->volumes->cells, render->volumes->commands});
 }
 
 /* -- lists */
@@ -108,7 +127,8 @@ static void list_view(Render *render, int view, int number)
     const GlContext *gl = render->gl;
     Material *list = &render->volumes->writer;
     const bool parallel = render->shadows->views.views[view].near <= 0;
-    const float listed[4] = {(float)view, (float)silhouette_layer(render, view), (float)number, parallel};
+    const float listed[4] = {(float)view, (float)silhouette_layer(render, view), (float)number,
+                             parallel};
     const GLuint groups = ((GLuint)render->scene->shadow_size + GROUP - 2) / GROUP;
     material_set(list, &(MaterialValue){"volume_listed", 4, listed});
     material_set_number(list, "volume_crossings", CROSSINGS_UNIT);
@@ -122,8 +142,8 @@ void volume_cells_write(Render *render)
     bind(render);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, render->volumes->commands);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, 0,
-                           (GLsizeiptr)((size_t)views_of(render) * PARTS * sizeof(Command)), GL_RGBA_INTEGER,
-                           GL_UNSIGNED_INT, (GLuint[]){0, 1, 0, 0});
+                           (GLsizeiptr)((size_t)views_of(render) * PARTS * sizeof(Command)),
+                           GL_RGBA_INTEGER, GL_UNSIGNED_INT, (GLuint[]){0, 1, 0, 0});
     for (int view = 0, number = 0; view < render->shadows->views.count; view++)
         if (render->shadows->views.views[view].hybrid)
             list_view(render, view, number++);
@@ -134,7 +154,8 @@ void volume_cells_write(Render *render)
 
 static void set_cells(const Render *render, int view, Material *material, const int part[2])
 {
-    const float cells[4] = {(float)silhouette_layer(render, view), (float)part[0], (float)part[1], 0};
+    const float cells[4] = {(float)silhouette_layer(render, view), (float)part[0], (float)part[1],
+                            0};
     material_set(material, &(MaterialValue){"volume_cells", 4, cells});
     material_set_number(material, "volume_crossings", CROSSINGS_UNIT);
     material_use(material);
@@ -148,8 +169,9 @@ void volume_cells_draw(const Render *render, int view, int number)
     gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, render->volumes->commands);
     for (int part = 0; part < PARTS; part++) {
         set_cells(render, view, &render->volumes->sheets[view], (int[]){number, part});
-        gl->DrawArraysIndirect(GL_TRIANGLES,
-                               (const void *)(uintptr_t)((size_t)(PARTS * number + part) * sizeof(Command)));
+        gl->DrawArraysIndirect(
+            GL_TRIANGLES,
+            (const void *)(uintptr_t)((size_t)(PARTS * number + part) * sizeof(Command)));
     }
     gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }

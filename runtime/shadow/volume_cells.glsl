@@ -1,26 +1,35 @@
-// The surface of a shadow volume that silhouettes cut. A cell lies between the centres of four texels, from the lower left one around: 0, 1, 2, 3. Where a
-// silhouette crosses the segment from one to the next (silhouette_find.glsl) the surface breaks off, and a wall along the light leads from the side that is
-// nearer to the light to the other one: so the volume ends at the silhouette, where without it a slope would lead from centre to centre.
+// The surface of a shadow volume that silhouettes cut. A cell lies between the centres of four
+// texels, from the lower left one around: 0, 1, 2, 3. Where a silhouette crosses the segment from
+// one to the next (silhouette_find.glsl) the surface breaks off, and a wall along the light leads
+// from the side that is nearer to the light to the other one: so the volume ends at the silhouette,
+// where without it a slope would lead from centre to centre.
 //
-// What surrounds a cell is a ring of up to twelve corners: of segment i, from centre i to the next, 3 i is the centre, 3 i + 1 the crossing at the depth of
-// that centre's side, 3 i + 2 the same place at the depth of the other side. However a ring is parted into triangles, the volume is closed, as the cells
-// beside it have the same corners. It is parted so that each side has its own, and what is left is walls, which the light sees as lines.
+// What surrounds a cell is a ring of up to twelve corners: of segment i, from centre i to the next,
+// 3 i is the centre, 3 i + 1 the crossing at the depth of that centre's side, 3 i + 2 the same
+// place at the depth of the other side. However a ring is parted into triangles, the volume is
+// closed, as the cells beside it have the same corners. It is parted so that each side has its own,
+// and what is left is walls, which the light sees as lines.
 //
-//     one centre is covered, the 0: its segments are crossed, at 1 and 2 (of segment 0), at 10 and 11 (of segment 3)
+//     one centre is covered, the 0: its segments are crossed, at 1 and 2 (of segment 0), at 10 and
+//     11 (of segment 3)
 //
-//       9-----------6     0 1 11 is the covered corner, 6 9 10, 6 10 2 and 6 2 3 are the rest of the cell,
-//       |           |     11 1 2 and 11 2 10 are the wall from the line 11-1 to the line 10-2, at the same places
+//       9-----------6     0 1 11 is the covered corner, 6 9 10, 6 10 2 and 6 2 3 are the rest of
+//                         the cell,
+//       |           | 11 1 2 and 11 2 10 are the wall from the line 11-1 to the line 10-2, at the
+//                   same places
 //     10,11         |
 //       |  \        |
 //       0--1,2------3
 //
-// VOLUME_DEPTHS and VOLUME_CROSSINGS are arrays of maps: depths, and silhouette_pack.glsl's bytes; `layers` has the number of a map in both.
+// VOLUME_DEPTHS and VOLUME_CROSSINGS are arrays of maps: depths, and silhouette_pack.glsl's bytes;
+// `layers` has the number of a map in both.
 const int VOLUME_MOST = 10; // triangles of a cell
 const int VOLUME_TRIANGLES[7] = int[7](2, 4, 4, 6, 6, 8, 10);
 const int VOLUME_CORNERS[210] = int[210](
     // no crossing
     0, 3, 6, 0, 6, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // one, on segment 0, from which centre 0 is nearer; or centre 1 is: what lies behind the wall is deep
+    // one, on segment 0, from which centre 0 is nearer; or centre 1 is: what lies behind the wall
+    // is deep
     0, 1, 9, 1, 2, 9, 2, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 1, 9, 1, 2, 6, 1, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // two, on the segments 3 and 0: centre 0 is alone
@@ -36,7 +45,8 @@ float volumeCellDepth(ivec2 layers, ivec2 texel) { return texelFetch(VOLUME_DEPT
 
 ivec2 volumeCentre(int centre) { return ivec2(centre == 1 || centre == 2, centre >= 2); }
 
-// A segment between two centres beside each other, from the left or lower one on: along x (0) or y (1).
+// A segment between two centres beside each other, from the left or lower one on: along x (0) or y
+// (1).
 struct VolumeSegment {
     ivec2 first;
     int along;
@@ -55,8 +65,8 @@ float volumeCut(ivec2 layers, VolumeSegment s)
 // Segment i of a cell: those of its upper and left side begin at their second centre.
 VolumeSegment volumeSegment(ivec2 cell, int i) { return VolumeSegment(cell + ivec2(i == 1, i == 2), i & 1); }
 
-// The surface's depth at a crossing, on one side of it. What is nearer to the light goes on as it is. What lies behind goes on as from the centre beyond,
-// unless a silhouette stands between them.
+// The surface's depth at a crossing, on one side of it. What is nearer to the light goes on as it
+// is. What lies behind goes on as from the centre beyond, unless a silhouette stands between them.
 float volumeSide(ivec2 layers, VolumeSegment s, float cut, bool second)
 {
     ivec2 step = volumeStep(s), texel = second ? s.first + step : s.first;
@@ -85,8 +95,8 @@ vec4 volumeQuad(ivec2 layers, ivec2 cell)
     return quad;
 }
 
-// Of four crossings: the first of the two centres that are cut off, 0 or 1. The nearer pair is, unless it is one surface: if more than half of the segments
-// is its own.
+// Of four crossings: the first of the two centres that are cut off, 0 or 1. The nearer pair is,
+// unless it is one surface: if more than half of the segments is its own.
 int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 {
     int nearer = quad.x + quad.z >= quad.y + quad.w ? 0 : 1;
@@ -99,7 +109,8 @@ int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
     return own > 2.0 ? 1 - nearer : nearer;
 }
 
-// How a cell is parted, by the segments that are crossed: a row of VOLUME_TRIANGLES, and by how many centres it is turned.
+// How a cell is parted, by the segments that are crossed: a row of VOLUME_TRIANGLES, and by how
+// many centres it is turned.
 ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
 {
     vec4 quad = volumeQuad(layers, cell);
@@ -115,7 +126,8 @@ ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
     return ivec2(0);
 }
 
-// A corner of a cell's triangles: where it is, in texels from the first one's centre, and its depth.
+// A corner of a cell's triangles: where it is, in texels from the first one's centre, and its
+// depth.
 vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 parted, int number)
 {
     int label = (VOLUME_CORNERS[parted.x * 3 * VOLUME_MOST + number] + 3 * parted.y) % 12, i = label / 3;
@@ -130,7 +142,8 @@ vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 parted, int number)
 }
 
 #ifdef VOLUME_HAS
-// Whether the volume has a point in it that a view sees at this place and depth. Of parallel light what reaches to infinity goes along it.
+// Whether the volume has a point in it that a view sees at this place and depth. Of parallel light
+// what reaches to infinity goes along it.
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
 {
     ivec2 cell = ivec2(at), parted = volumeParted(layers, cell, volumeCrossed(layers, cell));

@@ -1,5 +1,6 @@
-// The copied path, perfect triangulation: a texel for each corner of each quad, two by two. Where a quad is turned its corners move on by one, as in the
-// thesis, and the depth's sign says so: depths are not negative, and 0 has a sign, too.
+// The copied path, perfect triangulation: a texel for each corner of each quad, two by two. Where a
+// quad is turned its corners move on by one, as in the thesis, and the depth's sign says so: depths
+// are not negative, and 0 has a sign, too.
 uniform sampler2DArray volume_depths;
 uniform float volume_layer;
 out float corner_depth;

@@ -1,18 +1,27 @@
-/* Where the vertices of shadow volumes come from, by the scene's path. Fetched: each vertex reads the map. Copied, as in the thesis: a map's depths go
- * through a pixel buffer that becomes a vertex buffer; of the perfect triangulation a texture is drawn first that has a texel for each corner of each
- * quad. Computed: a program writes depths, and of the perfect triangulation the indices. Buffers are written when maps are drawn. All three draw the
- * same triangles, corner by corner. */
+/* Where the vertices of shadow volumes come from, by the scene's path. Fetched: each vertex reads
+ * the map. Copied, as in the thesis: a map's depths go through a pixel buffer that becomes a vertex
+ * buffer; of the perfect triangulation a texture is drawn first that has a texel for each corner of
+ * each quad. Computed: a program writes depths, and of the perfect triangulation the indices.
+ * Buffers are written when maps are drawn. All three draw the same triangles, corner by corner. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
 #include <stdint.h>
 #include <stdlib.h>
 
-enum { RESTART = -1, QUAD_CORNERS = 4, QUAD_INDICES = 6, GROUP = 8, DEPTHS = 0, INDICES = 1 /* binding points */ };
+enum {
+    RESTART = -1,
+    QUAD_CORNERS = 4,
+    QUAD_INDICES = 6,
+    GROUP = 8,
+    DEPTHS = 0,
+    INDICES = 1 /* binding points */
+};
 
 /* -- indices */
 
-/* Rows of quads: a strip each, two vertices a column, from the upper to the lower one, and a restart. */
+/* Rows of quads: a strip each, two vertices a column, from the upper to the lower one, and a
+ * restart. */
 static GLsizei put_strips(GLuint *indices, GLuint size)
 {
     GLsizei count = 0;
@@ -46,17 +55,22 @@ static GLsizei put_corners(GLuint *indices, GLuint size)
     for (GLuint y = 0; y + 1 < size; y++)
         for (GLuint x = 0; x + 1 < size; x++)
             for (int i = 0; i < QUAD_INDICES; i++)
-                indices[count++] = (2 * y + up[triangles[i]]) * 2 * (size - 1) + 2 * x + right[triangles[i]];
+                indices[count++] =
+                    (2 * y + up[triangles[i]]) * 2 * (size - 1) + 2 * x + right[triangles[i]];
     return count;
 }
 
 /* -- paths */
 
-static bool is_perfect(const Render *render) { return render->scene->shadow_volume == WORD_Volume_perfect; }
+static bool is_perfect(const Render *render)
+{
+    return render->scene->shadow_volume == WORD_Volume_perfect;
+}
 
 static bool has_compute(const GlContext *gl)
 {
-    return gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute && gl->MemoryBarrier && gl->BindBufferBase;
+    return gl->major * 10 + gl->minor >= 43 && gl->DispatchCompute && gl->MemoryBarrier &&
+           gl->BindBufferBase;
 }
 
 /* The indices of a view are its own: the program that writes them has decided diagonals. */
@@ -70,7 +84,9 @@ static size_t vertices_of(const Render *render)
     const size_t size = (size_t)render->scene->shadow_size;
     if (render->volumes->path == WORD_Path_fetch)
         return 0;
-    return is_perfect(render) && render->volumes->path == WORD_Path_copy ? 4 * (size - 1) * (size - 1) : size * size;
+    return is_perfect(render) && render->volumes->path == WORD_Path_copy
+               ? 4 * (size - 1) * (size - 1)
+               : size * size;
 }
 
 static int hybrid_views(const Render *render)
@@ -112,7 +128,9 @@ const char *volume_data_text(const Render *render, bool shown)
         return volume_cells_head(!shown);
     if (path == WORD_Path_copy)
         return is_perfect(render) ? "#define CORNERS\n" : "#define DEPTHS\n";
-    return path == WORD_Path_compute ? "#define DEPTHS\n" : is_perfect(render) ? "#define QUADS\n" : "";
+    return path == WORD_Path_compute ? "#define DEPTHS\n"
+           : is_perfect(render)      ? "#define QUADS\n"
+                                     : "";
 }
 
 /* -- buffers */
@@ -137,7 +155,8 @@ static bool make_indices(Render *render)
     const bool written = writes_indices(render);
     gl->GenBuffers(1, &volumes->indices);
     gl->BindBuffer(GL_ARRAY_BUFFER, volumes->indices);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(written ? bytes * (size_t)hybrid_views(render) : bytes),
+    gl->BufferData(GL_ARRAY_BUFFER,
+                   (GLsizeiptr)(written ? bytes * (size_t)hybrid_views(render) : bytes),
                    written ? NULL : indices, GL_STATIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     free(indices);
@@ -158,7 +177,10 @@ static bool make_vertices(Render *render)
 }
 
 /* An offset, by GL's habit. */
-static const void *offset_of(size_t count) { return (const void *)(uintptr_t)(count * sizeof(GLuint)); }
+static const void *offset_of(size_t count)
+{
+    return (const void *)(uintptr_t)(count * sizeof(GLuint));
+}
 
 static void make_array(const Render *render, int number, GLuint array)
 {
@@ -168,7 +190,8 @@ static void make_array(const Render *render, int number, GLuint array)
     if (render->volumes->vertices) {
         gl->BindBuffer(GL_ARRAY_BUFFER, render->volumes->vertices);
         gl->EnableVertexAttribArray(0);
-        gl->VertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, offset_of((size_t)number * vertices_of(render)));
+        gl->VertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0,
+                                offset_of((size_t)number * vertices_of(render)));
         gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     }
     gl->BindVertexArray(0);
@@ -192,8 +215,8 @@ static bool make_writer(Render *render)
 {
     FrameVolumes *volumes = render->volumes;
     const char *const quads = is_perfect(render) ? "#define QUADS\n" : "";
-    const ProgramText compute = {
-        .compute = {"#version 430 core\n", quads, render_text_shadow_volume, render_text_volume_write}};
+    const ProgramText compute = {.compute = {"#version 430 core\n", quads,
+                                             render_text_shadow_volume, render_text_volume_write}};
     const ProgramText corners = {
         .vertex = {"#version 330 core\n", screen_text},
         .fragment = {"#version 330 core\n", render_text_shadow_volume, render_text_volume_corners}};
@@ -203,10 +226,12 @@ static bool make_writer(Render *render)
     if (volumes->path == WORD_Path_fetch || !is_perfect(render))
         return true;
     if (edge > render->gl->max_texture_size)
-        return gl_fail(render->gl, "corners of shadow volumes take a texture of %d x %d, the driver has %d", edge, edge,
-                       render->gl->max_texture_size);
+        return gl_fail(render->gl,
+                       "corners of shadow volumes take a texture of %d x %d, the driver has %d",
+                       edge, edge, render->gl->max_texture_size);
     return material_make(render->store, NULL, &corners, &volumes->writer) &&
-           framebuffer_make(render->gl, &(FramebufferSpec){edge, edge, 1, GL_R32F, false}, &volumes->corners);
+           framebuffer_make(render->gl, &(FramebufferSpec){edge, edge, 1, GL_R32F, false},
+                            &volumes->corners);
 }
 
 bool volume_data_make(Render *render)
@@ -227,9 +252,11 @@ static void copy_depths(const Render *render, int view, size_t first)
     const GlContext *gl = render->gl;
     const int size = render->scene->shadow_size;
     gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows->framebuffer);
-    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0, view);
+    gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0,
+                                view);
     gl->BindBuffer(GL_PIXEL_PACK_BUFFER, render->volumes->vertices);
-    gl->ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT, (void *)(uintptr_t)offset_of(first));
+    gl->ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT,
+                   (void *)(uintptr_t)offset_of(first));
     gl->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
 }
 
@@ -310,8 +337,8 @@ void volume_data_draw(const Render *render, int view, bool shown)
     const size_t first = writes_indices(render) ? (size_t)number * (size_t)volumes->index_count : 0;
     material_use(shown ? &volumes->shown[view] : &volumes->sheets[view]);
     gl->BindVertexArray(volumes->arrays[volumes->vertices ? number : 0]);
-    gl->DrawElements(is_perfect(render) ? GL_TRIANGLES : GL_TRIANGLE_STRIP, volumes->index_count, GL_UNSIGNED_INT,
-                     offset_of(first));
+    gl->DrawElements(is_perfect(render) ? GL_TRIANGLES : GL_TRIANGLE_STRIP, volumes->index_count,
+                     GL_UNSIGNED_INT, offset_of(first));
 }
 
 void volume_data_put(Text *out, const Render *render)
@@ -320,8 +347,8 @@ void volume_data_put(Text *out, const Render *render)
         text_format(out, "shadow    volumes cut by silhouettes: %lu bytes of cells\n",
                     (unsigned long)volume_cells_bytes(render));
     if (render->volumes->arrays)
-        text_format(out, "shadow    volumes by the path %s: %lu bytes\n", word_table[render->volumes->path].name,
-                    (unsigned long)bytes_of(render));
+        text_format(out, "shadow    volumes by the path %s: %lu bytes\n",
+                    word_table[render->volumes->path].name, (unsigned long)bytes_of(render));
 }
 
 void volume_data_delete(Render *render)

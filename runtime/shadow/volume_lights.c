@@ -4,7 +4,8 @@
 
 bool volume_lights_has(const Render *render, int light)
 {
-    return render->scene->lights[light].shadows == WORD_Shadows_hybrid && !render->options.no_shadows;
+    return render->scene->lights[light].shadows == WORD_Shadows_hybrid &&
+           !render->options.no_shadows;
 }
 
 int volume_lights_count(const Render *render)

@@ -1,5 +1,6 @@
-// Lists a view's cells: those that no silhouette crosses from the first place on, two triangles each; the others from the last one back, VOLUME_MOST each.
-// Of parallel light cells without depth are none: all their corners are the one point where it goes.
+// Lists a view's cells: those that no silhouette crosses from the first place on, two triangles
+// each; the others from the last one back, VOLUME_MOST each. Of parallel light cells without depth
+// are none: all their corners are the one point where it goes.
 layout(local_size_x = 8, local_size_y = 8) in;
 struct Command { // of a draw: vertices, instances, first vertex and instance
     uint count, instances, first, base;

@@ -1,5 +1,6 @@
-/* Volumes of hybrid shadows as one can look at them. They are drawn beside the lines of the pass tools: tone mapping leaves their colours as they are, and
- * what lies before them in the depth hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
+/* Volumes of hybrid shadows as one can look at them. They are drawn beside the lines of the pass
+ * tools: tone mapping leaves their colours as they are, and what lies before them in the depth
+ * hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
@@ -20,7 +21,8 @@ void volume_shown_place(const Render *render)
             place(render, i);
 }
 
-/* Lines hide what is behind them, and so do faces where there is nothing else; over the scene one looks through faces. */
+/* Lines hide what is behind them, and so do faces where there is nothing else; over the scene one
+ * looks through faces. */
 static const char *define_look(const Render *render)
 {
     const VolumeView *look = render->look;
@@ -32,12 +34,11 @@ static const char *define_look(const Render *render)
 static bool make_view(Render *render, int view)
 {
     const char *const head = pass_volume_head(render), *const defined = define_look(render);
-    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "", *const cells =
-                                                                                      volume_cells_are(render)
-                                                                                          ? render_text_volume_cells
-                                                                                          : "";
-    const ProgramText text = {.vertex = {head, defined, volume_data_text(render, true), maps, render_text_shadow_volume,
-                                         cells, render_text_volume_vertex},
+    const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "",
+                      *const cells = volume_cells_are(render) ? render_text_volume_cells : "";
+    const ProgramText text = {.vertex = {head, defined, volume_data_text(render, true), maps,
+                                         render_text_shadow_volume, cells,
+                                         render_text_volume_vertex},
                               .fragment = {head, defined, render_text_volume_shown}};
     if (!material_make(render->store, NULL, &text, &render->volumes->shown[view]))
         return false;
@@ -52,10 +53,12 @@ bool volume_shown_make(Render *render)
     if (!volume_view_has_volume(render))
         return true;
     if (render->options.linear)
-        return gl_fail(render->gl, "the view '%s' is the picture in other colours: as OpenEXR there is none",
+        return gl_fail(render->gl,
+                       "the view '%s' is the picture in other colours: as OpenEXR there is none",
                        render->look->name);
     if (!volume_lights_cast(render))
-        return gl_fail(render->gl, "there is no view '%s': no light casts hybrid shadows here", render->look->name);
+        return gl_fail(render->gl, "there is no view '%s': no light casts hybrid shadows here",
+                       render->look->name);
     render->volumes->shown = calloc((size_t)count, sizeof *render->volumes->shown);
     if (!render->volumes->shown)
         return gl_fail(render->gl, "out of memory");

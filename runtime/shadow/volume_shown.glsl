@@ -1,5 +1,5 @@
-// A shadow volume as one can look at it: its front faces orange, its back faces blue, lighter the more they face the eye; or lines. What is
-// infinitely far away is left out.
+// A shadow volume as one can look at it: its front faces orange, its back faces blue, lighter the
+// more they face the eye; or lines. What is infinitely far away is left out.
 layout(std140) uniform Look {
     vec4 look_ray; // view_space.h
     vec4 look_view;
@@ -8,8 +8,8 @@ in float volume_away; // 1 where no corner has a depth
 layout(location = 0) out vec4 look_light; // as tools_light: what of the light is covered
 layout(location = 1) out vec4 look_shown;
 
-// The cosine between the normal and the way to the eye. Depth is linear over the picture, in what tools_fragment.glsl calls the ray's x and y: its
-// slopes are the normal.
+// The cosine between the normal and the way to the eye. Depth is linear over the picture, in what
+// tools_fragment.glsl calls the ray's x and y: its slopes are the normal.
 float facing()
 {
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / (2.0 * look_ray.xy);

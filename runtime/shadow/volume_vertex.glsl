@@ -1,7 +1,10 @@
-// The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect triangulation, a corner of a quad, four each;
-// behind CAP it is one of a fan that closes the volume infinitely far away, over the map's border. Behind DEPTHS its depth comes out of a buffer; behind
-// CORNERS, too, four vertices a quad, and is negative where the quad is turned (volume_corners.glsl). Behind CELLS it is a corner of a cell's triangles
-// (volume_cells.glsl): of all cells, VOLUME_MOST triangles each; or, behind LISTED, of those in a list (volume_list.glsl). Triangles that a cell lacks are one point.
+// The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect
+// triangulation, a corner of a quad, four each; behind CAP it is one of a fan that closes the
+// volume infinitely far away, over the map's border. Behind DEPTHS its depth comes out of a buffer;
+// behind CORNERS, too, four vertices a quad, and is negative where the quad is turned
+// (volume_corners.glsl). Behind CELLS it is a corner of a cell's triangles (volume_cells.glsl): of
+// all cells, VOLUME_MOST triangles each; or, behind LISTED, of those in a list (volume_list.glsl).
+// Triangles that a cell lacks are one point.
 #ifndef CELLS
 uniform sampler2DArray volume_depths;
 #endif
@@ -28,7 +31,8 @@ out float volume_away; // 1 where there is no depth (volume_shown.glsl)
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
 #endif
 
-// Perspective depth is near / z: a homogeneous point. What has no depth is as far away as pass_volume.c says.
+// Perspective depth is near / z: a homogeneous point. What has no depth is as far away as
+// pass_volume.c says.
 vec4 volumePoint(vec2 place, float depth)
 {
 #ifdef VIEWED

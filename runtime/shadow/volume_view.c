@@ -1,4 +1,5 @@
-/* Views of the picture with the volumes of hybrid shadows in it (volume_shown.c), or with objects as lines. */
+/* Views of the picture with the volumes of hybrid shadows in it (volume_shown.c), or with objects
+ * as lines. */
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/volume.h"
 #include <string.h>
@@ -21,4 +22,7 @@ const VolumeView *volume_view_find(const char *name)
     return NULL;
 }
 
-bool volume_view_has_volume(const Render *render) { return render->look && render->look->volume != VOLUME_VIEW_none; }
+bool volume_view_has_volume(const Render *render)
+{
+    return render->look && render->look->volume != VOLUME_VIEW_none;
+}

@@ -1,5 +1,6 @@
-// The computed path: a thread for each texel of a map writes its depth as a vertex; of the perfect triangulation also the two triangles of the quad to
-// its right and above, whose corners go around from the one that the diagonal does not touch.
+// The computed path: a thread for each texel of a map writes its depth as a vertex; of the perfect
+// triangulation also the two triangles of the quad to its right and above, whose corners go around
+// from the one that the diagonal does not touch.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Depths { float written_depths[]; };
 layout(std430, binding = 1) writeonly buffer Indices { uint written_indices[]; };

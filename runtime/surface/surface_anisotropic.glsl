@@ -1,10 +1,14 @@
-// Reflections that are longer one way: GGX of two widths, a along a direction and b across it, by plain numbers. OpenPBR 1.1's: with strength s,
-// b / a = 1 - s and a^2 + b^2 = 2 roughness^4. Before it stands surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials, test_principled_anisotropy.c
-// holds them against the integrals.
+// Reflections that are longer one way: GGX of two widths, a along a direction and b across it, by
+// plain numbers. OpenPBR 1.1's: with strength s, b / a = 1 - s and a^2 + b^2 = 2 roughness^4.
+// Before it stands surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials,
+// test_principled_anisotropy.c holds them against the integrals.
 //
-// What facets lose of light from a direction v, and how much of it grazes, depends on v's cosine and on the widths along v and across it, nearly alone: of
-// roughness^2 g, g^2 = 1 + k (v.x^2 - v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is 1, roughness^2 the width.
-//   Worked example, strength 0.5 and roughness 0.5: a = 0.25 sqrt(2 / 1.25) = 0.316, b = 0.158, k = 0.6; seen along the direction at 60 degrees g is 1.2, across it 0.74.
+// What facets lose of light from a direction v, and how much of it grazes, depends on v's cosine
+// and on the widths along v and across it, nearly alone: of roughness^2 g, g^2 = 1 + k (v.x^2 -
+// v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is 1,
+// roughness^2 the width.
+//   Worked example, strength 0.5 and roughness 0.5: a = 0.25 sqrt(2 / 1.25) = 0.316, b = 0.158, k =
+//   0.6; seen along the direction at 60 degrees g is 1.2, across it 0.74.
 #if defined(SURFACE_HAS_anisotropy) && !defined(SURFACE_LACKS_anisotropy)
 #define LIT_ANISOTROPY
 #endif
@@ -191,7 +195,8 @@ float maskedAlong(Anisotropy m, vec3 v, float cosine)
     return sqrt(cosine * cosine + dot(wide, wide));
 }
 
-// As facets(): the light's direction l and the half vector, the light's cosine; of the eye its cosine and its maskedAlong().
+// As facets(): the light's direction l and the half vector, the light's cosine; of the eye its
+// cosine and its maskedAlong().
 float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
 {
     vec2 across = vec2(dot(h, m.along), dot(h, m.across)) / m.widths;

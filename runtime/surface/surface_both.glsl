@@ -1,5 +1,5 @@
-// Surfaces of both models in one G-buffer: which one a pixel has, its slot `model` says. Before it stand the texts of both, whose names begin with
-// phong and principled (surface_model.c).
+// Surfaces of both models in one G-buffer: which one a pixel has, its slot `model` says. Before it
+// stand the texts of both, whose names begin with phong and principled (surface_model.c).
 #undef Lit
 #undef surfaceLit
 #undef surfaceOwn

@@ -1,5 +1,6 @@
-// What facets, coats and fuzz send of light, by plain numbers: lobes, and polynomials that stand for their integrals. tests/fits/principled.c prints the
-// polynomials; test_principled.c and test_principled_lobes.c hold them against the integrals.
+// What facets, coats and fuzz send of light, by plain numbers: lobes, and polynomials that stand
+// for their integrals. tests/fits/principled.c prints the polynomials; test_principled.c and
+// test_principled_lobes.c hold them against the integrals.
 #if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
 #define LIT_COAT
 #if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_LACKS_coatNormal)
@@ -38,7 +39,8 @@ struct Row {
 
 float rowAt(Row a, float x) { return a.low.x + x * (a.low.y + x * (a.low.z + x * (a.low.w + x * (a.high.x + x * a.high.y)))); }
 
-// What of GGX's albedos depends on the roughness alone: polynomials in what an angle gives, by albedo().
+// What of GGX's albedos depends on the roughness alone: polynomials in what an angle gives, by
+// albedo().
 struct Gloss {
     float alpha, rough;
     Row loss, grazing;
@@ -70,8 +72,9 @@ Row grazingOf(float rough)
 
 Gloss glossOf(float rough) { return Gloss(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
 
-// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y the part of E that Schlick's (1 - cosine)^5 has.
-// Fitted to integrals of the lobe: within 0.0055 and 0.0035 for all roughnesses and angles (tests/renderer/light/test_principled.c).
+// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y
+// the part of E that Schlick's (1 - cosine)^5 has. Fitted to integrals of the lobe: within 0.0055
+// and 0.0035 for all roughnesses and angles (tests/renderer/light/test_principled.c).
 vec2 albedo(float cosine, Gloss g)
 {
     float loss = clamp(rowAt(g.loss, cosine * (1.0 + g.alpha) / (cosine + g.alpha)), 0.0, 1.0);
@@ -86,17 +89,21 @@ TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 }
 
 #ifdef LIT_GRAIN
-// A rough diffuse base: Fujii's form of Oren and Nayar's lobe (2012), once (1 + rough s / t), s = l.v - n.l n.v, t the greater of n.l and n.v where s is above 0, else 1.
-// What it sends less than an even base does is sent evenly, with the colour of light that goes on within, as OpenPBR 1.1 has it (Portsmouth, Kutz and Hill 2025); here
-// both stand below what facets reflect and layers keep: light comes in, and leaves, by high - tilt x - low x^5 of the mean, x = 1 - cosine, as Schlick's formula
-// goes, and fuzz, nearly.
-//   Worked example, nothing above it and rough 1: high is 1, the others 0; along the normal it sends once, 0.78 of all, and 0.22 are spread.
+// A rough diffuse base: Fujii's form of Oren and Nayar's lobe (2012), once (1 + rough s / t), s =
+// l.v - n.l n.v, t the greater of n.l and n.v where s is above 0, else 1. What it sends less than
+// an even base does is sent evenly, with the colour of light that goes on within, as OpenPBR 1.1
+// has it (Portsmouth, Kutz and Hill 2025); here both stand below what facets reflect and layers
+// keep: light comes in, and leaves, by high - tilt x - low x^5 of the mean, x = 1 - cosine, as
+// Schlick's formula goes, and fuzz, nearly.
+//   Worked example, nothing above it and rough 1: high is 1, the others 0; along the normal it
+//   sends once, 0.78 of all, and 0.22 are spread.
 struct Grain {
     float rough, once;
     TONE high, tilt, low, all; // all: the share of light that is sent once, of light from all around to all sides
 };
 
-// What comes in along the normal, and where the cosine is 1/4, and in the mean: the means of x and x^5 are 1/3 and 1/21.
+// What comes in along the normal, and where the cosine is 1/4, and in the mean: the means of x and
+// x^5 are 1/3 and 1/21.
 Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 {
     Grain g;
@@ -111,7 +118,8 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
     return g;
 }
 
-// What of light from a direction is not sent once: 1 - the integral, within 0.001 of it (tests/fits/diffuse.c prints the polynomials).
+// What of light from a direction is not sent once: 1 - the integral, within 0.001 of it
+// (tests/fits/diffuse.c prints the polynomials).
 TONE grainLost(Grain g, float cosine)
 {
     float x = 1.0 - cosine, even = x * (0.0513992761 + x * (0.522664541 + x * (-0.380763677 + x * 0.0949094912)));
@@ -136,9 +144,10 @@ struct Film {
     float weight, path, ior;
 };
 
-// How lanes of linear sRGB respond to light whose strength goes by cos(2 pi path / wavelength), the path in micrometres: what they weigh wavelengths by, as
-// bells of wave numbers, whose integrals are bells of the path (the idea of Belcour and Barla 2017). Within 0.06 of sums over wavelengths, 0.02 in root mean
-// square; tests/fits/film.c prints the numbers.
+// How lanes of linear sRGB respond to light whose strength goes by cos(2 pi path / wavelength), the
+// path in micrometres: what they weigh wavelengths by, as bells of wave numbers, whose integrals
+// are bells of the path (the idea of Belcour and Barla 2017). Within 0.06 of sums over wavelengths,
+// 0.02 in root mean square; tests/fits/film.c prints the numbers.
 vec3 filmResponse(float path)
 {
     vec4 bells = exp(-path * path * vec4(0.273996, 0.440534, 0.0788179, 0.247647)) * cos(path * vec4(10.4149, 11.0117, 9.48353, 13.9191));
@@ -146,17 +155,19 @@ vec3 filmResponse(float path)
                 dot(bells, vec4(0.0874771, -0.257019, 0.00607568, 1.16348)));
 }
 
-// Light of one polarisation, of amplitudes that both sides of the film reflect: 1 - (1 - a^2) (1 - b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as the sum over
-// how often light goes to and fro, up to three times.
+// Light of one polarisation, of amplitudes that both sides of the film reflect: 1 - (1 - a^2) (1 -
+// b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as the sum over how often light goes to and fro, up
+// to three times.
 vec3 filmSum(float a, vec3 b, vec3 once, vec3 twice, vec3 thrice)
 {
     vec3 q = a * b;
     return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) * (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
 }
 
-// What a film on a base reflects at an angle, the base by what it reflects along its normal without one, as a dielectric does that reflects so much; metals'
-// own phase is left out.
-//   Worked example, the path 0 and the index 1: there is no film, and the base reflects by Fresnel's formulas.
+// What a film on a base reflects at an angle, the base by what it reflects along its normal without
+// one, as a dielectric does that reflects so much; metals' own phase is left out.
+//   Worked example, the path 0 and the index 1: there is no film, and the base reflects by
+//   Fresnel's formulas.
 vec3 filmReflected(Film film, float cosine, vec3 base)
 {
     float sine2 = 1.0 - cosine * cosine, inner2 = 1.0 - sine2 / (film.ior * film.ior), n = film.ior;
@@ -169,8 +180,9 @@ vec3 filmReflected(Film film, float cosine, vec3 base)
     return clamp(0.5 * (across + along), 0.0, 1.0);
 }
 
-// At which angles facets of a width mirror light of a direction, by its cosine: two that have the mean and the spread of all, within 0.04 of sums over
-// facets that are seen (Heitz 2018), the flatter one as far off as keeps a white surface white. Smooth ones: the direction's own.
+// At which angles facets of a width mirror light of a direction, by its cosine: two that have the
+// mean and the spread of all, within 0.04 of sums over facets that are seen (Heitz 2018), the
+// flatter one as far off as keeps a white surface white. Smooth ones: the direction's own.
 vec2 filmAngles(float cosine, float alpha)
 {
     float alpha2 = alpha * alpha, along = cosine * (1.0 - alpha * (0.19 - 0.09 * alpha)), spread = alpha / (alpha + 0.15) * (0.33 - 0.25 * cosine);
@@ -222,7 +234,8 @@ float holesOf(Surface s)
 // What Smith's masking takes of a direction by its cosine.
 float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
 
-// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the header; h is the half vector, and `eye` the eye's cosine and its maskedOf().
+// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the
+// header; h is the half vector, and `eye` the eye's cosine and its maskedOf().
 float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
@@ -233,9 +246,11 @@ float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 }
 
 #ifdef LIT_LAYERS
-// What a layer leaves of light that is reflected below it, by what it lets through of each direction, and of all in the mean: the same when both
-// change places. A mirror has the same share both ways, which counts once; what is sent evenly counts the one over the mean, times the other. A
-// rough mirror is between, by evenOf(); what that lacks is spread, see below(). Of the eye, x is its share, and y veiled() of it.
+// What a layer leaves of light that is reflected below it, by what it lets through of each
+// direction, and of all in the mean: the same when both change places. A mirror has the same share
+// both ways, which counts once; what is sent evenly counts the one over the mean, times the other.
+// A rough mirror is between, by evenOf(); what that lacks is spread, see below(). Of the eye, x is
+// its share, and y veiled() of it.
 float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
 
 // Of an angle: what grazes is spread most.
@@ -277,7 +292,8 @@ vec3 coatNormalOf(Surface s, vec3 normal)
 #endif
 }
 
-// What a white mirror of a roughness lacks below a coat: `share` is what such a coat has against a smooth one.
+// What a white mirror of a roughness lacks below a coat: `share` is what such a coat has against a
+// smooth one.
 Row coatSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -302,7 +318,8 @@ float fuzzRoughOf(Surface s)
 #endif
 }
 
-// All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of its lobe within 0.005 for cosines from 0.04 on.
+// All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of
+// its lobe within 0.005 for cosines from 0.04 on.
 float fuzzAlbedo(float cosine, float rough)
 {
     vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -313,7 +330,8 @@ float fuzzAlbedo(float cosine, float rough)
         x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
 }
 
-// Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt and Pettineo have it.
+// Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt
+// and Pettineo have it.
 float fibres(float rough, float high, float cosine, float eye)
 {
     float power = 0.5 / rough;
@@ -335,11 +353,15 @@ Row fuzzSpread(float rough, float share)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// Directions in which GGX is a cosine, nearly (linearly transformed cosines: Heitz, Dupuy, Hill and Neubelt 2016): a direction l, times the result, has what the lobe sends
-// of it, as a share of all, as the density max(z, 0) / pi of directions. Of what a parallelogram gives within 0.1 of all that the lobe sends, 0.02 in root mean square, for
-// roughnesses from 0.1 and angles to 84 degrees (test_principled.c); Phong's lobe has 0.2 and 0.06. What of it lies below the horizon is lost. tests/fits/area.c prints
-// the polynomials. X, Y and Z are at right angles, Z the lobe's mean direction, and a direction o of that density goes to X (m11 o.x + m13 o.z) + Y m22 o.y + Z o.z.
-//   Worked example, roughness 1 along the normal: m11 = m22 = 1.1, m13 = 0: directions are spread by 1.1.
+// Directions in which GGX is a cosine, nearly (linearly transformed cosines: Heitz, Dupuy, Hill and
+// Neubelt 2016): a direction l, times the result, has what the lobe sends of it, as a share of all,
+// as the density max(z, 0) / pi of directions. Of what a parallelogram gives within 0.1 of all that
+// the lobe sends, 0.02 in root mean square, for roughnesses from 0.1 and angles to 84 degrees
+// (test_principled.c); Phong's lobe has 0.2 and 0.06. What of it lies below the horizon is lost.
+// tests/fits/area.c prints the polynomials. X, Y and Z are at right angles, Z the lobe's mean
+// direction, and a direction o of that density goes to X (m11 o.x + m13 o.z) + Y m22 o.y + Z o.z.
+//   Worked example, roughness 1 along the normal: m11 = m22 = 1.1, m13 = 0: directions are spread
+//   by 1.1.
 mat3 areaFacets(float rough, vec3 normal, vec3 eye)
 {
     float cosine = clamp(dot(normal, eye), 1e-3, 1.0), alpha = rough * rough, x = cosine * (1.0 + alpha) / (cosine + alpha);

@@ -1,5 +1,6 @@
-// The surface model Phong (semantics.md 4.1), as surface_model.h asks for one: what a point with these slots sends to the eye. What a layout
-// lacks is as slots.def says of absent slots, and costs nothing.
+// The surface model Phong (semantics.md 4.1), as surface_model.h asks for one: what a point with
+// these slots sends to the eye. What a layout lacks is as slots.def says of absent slots, and costs
+// nothing.
 struct Lit {
     vec3 normal, reflected, diffuse, specular, through, behind, ambient, emissive;
     float shininess, straightness;
@@ -99,7 +100,8 @@ vec3 surfaceHemisphere(Lit m)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// What comes through is the other side's: of its power, one is the cosine that the integral counts in.
+// What comes through is the other side's: of its power, one is the cosine that the integral counts
+// in.
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {

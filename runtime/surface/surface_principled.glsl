@@ -1,13 +1,18 @@
-// The surface model Principled, as surface_model.h asks for one: GGX's microfacets with Smith's masking by height, over a diffuse base, or of metal.
-// Light that is reflected more than once between facets is Kulla and Conty's lobe (2017), and so is the diffuse base, which sends what was
-// not reflected: all three are the same when light and eye change places, and a white surface sends all that arrives.
+// The surface model Principled, as surface_model.h asks for one: GGX's microfacets with Smith's
+// masking by height, over a diffuse base, or of metal. Light that is reflected more than once
+// between facets is Kulla and Conty's lobe (2017), and so is the diffuse base, which sends what was
+// not reflected: all three are the same when light and eye change places, and a white surface sends
+// all that arrives.
 //
-// Worked example, reflectance 0.04 and roughness 0, seen along the normal: E is 1, so 0.04 are reflected. What reaches the base from a
-// direction is 1 - E(its cosine), and what leaves it 1 - E(1) = 0.96: over all directions a white base sends 0.96, and together that is 1.
+// Worked example, reflectance 0.04 and roughness 0, seen along the normal: E is 1, so 0.04 are
+// reflected. What reaches the base from a direction is 1 - E(its cosine), and what leaves it 1 -
+// E(1) = 0.96: over all directions a white base sends 0.96, and together that is 1.
 //
-// Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its reflection at 82 degrees (Hoffman 2019; OpenPBR
-// 1.1). What a layout lacks is as slots.def says of absent slots. Skies are looked up where facets send their light to the eye, area lights meet
-// linearly transformed cosines; both have as much light as GGX sends of light from all around. Before it stand surface_facets.glsl and surface_anisotropic.glsl.
+// Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its
+// reflection at 82 degrees (Hoffman 2019; OpenPBR 1.1). What a layout lacks is as slots.def says of
+// absent slots. Skies are looked up where facets send their light to the eye, area lights meet
+// linearly transformed cosines; both have as much light as GGX sends of light from all around.
+// Before it stand surface_facets.glsl and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
     vec3 metalAgain;  // the share of what was reflected twice and more, of metal
@@ -96,7 +101,8 @@ float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine
 #endif
 
 #ifdef LIT_COAT
-// What the coat reflects of all that arrives from a direction; light that it reflects more than once goes to what lies below.
+// What the coat reflects of all that arrives from a direction; light that it reflects more than
+// once goes to what lies below.
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
@@ -153,9 +159,12 @@ float coatCosineOf(Lit m, vec3 v, float cosine)
 #endif
 }
 
-// Layers from a direction, by its cosines against the base and the coat: x, y what coat and fuzz let through; z both; w what a white rough mirror below lacks of that, since light comes to the eye
-// by one way and goes by another, which the product of veil() cannot tell. It is spread as what facets reflect twice is. Of each layer it is a polynomial
-// in the base's roughness and the root of the cosine, fitted to integrals within 0.011 of all light; a small share more, `stray`, keeps it above 0.
+// Layers from a direction, by its cosines against the base and the coat: x, y what coat and fuzz
+// let through; z both; w what a white rough mirror below lacks of that, since light comes to the
+// eye by one way and goes by another, which the product of veil() cannot tell. It is spread as what
+// facets reflect twice is. Of each layer it is a polynomial in the base's roughness and the root of
+// the cosine, fitted to integrals within 0.011 of all light; a small share more, `stray`, keeps it
+// above 0.
 vec4 below(Lit m, float cosine, float ofCoat, float loss)
 {
     vec4 found = vec4(1.0, 1.0, 1.0, 0.0);
@@ -174,16 +183,17 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
     return found;
 }
 
-// Of a white mirror, and of one that reflects as the dielectric does, by the share that it reflects of a direction; most from those from which layers
-// let least through, so that a rough one lacks up to 2.75 times as much.
+// Of a white mirror, and of one that reflects as the dielectric does, by the share that it reflects
+// of a direction; most from those from which layers let least through, so that a rough one lacks up
+// to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
     return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
-// Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left, of the same times what layers let through.
-// meanStray: of strayed().
+// Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left,
+// of the same times what layers let through. meanStray: of strayed().
 void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);

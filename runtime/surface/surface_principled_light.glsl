@@ -1,5 +1,5 @@
-// What a Principled surface sends of light: of a direction, of ambient light, the sky, hemispheres, areas. Before it stands surface_principled.glsl, which
-// makes a Lit of a Surface.
+// What a Principled surface sends of light: of a direction, of ambient light, the sky, hemispheres,
+// areas. Before it stands surface_principled.glsl, which makes a Lit of a Surface.
 vec3 surfaceOwn(Lit m) { return m.emissive; }
 
 // What it reflects of light from all around, the coat's share too.
@@ -62,7 +62,8 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
-// What does not depend on l is in m. A lobe of no weight is left out: threads of a GPU do so where all of a group do.
+// What does not depend on l is in m. A lobe of no weight is left out: threads of a GPU do so where
+// all of a group do.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -145,10 +146,13 @@ SkyFacets skyFacetsEven(vec3 normal, float alpha)
     return SkyFacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
-// The mean of the sky by what facets send of it that reflect `low` along their normal and `high` where light grazes them; 1 of a white sky. Facets are drawn by how
-// much the eye sees of each (Heitz 2018; by caps of a sphere: Dupuy and Benyoub 2023), in a spiral. Each counts by what of its light others leave, and looks the sky up at the level of the cube
-// whose texels are as large as the solid angle around its direction.
-//   Worked example, width 1 along the normal: facets' directions are even over the sphere's upper cap, and a facet at 60 degrees sends from below the horizon, so counts for nothing.
+// The mean of the sky by what facets send of it that reflect `low` along their normal and `high`
+// where light grazes them; 1 of a white sky. Facets are drawn by how much the eye sees of each
+// (Heitz 2018; by caps of a sphere: Dupuy and Benyoub 2023), in a spiral. Each counts by what of
+// its light others leave, and looks the sky up at the level of the cube whose texels are as large
+// as the solid angle around its direction.
+//   Worked example, width 1 along the normal: facets' directions are even over the sphere's upper
+//   cap, and a facet at 60 degrees sends from below the horizon, so counts for nothing.
 vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
 {
     vec3 v = toEye * f.frame;

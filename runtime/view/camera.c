@@ -7,7 +7,8 @@
 
 #define RADIANS (3.14159265358979323846 / 180)
 
-/* Degrees; azimuth from the x axis. The sphere is seen from where its seam, at the x axis, hides behind the rim. */
+/* Degrees; azimuth from the x axis. The sphere is seen from where its seam, at the x axis, hides
+ * behind the rim. */
 static const struct {
     double azimuth, elevation;
     double distance; /* from the origin, such that the shape fills the frame */
@@ -34,8 +35,10 @@ static void stand(Viewpoint *viewpoint, double azimuth, double elevation, double
 
 Viewpoint camera_viewpoint_for(ShapeKind shape)
 {
-    Viewpoint viewpoint = {.target = {0, 0, viewpoints[shape].shift}, .angle = viewpoints[shape].angle * RADIANS};
-    stand(&viewpoint, viewpoints[shape].azimuth, viewpoints[shape].elevation, viewpoints[shape].distance);
+    Viewpoint viewpoint = {.target = {0, 0, viewpoints[shape].shift},
+                           .angle = viewpoints[shape].angle * RADIANS};
+    stand(&viewpoint, viewpoints[shape].azimuth, viewpoints[shape].elevation,
+          viewpoints[shape].distance);
     return viewpoint;
 }
 
@@ -44,7 +47,8 @@ static const struct {
     double azimuth, elevation;
     double nearer; /* the distance is multiplied by it */
 } presets[] = {
-    {"front", -90, 5, 1}, {"left", -180, 5, 1}, {"top", -90, 89, 1}, {"low", -112, 6, 1}, {"close", -112, 22, 0.45},
+    {"front", -90, 5, 1}, {"left", -180, 5, 1},      {"top", -90, 89, 1},
+    {"low", -112, 6, 1},  {"close", -112, 22, 0.45},
 };
 
 /* Up to `most` numbers with commas between them; their count, 0: it is something else. */
@@ -64,9 +68,10 @@ static int read_numbers(const char *text, double *numbers, int most)
 /* It stands where it looks, or looks along the axis that is up, or sees nothing or everything. */
 static bool is_blind(const Viewpoint *p)
 {
-    const double d[3] = {p->target[0] - p->position[0], p->target[1] - p->position[1], p->target[2] - p->position[2]};
-    return hypot(d[0], d[1]) <= 1e-4 * fabs(d[2]) || vec3_length(d) < 1e-4 || vec3_length(p->position) > 1e4 ||
-           p->angle < 0.5 * RADIANS || p->angle > 150 * RADIANS;
+    const double d[3] = {p->target[0] - p->position[0], p->target[1] - p->position[1],
+                         p->target[2] - p->position[2]};
+    return hypot(d[0], d[1]) <= 1e-4 * fabs(d[2]) || vec3_length(d) < 1e-4 ||
+           vec3_length(p->position) > 1e4 || p->angle < 0.5 * RADIANS || p->angle > 150 * RADIANS;
 }
 
 bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint)
@@ -77,7 +82,8 @@ bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint)
     for (size_t i = 0; i < sizeof presets / sizeof *presets; i++) {
         if (strcmp(presets[i].name, text) != 0)
             continue;
-        stand(viewpoint, presets[i].azimuth, presets[i].elevation, presets[i].nearer * vec3_length(viewpoint->position));
+        stand(viewpoint, presets[i].azimuth, presets[i].elevation,
+              presets[i].nearer * vec3_length(viewpoint->position));
         return true;
     }
     int count = read_numbers(text, numbers, MOST);
@@ -96,7 +102,8 @@ bool camera_viewpoint_read(const char *text, Viewpoint *viewpoint)
 
 static SceneCamera camera_of(const double position[3], const double target[3], double angle)
 {
-    SceneCamera camera = {.kind = SCENE_Perspective, .upright = {0, 0, 1}, .half = tan(angle / 2), .near = NEAREST};
+    SceneCamera camera = {
+        .kind = SCENE_Perspective, .upright = {0, 0, 1}, .half = tan(angle / 2), .near = NEAREST};
     memcpy(camera.position, position, sizeof camera.position);
     memcpy(camera.target, target, sizeof camera.target);
     scene_camera_aim(&camera); /* no viewpoint looks straight up or down */
@@ -111,6 +118,7 @@ SceneCamera camera_at(const Viewpoint *viewpoint)
 SceneCamera camera_for_sky(double azimuth)
 {
     static const double position[3];
-    const double target[3] = {cos(azimuth) * cos(SKY_ELEVATION), sin(azimuth) * cos(SKY_ELEVATION), sin(SKY_ELEVATION)};
+    const double target[3] = {cos(azimuth) * cos(SKY_ELEVATION), sin(azimuth) * cos(SKY_ELEVATION),
+                              sin(SKY_ELEVATION)};
     return camera_of(position, target, SKY_ANGLE);
 }

@@ -87,11 +87,23 @@ static bool find_values(const char *name, NameChoice *values)
 
 /* -- the table */
 
-#define AT(member)              offsetof(Command, member)
-#define HEADING(text)           {NULL, OPTION_heading, .help = text}
-#define TEXT(name, member, ...) {name, OPTION_text, AT(member), ROW_HELP(__VA_ARGS__)}
-#define FLAG(name, member, ...) {name, OPTION_flag, AT(member), ROW_HELP(__VA_ARGS__)}
-#define CHOICE(name)            {name, OPTION_text, .set = set_choice}
+#define AT(member) offsetof(Command, member)
+#define HEADING(text)                                                                              \
+    {                                                                                              \
+        NULL, OPTION_heading, .help = text                                                         \
+    }
+#define TEXT(name, member, ...)                                                                    \
+    {                                                                                              \
+        name, OPTION_text, AT(member), ROW_HELP(__VA_ARGS__)                                       \
+    }
+#define FLAG(name, member, ...)                                                                    \
+    {                                                                                              \
+        name, OPTION_flag, AT(member), ROW_HELP(__VA_ARGS__)                                       \
+    }
+#define CHOICE(name)                                                                               \
+    {                                                                                              \
+        name, OPTION_text, .set = set_choice                                                       \
+    }
 #define ROW_HELP(label_, help_) .label = label_, .help = help_
 static const Option options[] = {
     HEADING("usage: matview [options] document...\n\n"
@@ -118,8 +130,8 @@ static const Option options[] = {
          "shown (default), light, depth, shadow (maps, side by side), positions, voxels, open, "
          "indirect, bent, visibility, or a slot; wireframe; volume, volumeWireframe, "
          "wireframes, volumeAlone, volumeWireframeAlone: with hybrid shadows' volumes"),
-    {"--tools", OPTION_set, AT(tools_named), .words = OPTION_WORDS("grid", "axes", "lights", "none"),
-     .label = "=LIST",
+    {"--tools", OPTION_set, AT(tools_named),
+     .words = OPTION_WORDS("grid", "axes", "lights", "none"), .label = "=LIST",
      .help = "of grid, axes, lights, or none: lines over the picture; else as the scene says"},
     {"--format", OPTION_word, AT(format_named), .words = OPTION_WORDS("png", "exr"),
      .label = "=FORMAT",
@@ -249,7 +261,8 @@ const char *command_check_scene(const Command *command, const Scene *scene)
 {
     if (command->contact || command->mesh || command->material || command->viewpoint ||
         command->shape || command->slot || command->preview.sky || command->param_count)
-        return "a scene has its own objects, materials and camera: it takes none of --shape, --mesh, --material, "
+        return "a scene has its own objects, materials and camera: it takes none of --shape, "
+               "--mesh, --material, "
                "--param, --camera, --slot, --pass, --contact";
     if ((long)command->size * scene->height > (long)PNG_SIZE_LIMIT * scene->width)
         return "--size: the picture would be higher than 16384 pixels";
@@ -257,7 +270,8 @@ const char *command_check_scene(const Command *command, const Scene *scene)
         ((command->view && !strcmp(command->view, "shadow")) || command->shadows != WORD_COUNT ||
          command->indirect != WORD_COUNT || command->frames.given || command->emit ||
          command->stats || command->format == PICTURE_FORMAT_exr || command->bits > 8))
-        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, --shadows, --indirect, "
+        return "--compare is one PNG of 8 bits, of all methods: it takes none of --view=shadow, "
+               "--shadows, --indirect, "
                "--frames, "
                "--frame, "
                "--stats, "
@@ -267,8 +281,8 @@ const char *command_check_scene(const Command *command, const Scene *scene)
 
 const char *command_check_material(const Command *command)
 {
-    return command->shadows != WORD_COUNT || command->indirect != WORD_COUNT || command->frames.given ||
-                   command->compare
+    return command->shadows != WORD_COUNT || command->indirect != WORD_COUNT ||
+                   command->frames.given || command->compare
                ? "--shadows, --indirect, --compare and --frames are of scenes: a material has none"
                : NULL;
 }
@@ -297,7 +311,9 @@ static const char *check_view(Command *command)
     const bool *tools = command->tools_named;
     command->tools = (SceneTools){tools[TOOL_grid], tools[TOOL_axes], .lights = tools[TOOL_lights]};
     preview->sky = command->compile.pass && !strcmp(command->compile.pass, "sky");
-    preview->width = preview->height = command->size ? command->size : command->contact ? CELL : EDGE;
+    preview->width = preview->height = command->size      ? command->size
+                                       : command->contact ? CELL
+                                                          : EDGE;
     if (preview->sky && (command->slot || command->viewpoint))
         return "--pass=sky has neither --slot nor --camera";
     if (command->slot && (command->view || command->format == PICTURE_FORMAT_exr))
@@ -331,7 +347,8 @@ static const char *check_endings(Command *command)
         return option_fault_number(&command->words, "-o wants the ending of --format",
                                    command->output);
     command->format = ends;
-    if (command->contact && (!picture_file_ending(command->contact, &sheet) || sheet != PICTURE_FORMAT_png))
+    if (command->contact &&
+        (!picture_file_ending(command->contact, &sheet) || sheet != PICTURE_FORMAT_png))
         return option_fault_number(&command->words, "--contact wants a name that ends in .png",
                                    command->contact);
     return NULL;
@@ -342,14 +359,17 @@ static const char *check_format(const Command *command)
     const bool exr = command->format == PICTURE_FORMAT_exr;
     if (command->bits && command->bits != 16 && command->bits != (exr ? 32 : 8))
         return "--bits: 8 or 16 of a PNG, 16 or 32 of an EXR";
-    return command->contact && (exr || command->bits > 8) ? "--contact: a contact sheet is a PNG of 8 bits" : NULL;
+    return command->contact && (exr || command->bits > 8)
+               ? "--contact: a contact sheet is a PNG of 8 bits"
+               : NULL;
 }
 
 /* "--aa: there is no 'x', but auto, none, ..." */
 static const char *check_choices(Command *command)
 {
     if (command->compile.layout && !strcmp(command->compile.layout, "auto"))
-        return "--layout=auto is made of a set of materials, by matc -d; a picture is drawn by one of the layouts that "
+        return "--layout=auto is made of a set of materials, by matc -d; a picture is drawn by one "
+               "of the layouts that "
                "matc --list=layouts shows";
     const char *fault = choice_fault(&command->words, &command->compile);
     Text option = text_new(&command->words);
@@ -377,8 +397,8 @@ const char *command_check(Command *command)
     for (int i = 0; i < command->input_count && command->watch; i++)
         if (!strcmp(command->inputs[i], "-"))
             return "--watch wants files, not standard input";
-    if (command->watch &&
-        ((command->output && !strcmp(command->output, "-")) || (command->contact && !strcmp(command->contact, "-"))))
+    if (command->watch && ((command->output && !strcmp(command->output, "-")) ||
+                           (command->contact && !strcmp(command->contact, "-"))))
         return "--watch wants a file for its picture";
     return command->output && command->input_count > 1 ? "several documents need -d, not -o" : NULL;
 }

@@ -12,12 +12,12 @@ typedef struct {
     const char **inputs;
     int input_count;
     const char *output, *folder;
-    int size;             /* pixels, as it was asked for; 0: it was not */
-    int samples;          /* of a pixel, across and down; 0: not asked for */
-    const char *view;     /* what is shown of what was drawn */
+    int size;                 /* pixels, as it was asked for; 0: it was not */
+    int samples;              /* of a pixel, across and down; 0: not asked for */
+    const char *view;         /* what is shown of what was drawn */
     const char *format_named; /* --format */
-    PictureFormat format; /* as it is named, or as the output's name ends */
-    int bits, memory;     /* of a lane, and MiB; 0: not asked for */
+    PictureFormat format;     /* as it is named, or as the output's name ends */
+    int bits, memory;         /* of a lane, and MiB; 0: not asked for */
     bool progress;
     RenderEdges edges;
     const char *transparency; /* how transparent surfaces are put in order */
@@ -37,7 +37,9 @@ typedef struct {
     Frames frames;
     const char *compare; /* all methods of these in one picture: "shadows" or "indirect"; or NULL */
     Word shadows,
-        indirect; /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as the scene says */
+        /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as
+         * the scene says */
+        indirect;
 
     Arena words;               /* texts built from arguments, and messages */
     struct WatchList *watched; /* files that were met; or NULL */
@@ -52,7 +54,8 @@ const char *command_check(Command *command);
 /* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
 const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
-/* How pictures are drawn that have so many samples unless the command says else; their size is left out. */
+/* How pictures are drawn that have so many samples unless the command says else; their size is left
+ * out. */
 ScenePictureOptions command_pictures(const Command *command, int samples);
 /* What the command says of a scene's tools, whose sizes stay, and of indirect light. */
 void command_set_scene(const Command *command, Scene *scene);

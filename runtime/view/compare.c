@@ -30,7 +30,8 @@ typedef struct {
 
 static bool use_shadows(Comparison *c, Way way)
 {
-    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
+    memcpy(c->scene.lights, c->given->lights,
+           (size_t)c->given->light_count * sizeof *c->scene.lights);
     scene_lights_shadow(&c->scene, way.method);
     if (way.volume != WORD_COUNT)
         c->scene.shadow_volume = way.volume;
@@ -39,7 +40,8 @@ static bool use_shadows(Comparison *c, Way way)
 
 static bool use_indirect(Comparison *c, Way way)
 {
-    memcpy(c->scene.lights, c->given->lights, (size_t)c->given->light_count * sizeof *c->scene.lights);
+    memcpy(c->scene.lights, c->given->lights,
+           (size_t)c->given->light_count * sizeof *c->scene.lights);
     c->scene.indirect.method = way.method;
     return true;
 }
@@ -47,8 +49,10 @@ static bool use_indirect(Comparison *c, Way way)
 static bool use_displacement(Comparison *c, Way way)
 {
     if (scene_displace_by(c->given, way.method) == SCENE_DISPLACED_failed)
-        return gl_fail(c->gl, "displacement by %s takes too many triangles, operations, or more memory than there is",
-                       scene_displace_name(way.method));
+        return gl_fail(
+            c->gl,
+            "displacement by %s takes too many triangles, operations, or more memory than there is",
+            scene_displace_name(way.method));
     c->scene = *c->given;
     return true;
 }
@@ -77,7 +81,8 @@ static void find_ways(Comparison *c, const Listing *listing)
 
 /* -- displacement: no finer than its cells show */
 
-/* Of a map's edge: at least one for each pixel of a cell's. Tracing 4096 x 4096 takes minutes under llvmpipe. */
+/* Of a map's edge: at least one for each pixel of a cell's. Tracing 4096 x 4096 takes minutes under
+ * llvmpipe. */
 static int cell_texels(const Sheet *sheet)
 {
     enum { LEAST = 256 };
@@ -132,7 +137,8 @@ static bool draw_ways(Comparison *c, const Listing *listing, const ScenePictureO
     return fine;
 }
 
-static bool draw_displacement(Comparison *c, const Listing *listing, const ScenePictureOptions *options)
+static bool draw_displacement(Comparison *c, const Listing *listing,
+                              const ScenePictureOptions *options)
 {
     const Word method = c->given->displaced_by;
     const int texels = c->given->shadow_size, triangles = c->given->displaced_triangles;
@@ -153,7 +159,8 @@ static const Listing *listing_of(const char *list)
     return listing;
 }
 
-bool compare_methods(GlContext *gl, Scene *scene, const char *list, const ScenePictureOptions *options, Sheet *sheet)
+bool compare_methods(GlContext *gl, Scene *scene, const char *list,
+                     const ScenePictureOptions *options, Sheet *sheet)
 {
     Comparison *c = calloc(1, sizeof *c);
     ScenePictureOptions of_one = *options;
@@ -164,11 +171,13 @@ bool compare_methods(GlContext *gl, Scene *scene, const char *list, const SceneP
     sheet->width = options->render.width;
     sheet->height = options->render.height;
     *c = (Comparison){.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};
-    SceneLight *lights = c->scene.lights = malloc(((size_t)scene->light_count + 1) * sizeof *lights);
+    SceneLight *lights = c->scene.lights =
+        malloc(((size_t)scene->light_count + 1) * sizeof *lights);
     c->rgb = malloc(3 * (size_t)sheet->width * (size_t)sheet->height);
     bool done = (lights && c->rgb) || gl_fail(gl, "out of memory");
     c->pictures = done ? scene_pictures_open(gl, &of_one) : NULL;
-    done = c->pictures && (listing->use == use_displacement ? draw_displacement : draw_ways)(c, listing, options);
+    done = c->pictures &&
+           (listing->use == use_displacement ? draw_displacement : draw_ways)(c, listing, options);
     scene_pictures_close(c->pictures);
     free(lights);
     free(c->rgb);

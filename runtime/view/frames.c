@@ -21,7 +21,9 @@ const char *frames_read(const char *text, Frames *frames)
         return NULL;
     *frames = (Frames){.given = true, .first = first};
     end = end && *end == '-' ? read_number(end + 1, &frames->last) : NULL;
-    return end && !*end && frames->last >= first ? NULL : "--frames wants a number from 1, or two from 0 as 10-19";
+    return end && !*end && frames->last >= first
+               ? NULL
+               : "--frames wants a number from 1, or two from 0 as 10-19";
 }
 
 const char *frames_read_one(const char *text, Frames *frames)
@@ -41,7 +43,8 @@ const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_RO
     frames->whole = frames->whole ? frames->whole : scene->motion.frames;
     if (frames->last < frames->whole)
         return NULL;
-    snprintf(room, FRAMES_ROOM, "the motion has the frames 0 to %d, and no frame %d", frames->whole - 1, frames->last);
+    snprintf(room, FRAMES_ROOM, "the motion has the frames 0 to %d, and no frame %d",
+             frames->whole - 1, frames->last);
     return room;
 }
 
@@ -70,6 +73,7 @@ bool frames_path(const char *pattern, int frame, char *path, size_t room)
     const int places = percent ? places_of(percent, &end) : -1;
     if (places < 0 || strchr(end, '%'))
         return false;
-    const int size = snprintf(path, room, "%.*s%0*d%s", (int)(percent - pattern), pattern, places, frame, end);
+    const int size =
+        snprintf(path, room, "%.*s%0*d%s", (int)(percent - pattern), pattern, places, frame, end);
     return size >= 0 && (size_t)size < room;
 }

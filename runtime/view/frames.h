@@ -23,7 +23,7 @@ const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_RO
 /* Where the camera stands in a frame, and when that is. False: it has no direction. */
 bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *seen);
 
-/* A path whose only % begins %d, or %0 with up to nine places and d, as in out-%04d.png: with the frame's number there. False: it has none,
- * another %, or no room. */
+/* A path whose only % begins %d, or %0 with up to nine places and d, as in out-%04d.png: with the
+ * frame's number there. False: it has none, another %, or no room. */
 bool frames_path(const char *pattern, int frame, char *path, size_t room);
 #endif

@@ -11,7 +11,8 @@ struct MaterialPictures {
     MaterialPictureOptions options;
     MatcOptions compile;
     ScenePictures *pictures;
-    Preview previews[2]; /* the one that is drawn, and the one before: the renderer has it until then */
+    /* the one that is drawn, and the one before: the renderer has it until then */
+    Preview previews[2];
     int shown;
 };
 
@@ -29,11 +30,13 @@ static bool fail_unknown(const MatcProgram *program, const char *name, char *err
     size_t size = (size_t)snprintf(error, room, "--param: the material has no param '%s'%s", name,
                                    matc_uniform_count(program) ? "; it has" : " and no other");
     for (int i = 0; i < matc_uniform_count(program) && size < room; i++)
-        size += (size_t)snprintf(error + size, room - size, "%s %s", i ? "," : "", matc_uniform(program, i)->param);
+        size += (size_t)snprintf(error + size, room - size, "%s %s", i ? "," : "",
+                                 matc_uniform(program, i)->param);
     return false;
 }
 
-static bool set_param(MaterialPictures *p, const MatcProgram *program, int number, MaterialSaid *said)
+static bool set_param(MaterialPictures *p, const MatcProgram *program, int number,
+                      MaterialSaid *said)
 {
     const size_t room = sizeof said->error;
     Param param = p->options.params[number];
@@ -42,9 +45,10 @@ static bool set_param(MaterialPictures *p, const MatcProgram *program, int numbe
     if (!uniform)
         return fail_unknown(program, param.name, said->error, room);
     if (!param_fit(&param, uniform->lanes))
-        return message_fail(said->error, room, "--param: '%s' takes %d numbers, not %d", uniform->param, uniform->lanes,
-                            param.lanes);
-    return scene_pictures_param(p->pictures, uniform->name, param.values[param_colors(preview->material.document)],
+        return message_fail(said->error, room, "--param: '%s' takes %d numbers, not %d",
+                            uniform->param, uniform->lanes, param.lanes);
+    return scene_pictures_param(p->pictures, uniform->name,
+                                param.values[param_colors(preview->material.document)],
                                 uniform->lanes) ||
            message_fail(said->error, room, "%s", p->gl->error);
 }
@@ -82,13 +86,15 @@ static bool fail(const MaterialPictures *p, MaterialSaid *said)
     return false;
 }
 
-bool material_pictures_show(MaterialPictures *p, MatcDocument *document, int material, MaterialSaid *said)
+bool material_pictures_show(MaterialPictures *p, MatcDocument *document, int material,
+                            MaterialSaid *said)
 {
     *said = (MaterialSaid){0};
     p->shown = !p->shown;
     Preview *preview = &p->previews[p->shown];
     preview_free(preview);
-    if (!preview_make(&p->options.preview, (SceneMaterial){document, material}, &p->compile, preview))
+    if (!preview_make(&p->options.preview, (SceneMaterial){document, material}, &p->compile,
+                      preview))
         return message_fail(said->error, sizeof said->error, "out of memory");
     preview->scene.tools.grid = p->options.tools.grid;
     preview->scene.tools.axes = p->options.tools.axes;
@@ -106,13 +112,15 @@ MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOpt
     MaterialPictures *made = calloc(1, sizeof *made);
     if (!made)
         return gl_fail(gl, "out of memory"), NULL;
-    *made = (MaterialPictures){.gl = gl, .options = *options, .compile = *options->pictures.render.compile};
+    *made = (MaterialPictures){
+        .gl = gl, .options = *options, .compile = *options->pictures.render.compile};
     ScenePictureOptions how = options->pictures;
     how.render.compile = &made->compile;
     how.render.width = options->preview.width;
     how.render.height = options->preview.height;
     if (!made->compile.layout && !made->compile.custom)
-        made->compile.layout = options->slot ? "integer" : "compact"; /* as matc has it, not this material's smallest */
+        /* as matc has it, not this material's smallest */
+        made->compile.layout = options->slot ? "integer" : "compact";
     if (options->slot) {
         how.look = slot_look_find(options->slot);
         how.render.view = options->slot;

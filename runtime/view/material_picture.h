@@ -6,9 +6,11 @@
 #include "runtime/view/scene_picture.h"
 
 typedef struct {
-    ScenePictureOptions pictures; /* without a layout it is the compiler's default, of a slot "integer" */
+    /* without a layout it is the compiler's default, of a slot "integer" */
+    ScenePictureOptions pictures;
     PreviewOptions preview;
-    const char *slot;    /* of the G-buffer: it is shown, and no light; there is a look for it. Or NULL */
+    /* of the G-buffer: it is shown, and no light; there is a look for it. Or NULL */
+    const char *slot;
     SceneTools tools;    /* which are drawn */
     const Param *params; /* for uniforms, instead of the document's defaults */
     int param_count;     /* at most PARAM_LIMIT */
@@ -24,8 +26,10 @@ typedef struct {
 
 /* What the options point to is there until the end. NULL: gl->error says why. */
 MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOptions *options);
-/* Makes a material's scene, which is drawn next. False: see the diagnostics, then the error, which stays empty when they tell it. */
-bool material_pictures_show(MaterialPictures *pictures, MatcDocument *document, int material, MaterialSaid *said);
+/* Makes a material's scene, which is drawn next. False: see the diagnostics, then the error, which
+ * stays empty when they tell it. */
+bool material_pictures_show(MaterialPictures *pictures, MatcDocument *document, int material,
+                            MaterialSaid *said);
 /* That draw it. */
 ScenePictures *material_pictures_of(MaterialPictures *pictures);
 /* NULL is nothing. */

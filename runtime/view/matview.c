@@ -49,7 +49,8 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
         complain(path, why);
         return NULL;
     }
-    MatcDocument *document = scene_read(file_document_name(path), text, size, &command->compile, scene);
+    MatcDocument *document =
+        scene_read(file_document_name(path), text, size, &command->compile, scene);
     if (*scene && command->shadows != WORD_COUNT)
         scene_lights_shadow(*scene, command->shadows);
     if (*scene && command->size)
@@ -73,8 +74,8 @@ static void show_rows(void *user, int done, int rows)
     Text text = text_new(&arena);
     const bool frames = shown->frames > 1;
     const char *parts = frames ? "frames" : shown->parts ? shown->parts : "rows";
-    snprintf(what, sizeof what, "%d of %d %s drawn", frames ? shown->frame : done, frames ? shown->frames : rows,
-             parts);
+    snprintf(what, sizeof what, "%d of %d %s drawn", frames ? shown->frame : done,
+             frames ? shown->frames : rows, parts);
     fputs(progress_line(&text, what, session_now(), &shown->last), stderr);
     arena_free(&arena);
 }
@@ -83,7 +84,8 @@ static void show_rows(void *user, int done, int rows)
 typedef struct {
     const Command *command;
     GlContext *gl;
-    Sheet *sheet;                /* where pictures of materials go while a contact sheet is made; or NULL */
+    /* where pictures of materials go while a contact sheet is made; or NULL */
+    Sheet *sheet;
     MaterialPictures *materials; /* NULL before the first */
     const Shape *mesh;           /* or NULL */
     MatcDocument *drawn;         /* the document before */
@@ -122,7 +124,8 @@ static bool open_materials(Run *run)
 static int draw_picture(Run *run, ScenePictures *pictures, const char *input, const char *path)
 {
     ScenePicture picture = {0};
-    const char *taken = run->command->emit ? NULL : picture_name_claim(&run->owners, path, run->input);
+    const char *taken =
+        run->command->emit ? NULL : picture_name_claim(&run->owners, path, run->input);
     if (taken)
         return complain(path, taken);
     const bool done = scene_pictures_draw(pictures, path, &picture);
@@ -139,8 +142,10 @@ static int draw_picture(Run *run, ScenePictures *pictures, const char *input, co
 /* Into a cell of the contact sheet. */
 static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
-    unsigned char *rgb = memory_checked(malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3));
-    const bool room = sheet_has_room(run->sheet), done = room && scene_pictures_pixels(pictures, rgb);
+    unsigned char *rgb =
+        memory_checked(malloc((size_t)run->sheet->width * (size_t)run->sheet->height * 3));
+    const bool room = sheet_has_room(run->sheet),
+               done = room && scene_pictures_pixels(pictures, rgb);
     fputs(progress_erase(&run->shown.last), stderr);
     if (done)
         sheet_add(run->sheet, name, rgb);
@@ -173,11 +178,15 @@ static int choose_and_draw(Run *run, MatcDocument *document, const char *input)
     int count = matc_material_count(document), status = FINE;
     if (!count)
         return command->output ? complain(input, "the document has no material to draw") : FINE;
-    int chosen = command->material ? matc_material_find(document, command->material) : count == 1 ? 0 : -1;
+    int chosen = command->material ? matc_material_find(document, command->material)
+                 : count == 1      ? 0
+                                   : -1;
     if (command->material && chosen < 0)
         return complain(command->material, "no such material in the document");
     if (chosen < 0 && command->output) {
-        fputs("matview: error: the document has several materials; name one with --material, or use -d\n", stderr);
+        fputs("matview: error: the document has several materials; name one with --material, or "
+              "use -d\n",
+              stderr);
         return FAULT;
     }
     for (int i = 0; i < count; i++) {
@@ -272,7 +281,8 @@ static int draw_comparison(Run *run, Scene *scene, const char *input)
 
 static int draw_scene(Run *run, Scene *scene, const char *input)
 {
-    Drawing d = {.run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
+    Drawing d = {
+        .run = run, .input = input, .scene = scene, .seen = *scene, .frames = run->command->frames};
     char room[FRAMES_ROOM];
     const char *wrong = command_check_scene(run->command, scene);
     const char *fault = wrong ? wrong : frames_check(scene, &d.frames, room);
@@ -330,7 +340,8 @@ static int run_input(Run *run, const char *input)
 static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
 {
     Sheet sheet = {.width = command->preview.width, .height = command->preview.width};
-    Run run = {.command = command, .gl = gl, .sheet = command->contact ? &sheet : NULL, .mesh = mesh};
+    Run run = {
+        .command = command, .gl = gl, .sheet = command->contact ? &sheet : NULL, .mesh = mesh};
     int status = FINE;
     for (int i = 0; i < command->input_count; i++)
         status |= run_input(&run, command->inputs[i]);
@@ -363,7 +374,8 @@ static int run_inputs(const Command *command, GlContext *gl)
     return shape_free(&mesh), status;
 }
 
-/* Until a signal comes; the context stays open. A document with a fault leaves its picture as it was. */
+/* Until a signal comes; the context stays open. A document with a fault leaves its picture as it
+ * was. */
 static int run_watching(Command *command, GlContext *gl)
 {
     Watch *watch = watch_open();
@@ -374,7 +386,8 @@ static int run_watching(Command *command, GlContext *gl)
         const char *done = run_inputs(command, gl) == FINE ? "drawn" : "not drawn";
         fflush(stdout);
         watch_set(watch, (const char *const *)files.at, files.count);
-        fprintf(stderr, "matview: %s; watching %d file%s\n", done, files.count, files.count == 1 ? "" : "s");
+        fprintf(stderr, "matview: %s; watching %d file%s\n", done, files.count,
+                files.count == 1 ? "" : "s");
         watch_list_free(&files);
     } while (!(signal = watch_next(watch)));
     watch_close(watch);
@@ -396,7 +409,8 @@ static int run(Command *command)
 
 int main(int argc, char **argv)
 {
-    Command command = {.edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
+    Command command = {
+        .edges = RENDER_EDGES_coverage, .shadows = WORD_COUNT, .indirect = WORD_COUNT};
     output_hold_streams();
     matc_options_init(&command.compile);
     command.compile.pixels = true;

@@ -1,14 +1,16 @@
-/* A value is read by the compiler, as the default of a param in a document that has nothing else: so it may be all that a document may
- * say, and its faults are told as a document's are. */
+/* A value is read by the compiler, as the default of a param in a document that has nothing else:
+ * so it may be all that a document may say, and its faults are told as a document's are. */
 #include "runtime/view/param.h"
 #include <stdio.h>
 #include <string.h>
 
 /* What the compiler made of "{ param: name, default: VALUE }". */
-static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param, int colors)
+static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param,
+                         int colors)
 {
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
-    const MatcUniform *uniform = matc_ok(program) && matc_uniform_count(program) == 1 ? matc_uniform(program, 0) : NULL;
+    const MatcUniform *uniform =
+        matc_ok(program) && matc_uniform_count(program) == 1 ? matc_uniform(program, 0) : NULL;
     bool found = uniform && !strcmp(uniform->param, param->name);
     if (found) {
         param->lanes = uniform->lanes;
@@ -28,12 +30,14 @@ static const char *read_value(const char *value, Param *param, int colors, char 
     options.pass = "value";
     options.slot = "emissive";
     const char *quote = *value == '#' ? "\"" : ""; /* bare, a # begins a comment */
-    int size = snprintf(room, PARAM_ROOM, "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
+    int size = snprintf(room, PARAM_ROOM,
+                        "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
                         names[colors], param->name, quote, value, quote);
     if (size >= PARAM_ROOM)
         return "--param: the value is too long";
     MatcDocument *document = matc_read("--param", room, (size_t)size, &options);
-    bool fine = matc_material_count(document) == 1 && take_uniform(document, &options, param, colors);
+    bool fine =
+        matc_material_count(document) == 1 && take_uniform(document, &options, param, colors);
     if (!fine)
         snprintf(room, PARAM_ROOM, "--param: '%s' is no value of a param:\n%s", value,
                  matc_diagnostics(document, MATC_TEXT));

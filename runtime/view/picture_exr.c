@@ -1,4 +1,5 @@
-/* OpenEXR files of halves or floats, by the library's C core: scan lines, in blocks of 16 that zip compresses. */
+/* OpenEXR files of halves or floats, by the library's C core: scan lines, in blocks of 16 that zip
+ * compresses. */
 #include "runtime/view/picture_file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"
@@ -22,8 +23,8 @@ static const char *fault(exr_result_t code)
     return code == EXR_ERR_SUCCESS ? NULL : exr_get_default_error_message(code);
 }
 
-static int64_t write_at(exr_const_context_t exr, void *user, const void *bytes, uint64_t size, uint64_t offset,
-                        exr_stream_error_func_ptr_t fail)
+static int64_t write_at(exr_const_context_t exr, void *user, const void *bytes, uint64_t size,
+                        uint64_t offset, exr_stream_error_func_ptr_t fail)
 {
     FILE *out = ((ExrWriter *)user)->out;
     if (!fseeko(out, (off_t)offset, SEEK_SET) && fwrite(bytes, 1, size, out) == size)
@@ -45,8 +46,9 @@ static exr_result_t add_channels(ExrWriter *w)
     const exr_pixel_type_t type = w->spec.bits == 16 ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT;
     exr_result_t code = EXR_ERR_SUCCESS;
     for (const char *name = names[w->spec.lanes]; *name && code == EXR_ERR_SUCCESS; name++)
-        code = exr_add_channel(w->exr, 0, (char[]){*name, 0}, type,
-                               w->spec.color ? EXR_PERCEPTUALLY_LOGARITHMIC : EXR_PERCEPTUALLY_LINEAR, 1, 1);
+        code = exr_add_channel(
+            w->exr, 0, (char[]){*name, 0}, type,
+            w->spec.color ? EXR_PERCEPTUALLY_LOGARITHMIC : EXR_PERCEPTUALLY_LINEAR, 1, 1);
     return code;
 }
 
@@ -62,7 +64,8 @@ static exr_result_t write_head(ExrWriter *w)
     if (code == EXR_ERR_SUCCESS)
         code = exr_add_part(w->exr, "picture", EXR_STORAGE_SCANLINE, &part);
     if (code == EXR_ERR_SUCCESS)
-        code = exr_initialize_required_attr_simple(w->exr, part, w->spec.width, w->spec.height, EXR_COMPRESSION_ZIP);
+        code = exr_initialize_required_attr_simple(w->exr, part, w->spec.width, w->spec.height,
+                                                   EXR_COMPRESSION_ZIP);
     if (code == EXR_ERR_SUCCESS)
         code = add_channels(w);
     if (code == EXR_ERR_SUCCESS)

@@ -19,7 +19,8 @@ struct PictureFile {
 
 bool picture_file_ending(const char *path, PictureFormat *format)
 {
-    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path, *dot = strrchr(name, '.');
+    const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path,
+               *dot = strrchr(name, '.');
     if (!dot || dot == name)
         return true;
     const bool png = text_same(dot, ".png"), exr = text_same(dot, ".exr");
@@ -63,7 +64,8 @@ PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
     return NULL;
 }
 
-/* Why the format's library failed: of a file that cannot be written it says no more than that. errno was 0 before. */
+/* Why the format's library failed: of a file that cannot be written it says no more than that.
+ * errno was 0 before. */
 static const char *cause(const PictureFile *file, const char *why)
 {
     return why && errno && ferror(file->out) ? text_error(errno) : why;
@@ -93,7 +95,8 @@ static const char *put(FILE *out, const char *path)
 const char *picture_file_finish(PictureFile *file, const char *path)
 {
     errno = 0;
-    const char *why = file->missing ? "rows are missing" : cause(file, file->writer->finish(file->state));
+    const char *why =
+        file->missing ? "rows are missing" : cause(file, file->writer->finish(file->state));
     if (!why && fflush(file->out))
         why = text_error(errno);
     return why ? why : put(file->out, path);

@@ -1,5 +1,6 @@
-/* A picture as a PNG or OpenEXR file, row by row: no more of it is in memory than some rows. It is made in a temporary file without a name
- * (in TMPDIR, else where tmpfile() puts it); its bytes come to their place at the end, whole or not at all (output.h). */
+/* A picture as a PNG or OpenEXR file, row by row: no more of it is in memory than some rows. It is
+ * made in a temporary file without a name (in TMPDIR, else where tmpfile() puts it); its bytes come
+ * to their place at the end, whole or not at all (output.h). */
 #ifndef MATC_VIEW_PICTURE_FILE_H
 #define MATC_VIEW_PICTURE_FILE_H
 #include <stdbool.h>
@@ -16,7 +17,8 @@ typedef struct {
     bool color; /* the lanes are sRGB's; else numbers. A PNG says so */
 } PictureSpec;
 
-/* What a file of that name holds: *format, which stays as it is of a name without an ending. False: an ending of something else. */
+/* What a file of that name holds: *format, which stays as it is of a name without an ending. False:
+ * an ending of something else. */
 bool picture_file_ending(const char *path, PictureFormat *format);
 
 typedef struct PictureFile PictureFile;

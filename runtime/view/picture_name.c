@@ -8,9 +8,11 @@ void picture_name_of(const char *input, const char *material, char name[PICTURE_
 {
     if (!strcmp(input, "-"))
         input = "stdin";
-    const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input, *dot = strrchr(stem, '.');
+    const char *slash = strrchr(input, '/'), *stem = slash ? slash + 1 : input,
+               *dot = strrchr(stem, '.');
     int size = dot && dot != stem ? (int)(dot - stem) : (int)strlen(stem);
-    snprintf(name, PICTURE_NAME_ROOM, "%.*s%s%s", size, stem, material ? "." : "", material ? material : "");
+    snprintf(name, PICTURE_NAME_ROOM, "%.*s%s%s", size, stem, material ? "." : "",
+             material ? material : "");
 }
 
 const char *picture_name_claim(PictureOwners *owners, const char *path, const char *input)
@@ -22,7 +24,8 @@ const char *picture_name_claim(PictureOwners *owners, const char *path, const ch
         return NULL;
     if (found >= 0) {
         Text why = text_new(&owners->arena);
-        text_format(&why, "this picture was drawn from %s; -d with another folder keeps both", owners->inputs[found]);
+        text_format(&why, "this picture was drawn from %s; -d with another folder keeps both",
+                    owners->inputs[found]);
         return why.at;
     }
     names_add(&owners->arena, &owners->paths, arena_string(&owners->arena, path, strlen(path)));
@@ -36,14 +39,17 @@ void picture_name_path(const Command *command, const char *name, char path[PICTU
         snprintf(path, PICTURE_NAME_PATH, "%s", command->output);
     else
         snprintf(path, PICTURE_NAME_PATH, "%s%s%s.%s", command->folder ? command->folder : "",
-                 command->folder ? "/" : "", name, command->format == PICTURE_FORMAT_exr ? "exr" : "png");
+                 command->folder ? "/" : "", name,
+                 command->format == PICTURE_FORMAT_exr ? "exr" : "png");
 }
 
-const char *picture_name_frame(const Command *command, const char *input, int frame, char path[PICTURE_NAME_PATH])
+const char *picture_name_frame(const Command *command, const char *input, int frame,
+                               char path[PICTURE_NAME_PATH])
 {
     char name[PICTURE_NAME_ROOM], pattern[PICTURE_NAME_PATH];
-    const bool numbered = command->frames.given && (command->frames.first < command->frames.last || !command->output ||
-                                                    strchr(command->output, '%'));
+    const bool numbered =
+        command->frames.given && (command->frames.first < command->frames.last ||
+                                  !command->output || strchr(command->output, '%'));
     picture_name_of(input, NULL, name);
     if (!numbered)
         return picture_name_path(command, name, path), NULL;

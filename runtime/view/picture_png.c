@@ -33,13 +33,15 @@ static void close_png(void *state)
 
 static bool write_head(PngWriter *w, FILE *out)
 {
-    static const int types[] = {[1] = PNG_COLOR_TYPE_GRAY, [3] = PNG_COLOR_TYPE_RGB, [4] = PNG_COLOR_TYPE_RGB_ALPHA};
+    static const int types[] = {
+        [1] = PNG_COLOR_TYPE_GRAY, [3] = PNG_COLOR_TYPE_RGB, [4] = PNG_COLOR_TYPE_RGB_ALPHA};
     const PictureSpec *spec = &w->spec;
     if (setjmp(png_jmpbuf(w->png)))
         return false;
     png_init_io(w->png, out);
-    png_set_IHDR(w->png, w->info, (png_uint_32)spec->width, (png_uint_32)spec->height, spec->bits, types[spec->lanes],
-                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_IHDR(w->png, w->info, (png_uint_32)spec->width, (png_uint_32)spec->height, spec->bits,
+                 types[spec->lanes], PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
     if (spec->color)
         png_set_sRGB_gAMA_and_cHRM(w->png, w->info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(w->png, w->info);

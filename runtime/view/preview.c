@@ -1,13 +1,15 @@
-/* Builds the scene by hand: lamps stand in the eye's space, so that every shape is lit alike; a sky is looked at where it is brightest. Phong's highlights are
- * what it sees of a lamp, so that lamps are directions; facets are mirrors, which show what a lamp looks like: for them each is a square that lights the
- * middle of the object as much. */
+/* Builds the scene by hand: lamps stand in the eye's space, so that every shape is lit alike; a sky
+ * is looked at where it is brightest. Phong's highlights are what it sees of a lamp, so that lamps
+ * are directions; facets are mirrors, which show what a lamp looks like: for them each is a square
+ * that lights the middle of the object as much. */
 #include "runtime/view/preview.h"
 #include "compiler/evaluate.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* Towards the lamps, to the right, up and back: a warm key light, a cool fill, a rim from behind. */
+/* Towards the lamps, to the right, up and back: a warm key light, a cool fill, a rim from
+ * behind. */
 static const struct {
     double way[3], light[3], half; /* half an edge of the square */
 } lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {.88, .84, .77}, 3.2},
@@ -17,8 +19,8 @@ static const struct {
 static const double away = 4; /* of the squares' middles; the object is as large as 1 */
 static const double above[3] = {.42, .44, .48}, below[3] = {.11, .104, .098};
 
-/* The azimuth at which the material is brightest a little above the horizon, by the C reference. A direction that takes too long is no number, and
- * never the brightest. */
+/* The azimuth at which the material is brightest a little above the horizon, by the C reference. A
+ * direction that takes too long is no number, and never the brightest. */
 static double find_azimuth(const SceneMaterial *material, const MatcOptions *options)
 {
     enum { STEPS = 72 };
@@ -33,7 +35,8 @@ static double find_azimuth(const SceneMaterial *material, const MatcOptions *opt
         position[1] = sin(i * step);
         position[2] = height;
     }
-    evaluate_material(material->document, material->index, options, (SurfacePoints){surfaces, STEPS}, values);
+    evaluate_material(material->document, material->index, options,
+                      (SurfacePoints){surfaces, STEPS}, values);
     for (int i = 0; i < STEPS; i++) {
         const double *rgb = values[i].lane[SLOT_emissive], bright = rgb[0] + rgb[1] + rgb[2];
         azimuth = bright > best ? i * step : azimuth;
@@ -51,7 +54,8 @@ static void add_lamp(int lamp, const double way[3], SceneLight *light)
     }
 }
 
-/* Across the way, with edges along the horizon. Of what shines from all sides, a square of half an edge a from d away is 4 / pi s atan(s), s = a / sqrt(a^2 + d^2). */
+/* Across the way, with edges along the horizon. Of what shines from all sides, a square of half an
+ * edge a from d away is 4 / pi s atan(s), s = a / sqrt(a^2 + d^2). */
 static void add_square(int lamp, const double way[3], const double up[3], SceneLight *light)
 {
     const double half = lamps[lamp].half, sine = half / hypot(half, away),
@@ -86,7 +90,8 @@ static void add_lights(Preview *p)
         else
             add_lamp(i, way, &p->lights[i]);
     }
-    *around = (SceneLight){.kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
+    *around = (SceneLight){
+        .kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
     memcpy(around->light, above, sizeof above);
     memcpy(around->ground, below, sizeof below);
     p->scene.lights = p->lights;
@@ -134,17 +139,19 @@ static bool be_object(const PreviewOptions *o, Preview *p)
     return true;
 }
 
-bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile, Preview *made)
+bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile,
+                  Preview *made)
 {
     *made = (Preview){.material = material};
-    made->scene = (Scene){.time = compile->time,
-                          .width = options->width,
-                          .height = options->height,
-                          .materials = &made->material,
-                          .material_count = 1,
-                          .shadow_size = 16,
-                          .shadow_cascades = 1,
-                          .tools = {.grid_cells = 10, .grid_step = 1, .axes_length = 1.5, .light_size = .5}};
+    made->scene =
+        (Scene){.time = compile->time,
+                .width = options->width,
+                .height = options->height,
+                .materials = &made->material,
+                .material_count = 1,
+                .shadow_size = 16,
+                .shadow_cascades = 1,
+                .tools = {.grid_cells = 10, .grid_step = 1, .axes_length = 1.5, .light_size = .5}};
     if (!options->sky)
         return be_object(options, made);
     be_sky(compile, made);

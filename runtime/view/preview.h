@@ -1,4 +1,5 @@
-/* A material as a small scene: on a shape in three lamps and light from all around, before a glow, or as the sky that it is. */
+/* A material as a small scene: on a shape in three lamps and light from all around, before a glow,
+ * or as the sky that it is. */
 #ifndef MATC_VIEW_PREVIEW_H
 #define MATC_VIEW_PREVIEW_H
 #include "runtime/scene/scene.h"
@@ -24,8 +25,10 @@ typedef struct {
     bool owns_mesh; /* else it is the caller's */
 } Preview;
 
-/* The scene is there until preview_free, as are the material's document and the caller's mesh. False: memory ran out. */
-bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile, Preview *made);
+/* The scene is there until preview_free, as are the material's document and the caller's mesh.
+ * False: memory ran out. */
+bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile,
+                  Preview *made);
 /* Safe on an empty one, which it leaves behind. */
 void preview_free(Preview *preview);
 #endif

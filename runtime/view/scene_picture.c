@@ -1,4 +1,5 @@
-/* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files begin there. */
+/* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files
+ * begin there. */
 #include "runtime/view/scene_picture.h"
 #include "runtime/scene/scene_origin.h"
 #include "runtime/view/view_look.h"
@@ -20,7 +21,8 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static bool is_picture(const char *view) { return !view || render_view_is_picture(view); }
 
-/* Where a picture goes: a file, from the top row on, or bytes of RGB, whose row 0 is the bottom row. */
+/* Where a picture goes: a file, from the top row on, or bytes of RGB, whose row 0 is the bottom
+ * row. */
 typedef struct {
     PictureFile *file;
     unsigned char *rgb;
@@ -42,19 +44,22 @@ static PictureSpec spec_of(const ScenePictures *p)
                                  : !exr  ? 8
                                  : color ? 16
                                          : 32,
-                         .color = is_picture(view) || o->look || (p->look && view_look_is_color(p->look))};
+                         .color = is_picture(view) || o->look ||
+                                  (p->look && view_look_is_color(p->look))};
 }
 
 /* One tile into its place in the band, whose lowest row is the picture's row y. */
 static bool draw_tile(ScenePictures *p, int x, int y, int rows)
 {
-    const size_t tile = (size_t)render_tile_width(p->render), width = (size_t)render_width(p->render);
+    const size_t tile = (size_t)render_tile_width(p->render),
+                 width = (size_t)render_width(p->render);
     const size_t seen = (size_t)least((int)tile, (int)width - x);
     render_move(p->render, x, y);
     if (!render_frame(p->render) || !render_read(p->render, p->tile ? p->tile : p->band))
         return false;
     for (size_t row = 0; p->tile && row < (size_t)rows; row++)
-        memcpy(p->band + 4 * (row * width + (size_t)x), p->tile + 4 * row * tile, 4 * seen * sizeof *p->band);
+        memcpy(p->band + 4 * (row * width + (size_t)x), p->tile + 4 * row * tile,
+               4 * seen * sizeof *p->band);
     return true;
 }
 
@@ -106,7 +111,8 @@ static bool draw_bands(ScenePictures *p, const Sink *sink)
 static bool make_band(ScenePictures *p)
 {
     const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
-    const size_t tile = (size_t)render_tile_width(p->render), width = (size_t)render_width(p->render);
+    const size_t tile = (size_t)render_tile_width(p->render),
+                 width = (size_t)render_width(p->render);
     if (p->band)
         return true;
     p->tile = tile < width ? malloc(rows * tile) : NULL;
@@ -124,7 +130,8 @@ static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, f
             return false;
     for (int row = size - 1; row >= 0 && !why; row--) {
         for (int i = 0; i < count * size; i++)
-            rgba[4 * i] = depths[((size_t)(i / size) * (size_t)size + (size_t)row) * (size_t)size + (size_t)(i % size)];
+            rgba[4 * i] = depths[((size_t)(i / size) * (size_t)size + (size_t)row) * (size_t)size +
+                                 (size_t)(i % size)];
         why = picture_file_row(file, rgba);
     }
     return !why || gl_fail(p->gl, "%s", why);
@@ -134,15 +141,20 @@ static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture
 {
     const int count = render_map_count(p->render), size = count ? render_map_size(p->render) : 0;
     const bool exr = p->options.format == PICTURE_FORMAT_exr;
-    const PictureSpec spec = {
-        p->options.format, count * size, size, 1, p->options.bits ? p->options.bits : exr ? 32 : 8, false};
+    const PictureSpec spec = {p->options.format,
+                              count * size,
+                              size,
+                              1,
+                              p->options.bits ? p->options.bits : exr ? 32 : 8,
+                              false};
     const char *why = "no light of the scene casts shadows by a map";
     PictureFile *file = count ? picture_file_open(&spec, &why) : NULL;
     if (!file)
         return gl_fail(p->gl, "%s", why);
     float *depths = malloc((size_t)count * (size_t)size * ((size_t)size + 4) * sizeof *depths);
     bool done = depths ? render_frame(p->render) : gl_fail(p->gl, "out of memory");
-    done = done && write_map_rows(p, file, depths, depths + (size_t)count * (size_t)size * (size_t)size);
+    done = done &&
+           write_map_rows(p, file, depths, depths + (size_t)count * (size_t)size * (size_t)size);
     why = done ? picture_file_finish(file, path) : NULL;
     picture->faulty = why ? path : NULL;
     picture_file_close(file);
@@ -219,7 +231,8 @@ bool scene_pictures_show(ScenePictures *p, const Scene *scene)
     if (!render_scene(p->render, scene))
         return false;
     return !render_lacks_view(p->render) || !p->options.look ||
-           gl_fail(p->gl, "the layout does not store that slot; --layout=integer stores all of them");
+           gl_fail(p->gl,
+                   "the layout does not store that slot; --layout=integer stores all of them");
 }
 
 ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options)

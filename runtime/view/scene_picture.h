@@ -1,5 +1,5 @@
-/* From scenes to pictures: drawn by the renderer, tile by tile, and written row by row. Frames of a motion are one scene whose camera
- * moves: what does not depend on it is made once. */
+/* From scenes to pictures: drawn by the renderer, tile by tile, and written row by row. Frames of a
+ * motion are one scene whose camera moves: what does not depend on it is made once. */
 #ifndef MATC_VIEW_SCENE_PICTURE_H
 #define MATC_VIEW_SCENE_PICTURE_H
 #include "runtime/render/render.h"
@@ -11,8 +11,10 @@ typedef struct {
     const SlotLook *look; /* the view is a slot, which is shown so; NULL: as the view says */
     bool stats, graph;    /* what ran, in words; of the graph alone: instead of a picture */
     PictureFormat
-        format; /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone mapping */
-    int bits;   /* of a lane; 0: 8, of OpenEXR 16, and 32 for what is no picture */
+        /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone
+         * mapping */
+        format;
+    int bits; /* of a lane; 0: 8, of OpenEXR 16, and 32 for what is no picture */
     void (*progress)(void *user, int done, int rows); /* or NULL */
     void *user;
 } ScenePictureOptions;
@@ -26,14 +28,17 @@ typedef struct ScenePictures ScenePictures;
 
 /* What the options point to is there until the end. NULL: gl->error says why. */
 ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options);
-/* The scene that is drawn from now on, and is there until the next one, or the end. False: gl->error says why. */
+/* The scene that is drawn from now on, and is there until the next one, or the end. False:
+ * gl->error says why. */
 bool scene_pictures_show(ScenePictures *pictures, const Scene *scene);
 /* Warnings of its programs, from malloc. */
 char *scene_pictures_diagnostics(const ScenePictures *pictures);
 /* A uniform of the scene's first material. False: gl->error says why. */
-bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes, int count);
-/* The camera of the scene that is drawn, `seen`, is another than before. `scene` is the scene that `seen` was copied from, whose
- * objects and lights it shares: where the camera has gone far, both get another origin. False: gl->error says why. */
+bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes,
+                          int count);
+/* The camera of the scene that is drawn, `seen`, is another than before. `scene` is the scene that
+ * `seen` was copied from, whose objects and lights it shares: where the camera has gone far, both
+ * get another origin. False: gl->error says why. */
 bool scene_pictures_turn(ScenePictures *pictures, Scene *scene, Scene *seen);
 /* False: gl->error says why, and there is no file. */
 bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);

@@ -12,9 +12,15 @@ typedef struct SheetCell {
     unsigned char *rgb;
 } SheetCell;
 
-enum { PAPER = 24, INK = 214, GAP = 6, LARGE = 160 /* a width from which letters are twice as large */ };
+enum {
+    PAPER = 24,
+    INK = 214,
+    GAP = 6,
+    LARGE = 160 /* a width from which letters are twice as large */
+};
 
-const char sheet_too_large[] = "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
+const char sheet_too_large[] =
+    "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
 
 /* As sheet_columns() has at least the root of the number side by side. */
 bool sheet_has_room(const Sheet *sheet)
@@ -39,7 +45,8 @@ void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
     strncpy(cell->name, name, SHEET_NAME - 1);
 }
 
-/* At most three times as many as there are rows. For 10 pictures, rows of 4 leave 2 cells empty, rows of 5 none: 5. */
+/* At most three times as many as there are rows. For 10 pictures, rows of 4 leave 2 cells empty,
+ * rows of 5 none: 5. */
 int sheet_columns(int count)
 {
     int least = (int)ceil(sqrt(count)), most = (int)sqrt(3.0 * count), best = least;
@@ -52,7 +59,9 @@ int sheet_columns(int count)
 static void put(const PngPicture *picture, int x, int y, int grey)
 {
     if (x < picture->width && y < picture->height)
-        memset(picture->bytes + ((size_t)(picture->height - 1 - y) * (size_t)picture->width + (size_t)x) * 3, grey, 3);
+        memset(picture->bytes +
+                   ((size_t)(picture->height - 1 - y) * (size_t)picture->width + (size_t)x) * 3,
+               grey, 3);
 }
 
 /* A letter whose pixels are squares. x and y from the upper left. */
@@ -79,11 +88,13 @@ static void draw_name(const PngPicture *picture, const char *name, int width, in
         draw_letter(picture, name[i], scale, x + i * FONT_ADVANCE * scale, y);
 }
 
-static void draw_cell(const PngPicture *picture, const Sheet *sheet, const SheetCell *cell, int x, int y)
+static void draw_cell(const PngPicture *picture, const Sheet *sheet, const SheetCell *cell, int x,
+                      int y)
 {
     const size_t row = (size_t)sheet->width * 3;
     for (int i = 0; i < sheet->height; i++)
-        memcpy(picture->bytes + ((size_t)(picture->height - 1 - y - i) * (size_t)picture->width + (size_t)x) * 3,
+        memcpy(picture->bytes +
+                   ((size_t)(picture->height - 1 - y - i) * (size_t)picture->width + (size_t)x) * 3,
                cell->rgb + (size_t)(sheet->height - 1 - i) * row, row);
     draw_name(picture, cell->name, sheet->width, x, y + sheet->height + GAP / 2);
 }
@@ -104,7 +115,8 @@ const char *sheet_draw(const Sheet *sheet, PngPicture *picture)
         memory_exhausted();
     memset(picture->bytes, PAPER, size);
     for (int i = 0; i < sheet->count; i++)
-        draw_cell(picture, sheet, &sheet->cells[i], GAP + i % columns * (int)across, GAP + i / columns * (int)down);
+        draw_cell(picture, sheet, &sheet->cells[i], GAP + i % columns * (int)across,
+                  GAP + i / columns * (int)down);
     return NULL;
 }
 

@@ -13,14 +13,18 @@ typedef struct {
     struct SheetCell *cells;
 } Sheet;
 
-/* False: with one more it is too large, and stays so whatever comes behind. It may be too large all the same. */
+/* False: with one more it is too large, and stays so whatever comes behind. It may be too large all
+ * the same. */
 bool sheet_has_room(const Sheet *sheet);
 extern const char sheet_too_large[];
-/* Adds a picture: its pixels of RGB, row 0 is the bottom row. Both are copied; a long name is cut. */
+/* Adds a picture: its pixels of RGB, row 0 is the bottom row. Both are copied; a long name is
+ * cut. */
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb);
-/* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty cells as can be. */
+/* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty
+ * cells as can be. */
 int sheet_columns(int count);
-/* Draws it; picture->bytes is from malloc. NULL, or why not: there is no picture, or the sheet would be too large for a file. */
+/* Draws it; picture->bytes is from malloc. NULL, or why not: there is no picture, or the sheet
+ * would be too large for a file. */
 const char *sheet_draw(const Sheet *sheet, PngPicture *picture);
 /* Writes it as a PNG. NULL, or why not. */
 const char *sheet_write(const Sheet *sheet, const char *path);

@@ -83,12 +83,16 @@ static double shown(Look look, double value)
 void slot_look_show(const SlotLook *look, float *rgba, size_t pixels)
 {
     const double nothing = .02;
-    const bool grey = look->look == NUMBER || look->look == EXPONENT || look->look == RATIO || look->look == PATH;
+    const bool grey =
+        look->look == NUMBER || look->look == EXPONENT || look->look == RATIO || look->look == PATH;
     for (float *end = rgba + 4 * pixels; rgba < end; rgba += 4) {
         const double share = rgba[3];
-        for (int lane = 2; lane >= 0; lane--) { /* the first one last, as all grey ones are made of it */
-            const double value = share * shown(look->look, rgba[grey ? 0 : lane]) + (1 - share) * nothing;
-            rgba[lane] = (float)(look->look == COLOR ? slot_encoded(value) : fmin(fmax(value, 0), 1));
+        /* the first one last, as all grey ones are made of it */
+        for (int lane = 2; lane >= 0; lane--) {
+            const double value =
+                share * shown(look->look, rgba[grey ? 0 : lane]) + (1 - share) * nothing;
+            rgba[lane] =
+                (float)(look->look == COLOR ? slot_encoded(value) : fmin(fmax(value, 0), 1));
         }
         rgba[3] = 1;
     }

@@ -18,7 +18,8 @@ static double distance_of(const SceneCamera *camera, double stored)
 {
     if (!(stored > 0))
         return INFINITY;
-    return camera->kind == SCENE_Orthographic ? camera->depth * (1 - stored) : camera->near / stored;
+    return camera->kind == SCENE_Orthographic ? camera->depth * (1 - stored)
+                                              : camera->near / stored;
 }
 
 /* T^2 / (T^2 + d^2) with T the distance from the camera to its target: white at the camera, 0.5 at

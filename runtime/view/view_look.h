@@ -1,5 +1,5 @@
-/* Maps the numbers of a view into the range from 0 to 1 that a PNG can show. OpenEXR files keep them
- * as they are.
+/* Maps the numbers of a view into the range from 0 to 1 that a PNG can show. OpenEXR files keep
+ * them as they are.
  *
  *     view of a scene whose camera is 6 from its target:  a point 6 away has depth 36 / (36 + 36),
  *     one 12 away 36 / (36 + 144), the background 0; radiance 0.5 is 0.735 in sRGB */
@@ -9,8 +9,8 @@
 
 typedef struct ViewLook ViewLook;
 
-/* The mapping of a view. NULL: its numbers lie between 0 and 1 already, as those of `shown`, `open`,
- * `positions` and `voxels` do, or it is a slot, which slot.h maps. */
+/* The mapping of a view. NULL: its numbers lie between 0 and 1 already, as those of `shown`,
+ * `open`, `positions` and `voxels` do, or it is a slot, which slot.h maps. */
 const ViewLook *view_look_find(const char *view);
 /* The result is a color in sRGB, and no plain number. */
 bool view_look_is_color(const ViewLook *look);

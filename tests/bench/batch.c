@@ -1,5 +1,6 @@
-/* matbench batch: how fast many materials are compiled by one process, beside glslang's own time for their programs, with and
- * without validation and from a cache; how its memory grows with their number; and what a scene saves (batch_scene.c). */
+/* matbench batch: how fast many materials are compiled by one process, beside glslang's own time
+ * for their programs, with and without validation and from a cache; how its memory grows with their
+ * number; and what a scene saves (batch_scene.c). */
 #include "batch.h"
 #include "batch_documents.h"
 #include "matbench.h"
@@ -49,7 +50,8 @@ static bool read_pairs(const BatchFolder *folder, Pairs *pairs)
     cJSON_ArrayForEach(program, programs)
     {
         Pair *pair = &pairs->at[pairs->count++];
-        *pair = (Pair){program_text(folder, program, "vertex"), program_text(folder, program, "fragment")};
+        *pair = (Pair){program_text(folder, program, "vertex"),
+                       program_text(folder, program, "fragment")};
         pairs->bytes += pair->fragment ? (double)strlen(pair->fragment) : 0;
         fine = fine && pair->vertex && pair->fragment;
     }
@@ -74,7 +76,8 @@ static bool link_pair(const Pair *pair)
     const char *log = "";
     matc_options_init(&options);
     Session session = {.options = &options, .arena = &arena};
-    bool fine = validate(&session, TARGET_glsl330, &(ProgramTexts){pair->vertex, pair->fragment, 0}, &log);
+    bool fine =
+        validate(&session, TARGET_glsl330, &(ProgramTexts){pair->vertex, pair->fragment, 0}, &log);
     if (!fine)
         fprintf(stderr, "matbench: %s\n", log);
     arena_free(&arena);
@@ -142,7 +145,8 @@ static const Run runs[] = {
     {"  the same again: nothing to write", {NULL}, {"-j", "2", "--no-validate", "--cache"}},
 };
 
-static const Run scene_run = {"not validated", {"out"}, {"-j", "2", "--no-validate", "--constants=baked"}};
+static const Run scene_run = {
+    "not validated", {"out"}, {"-j", "2", "--no-validate", "--constants=baked"}};
 
 static void write_scene(int index, Text *out)
 {
@@ -164,8 +168,8 @@ static bool run_list(const BatchFolder *folder, const char *list, const Run *row
 
 static const BatchTimes untimed = {NAN, NAN, 1}, untimed_alone = {NAN, NAN, 0};
 
-/* The least of some runs: other processes only ever make it longer. Each begins as the first did. Untimed: the first row alone is
- * run, and not validated. */
+/* The least of some runs: other processes only ever make it longer. Each begins as the first did.
+ * Untimed: the first row alone is run, and not validated. */
 static bool run(const BatchFolder *folder, const Run *row, bool timed, BatchTimes *times)
 {
     static const Run programs = {"", {"out"}, {"-j", "2", "--emit=glsl,vertex", "--no-validate"}};
@@ -201,46 +205,54 @@ static bool measure_validated(const BatchFolder *folder, int count, bool timed)
     }
     fine = fine && !pairs.failed;
     if (fine) {
-        printf("%d different materials of %.0f bytes, %d programs of %.0f bytes, %d threads\n\n", count,
-               (double)folder->bytes / count, pairs.count, pairs.bytes / pairs.count, THREADS);
+        printf("%d different materials of %.0f bytes, %d programs of %.0f bytes, %d threads\n\n",
+               count, (double)folder->bytes / count, pairs.count, pairs.bytes / pairs.count,
+               THREADS);
         printf("%-38s %8s %10s %10s %9s\n", "", "seconds", "materials", "CPU us", "peak MiB");
         printf("%-38s %8s %10s %10s\n", "", "", "a second", "each");
         put_times(runs[0].what, count, &times);
         put_times("glslang alone, one thread", count, &one);
         put_times("glslang alone, two threads", count, &several);
-        printf("  validated / (glslang by one thread / %d) %s; CPU time / glslang's by one thread %s, by %d %s\n",
-               THREADS, NUMBER(3, times.seconds / (one.seconds / THREADS)), NUMBER(3, times.cpu / one.cpu), THREADS,
-               NUMBER(3, times.cpu / several.cpu));
+        printf("  validated / (glslang by one thread / %d) %s; CPU time / glslang's by one thread "
+               "%s, by %d %s\n",
+               THREADS, NUMBER(3, times.seconds / (one.seconds / THREADS)),
+               NUMBER(3, times.cpu / one.cpu), THREADS, NUMBER(3, times.cpu / several.cpu));
     }
     free_pairs(&pairs);
     return fine;
 }
 
-/* Parts of a set, each a batch of its own, then all of it in both orders, share a cache: what it holds then, and how fast it is. */
+/* Parts of a set, each a batch of its own, then all of it in both orders, share a cache: what it
+ * holds then, and how fast it is. */
 static bool measure_cache(BatchFolder *folder, int count)
 {
-    static const Run shared = {
-        "from the cache of all these", {"out"}, {"-j", "2", "--no-validate", "--constants=uniform", "--cache"}};
+    static const Run shared = {"from the cache of all these",
+                               {"out"},
+                               {"-j", "2", "--no-validate", "--constants=uniform", "--cache"}};
     BatchTimes times;
     char name[32];
     batch_clear(folder, "cache");
     for (int part = 0; part < PARTS; part++) {
         snprintf(name, sizeof name, "part%d", part);
-        if (!batch_folder_list(folder, name, part * count / PARTS, (part + 1) * count / PARTS, false) ||
+        if (!batch_folder_list(folder, name, part * count / PARTS, (part + 1) * count / PARTS,
+                               false) ||
             !run_list(folder, name, &shared, &times))
             return false;
     }
-    if (!batch_folder_list(folder, "back", 0, count, true) || !run_list(folder, "m", &shared, &times) ||
-        !run_list(folder, "back", &shared, &times) || !run(folder, &shared, true, &times))
+    if (!batch_folder_list(folder, "back", 0, count, true) ||
+        !run_list(folder, "m", &shared, &times) || !run_list(folder, "back", &shared, &times) ||
+        !run(folder, &shared, true, &times))
         return false;
     char *manifest = batch_read(folder, "out", "manifest.json");
     cJSON *json = manifest ? cJSON_Parse(manifest) : NULL;
     BatchCache cache = batch_cache(folder);
-    printf("\nmaterials of a scene, their numbers in buffers: a cache that %d parts of the set, the set and the set in "
+    printf("\nmaterials of a scene, their numbers in buffers: a cache that %d parts of the set, "
+           "the set and the set in "
            "the other order share\n",
            PARTS);
     printf("%d documents, %d programs: %ld entries of %.1f MiB\n", count,
-           cJSON_GetArraySize(cJSON_GetObjectItem(json, "programs")), cache.entries, (double)cache.bytes / (1 << 20));
+           cJSON_GetArraySize(cJSON_GetObjectItem(json, "programs")), cache.entries,
+           (double)cache.bytes / (1 << 20));
     put_times(shared.what, count, &times);
     cJSON_Delete(json);
     free(manifest);
@@ -250,16 +262,19 @@ static bool measure_cache(BatchFolder *folder, int count)
 static bool measure_speed(BatchFolder *folder, int count, bool timed)
 {
     BatchTimes times;
-    if (!batch_folder_fill(folder, "m", count, batch_different) || !measure_validated(folder, count, timed))
+    if (!batch_folder_fill(folder, "m", count, batch_different) ||
+        !measure_validated(folder, count, timed))
         return false;
     for (size_t i = 1; i < sizeof runs / sizeof *runs; i++) {
         if (!run(folder, &runs[i], timed, &times))
             return false;
         put_times(runs[i].what, count, &times);
     }
-    if (!batch_folder_fill(folder, "m", count, write_scene) || !run(folder, &scene_run, timed, &times))
+    if (!batch_folder_fill(folder, "m", count, write_scene) ||
+        !run(folder, &scene_run, timed, &times))
         return false;
-    printf("\nmaterials of a scene, of %.0f bytes, every number in its program\n", (double)folder->bytes / count);
+    printf("\nmaterials of a scene, of %.0f bytes, every number in its program\n",
+           (double)folder->bytes / count);
     put_times(scene_run.what, count, &times);
     return !timed || measure_cache(folder, count);
 }
@@ -303,8 +318,10 @@ int bench_batch(const BenchOptions *options)
         perror(folder.path);
         return 1;
     }
-    bool fine = (!speed || (measure_speed(&folder, count, timed) && measure_memory(&folder, count, timed))) &&
-                (!cache || (batch_folder_fill(&folder, "m", count, write_scene) && measure_cache(&folder, count))) &&
+    bool fine = (!speed ||
+                 (measure_speed(&folder, count, timed) && measure_memory(&folder, count, timed))) &&
+                (!cache || (batch_folder_fill(&folder, "m", count, write_scene) &&
+                            measure_cache(&folder, count))) &&
                 (!scene || batch_measure_scene(&folder, options->gl, timed));
     batch_folder_remove(&folder);
     return !fine;

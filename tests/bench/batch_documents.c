@@ -1,7 +1,7 @@
-/* Materials in large numbers. The different ones are numbers in a mixed radix, a digit for each choice of structure. Those of a
- * scene are filled in from texts, a text for each family:
- *     $c  a colour            $d  a dark colour       $n  a number in [0, 1]     $s  a scale in [1, 16]
- *     $p  a picture's name    <? ... ?>  a part that a third of the family has */
+/* Materials in large numbers. The different ones are numbers in a mixed radix, a digit for each
+ * choice of structure. Those of a scene are filled in from texts, a text for each family:
+ *     $c  a colour            $d  a dark colour       $n  a number in [0, 1]     $s  a scale in [1,
+ * 16] $p  a picture's name    <? ... ?>  a part that a third of the family has */
 #include "batch_documents.h"
 #include <stdio.h>
 #include <string.h>
@@ -17,7 +17,10 @@ static unsigned draw(Writer *w, unsigned below)
     return (unsigned)((unsigned long long)w->seed * below >> 32);
 }
 
-void batch_picture(int index, char name[32]) { snprintf(name, 32, "picture%d.png", index % SCENE_PICTURES); }
+void batch_picture(int index, char name[32])
+{
+    snprintf(name, 32, "picture%d.png", index % SCENE_PICTURES);
+}
 
 static void put_value(Writer *w, char what)
 {
@@ -63,10 +66,12 @@ static void fill(Writer *w, const char *text)
 static const char *const layers[8] = {
     "$c",
     "{ map: Checker, color1: $c, color2: $c, input: { map: UVTransform, scaleU: $s, scaleV: $s } }",
-    "{ map: VolumeChecker, color1: $c, color2: $d, input: { map: XYZTransform, transform: { scale: $s } } }",
+    "{ map: VolumeChecker, color1: $c, color2: $d, input: { map: XYZTransform, transform: { scale: "
+    "$s } } }",
     "{ map: Wood, frequency: $s, waveForm: Sin01 }",
     "{ map: Granite, input: { map: XYZTransform, transform: { scale: $s } } }",
-    "{ map: Leopard, input: { map: XYZTransform, transform: { scale: $s, rotation: [0, $n, 0] } } }",
+    "{ map: Leopard, input: { map: XYZTransform, transform: { scale: $s, rotation: [0, $n, 0] } } "
+    "}",
     "{ map: ImageMap, image: $p, input: { map: UVTransform, scaleU: $s, scaleV: $s } }",
     "{ map: Blend, blend: [{ value: -$n, input: $d }, { value: $n, input: $c }], "
     "input: { map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6, size: $s } }"};
@@ -74,7 +79,8 @@ static const char *const layers[8] = {
 /* What a Blend lays its items along; a wave's name is put behind. */
 static const char *const masks[6] = {
     "{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.5, size: $s, waveForm: ",
-    "{ map: VolumeTurbulence, octaves: 2, size: $s, input: { map: XYZTransform, transform: { scale: $s } }, waveForm: ",
+    "{ map: VolumeTurbulence, octaves: 2, size: $s, input: { map: XYZTransform, transform: { "
+    "scale: $s } }, waveForm: ",
     "{ map: Wood, frequency: $s, input: { map: Turbulence, octaves: 3, amount: $n }, waveForm: ",
     "{ map: Gradient, direction: [$n, $n, 0], frequency: $s, waveForm: ",
     "{ map: Granite, frequency: $s, waveForm: ",
@@ -82,17 +88,21 @@ static const char *const masks[6] = {
 static const char *const mask_waves[12] = {"Id",      "Abs", "Sin01", "Ramp", "Cubic", "Triangle",
                                            "Scallop", "Sqr", "Atan",  "Tanh", "Sin",   "Exp"};
 static const char *const bumps[4] = {
-    "", "input: { map: BumpMap, strength: $n, displacement: { map: VolumeTurbulence, octaves: 3, size: $s } }\n",
+    "",
+    "input: { map: BumpMap, strength: $n, displacement: { map: VolumeTurbulence, octaves: 3, size: "
+    "$s } }\n",
     "input: { map: BumpMap, strength: $s, displacement: { map: ImageMap, image: $p } }\n",
     "input: { map: WaveMap, uCount: $s, vCount: $s }\n"};
 static const char *const speculars[4] = {
     "", "specular: $n\n",
-    "specular: { map: Checker, color1: $n, color2: $n, input: { map: UVTransform, scaleU: $s, scaleV: $s } }\n",
+    "specular: { map: Checker, color1: $n, color2: $n, input: { map: UVTransform, scaleU: $s, "
+    "scaleV: $s } }\n",
     "specular: { map: Blend, blend: [{ value: 0, input: $n }, { value: 1, input: $n }], "
     "input: { map: Wood, frequency: $s, waveForm: Triangle } }\n"};
-static const char *const glosses[3] = {"", "shininess: $n\n",
-                                       "shininess: { map: Granite, input: { map: XYZTransform, transform: { scale: $s "
-                                       "} } }\n"};
+static const char *const glosses[3] = {
+    "", "shininess: $n\n",
+    "shininess: { map: Granite, input: { map: XYZTransform, transform: { scale: $s "
+    "} } }\n"};
 
 /* The lowest digit of *number in that radix. */
 static int digit(unsigned *number, unsigned radix)
@@ -104,9 +114,11 @@ static int digit(unsigned *number, unsigned radix)
 
 void batch_different(int index, Text *out)
 {
-    const unsigned stride = 87911; /* shares no factor with the count, so that neighbours differ in all digits */
+    /* shares no factor with the count, so that neighbours differ in all digits */
+    const unsigned stride = 87911;
     Writer w = {(unsigned)index * 2654435761u, out};
-    unsigned number = (unsigned)((unsigned long long)stride * (unsigned)index % DIFFERENT_DOCUMENTS);
+    unsigned number =
+        (unsigned)((unsigned long long)stride * (unsigned)index % DIFFERENT_DOCUMENTS);
     text_put(out, "material: Phong\n");
     fill(&w, bumps[digit(&number, 4)]);
     fill(&w, "diffuse:\n  map: Blend\n  blend:\n  - { value: 0.1, input: ");
@@ -129,53 +141,72 @@ static const struct {
     {"paint", 90, "diffuse: $c\n<?specular: $n\nshininess: $n\n?>"},
     {"plastic", 50, "diffuse: $c\nspecular: 0.3\nshininess: $n\n"},
     {"plaster", 40,
-     "diffuse: { map: Blend, blend: [{ value: -0.5, input: $c }, { value: 0.5, input: $c }], input: { map: "
-     "VolumeTurbulence, octaves: 4, size: $s } }\n<?input: { map: BumpMap, strength: $n, displacement: { map: "
+     "diffuse: { map: Blend, blend: [{ value: -0.5, input: $c }, { value: 0.5, input: $c }], "
+     "input: { map: "
+     "VolumeTurbulence, octaves: 4, size: $s } }\n<?input: { map: BumpMap, strength: $n, "
+     "displacement: { map: "
      "VolumeTurbulence, octaves: 3, size: $s } }\n?>"},
     {"picture", 60,
-     "diffuse: { map: ImageMap, image: $p, input: { map: UVTransform, scaleU: $s, scaleV: $s } }\n<?specular: $n\n"
+     "diffuse: { map: ImageMap, image: $p, input: { map: UVTransform, scaleU: $s, scaleV: $s } "
+     "}\n<?specular: $n\n"
      "shininess: $n\n?>"},
     {"bumpyPicture", 40,
-     "diffuse: { map: ImageMap, image: $p, input: &at { map: UVTransform, scaleU: $s, scaleV: $s } }\ninput: { map: "
-     "BumpMap, strength: $s, displacement: { map: ImageMap, image: $p, input: *at } }\nspecular: $n\n"},
+     "diffuse: { map: ImageMap, image: $p, input: &at { map: UVTransform, scaleU: $s, scaleV: $s } "
+     "}\ninput: { map: "
+     "BumpMap, strength: $s, displacement: { map: ImageMap, image: $p, input: *at } }\nspecular: "
+     "$n\n"},
     {"wood", 40,
-     "diffuse: { map: Blend, blend: [{ value: -0.8, input: $c }, { value: 0.8, input: $d }], input: { map: Wood, "
-     "frequency: $s, waveForm: Sin01, input: { map: Turbulence, octaves: 3, amount: 0.1 } } }\n<?specular: "
+     "diffuse: { map: Blend, blend: [{ value: -0.8, input: $c }, { value: 0.8, input: $d }], "
+     "input: { map: Wood, "
+     "frequency: $s, waveForm: Sin01, input: { map: Turbulence, octaves: 3, amount: 0.1 } } "
+     "}\n<?specular: "
      "$n\nshininess: "
      "$n\n?>"},
     {"checker", 20,
-     "diffuse: { map: Checker, color1: $c, color2: $c, input: { map: UVTransform, scaleU: $s, scaleV: $s } "
+     "diffuse: { map: Checker, color1: $c, color2: $c, input: { map: UVTransform, scaleU: $s, "
+     "scaleV: $s } "
      "}\n<?specular: "
      "$n\nshininess: $n\n?>"},
     {"metal", 40,
-     "diffuse: $d\nspecular: $c\nshininess: { map: Blend, blend: [{ value: -1, input: $n }, { value: 1, input: $n }], "
+     "diffuse: $d\nspecular: $c\nshininess: { map: Blend, blend: [{ value: -1, input: $n }, { "
+     "value: 1, input: $n }], "
      "input: { map: VolumeTurbulence, octaves: 2, size: $s } }\n"},
     {"rust", 20,
-     "diffuse: { map: Blend, blend: [{ value: -0.05, input: $d }, { value: 0.1, input: $c }], input: &mask { map: "
-     "VolumeTurbulence, octaves: 5, noiseRatio: 0.6, size: $s } }\nspecular: { map: Blend, blend: [{ value: -0.05, "
+     "diffuse: { map: Blend, blend: [{ value: -0.05, input: $d }, { value: 0.1, input: $c }], "
+     "input: &mask { map: "
+     "VolumeTurbulence, octaves: 5, noiseRatio: 0.6, size: $s } }\nspecular: { map: Blend, blend: "
+     "[{ value: -0.05, "
      "input: "
      "0.6 }, { value: 0.1, input: 0.02 }], input: *mask }\nshininess: $n\n"},
     {"stone", 25,
-     "diffuse: { map: Blend, blend: [{ value: -0.4, input: $c }, { value: 0.4, input: $c }], input: { map: Granite, "
+     "diffuse: { map: Blend, blend: [{ value: -0.4, input: $c }, { value: 0.4, input: $c }], "
+     "input: { map: Granite, "
      "input: { map: XYZTransform, transform: { scale: $s } } } }\nspecular: $n\nshininess: $n\n"},
     {"marble", 15,
-     "diffuse: { map: Blend, blend: [{ value: -1, input: $d }, { value: 1, input: $c }], input: { map: Gradient, "
-     "direction: [1, 0, 0], frequency: $s, waveForm: Sin01, input: { map: Turbulence, octaves: 4, amount: 0.3 } } }\n"
+     "diffuse: { map: Blend, blend: [{ value: -1, input: $d }, { value: 1, input: $c }], input: { "
+     "map: Gradient, "
+     "direction: [1, 0, 0], frequency: $s, waveForm: Sin01, input: { map: Turbulence, octaves: 4, "
+     "amount: 0.3 } } }\n"
      "specular: 0.4\nshininess: $n\n"},
     {"cloth", 20,
-     "diffuse: { map: Checker, color1: $c, color2: { map: ImageMap, image: $p }, input: { map: UVTransform, scaleU: "
+     "diffuse: { map: Checker, color1: $c, color2: { map: ImageMap, image: $p }, input: { map: "
+     "UVTransform, scaleU: "
      "$s, "
      "scaleV: $s } }\n"},
     {"glass", 20, "diffuse: $d\ntransparency: $c\nspecular: 0.9\nshininess: 0.95\n"},
     {"fence", 10,
-     "diffuse: $c\ntransparency: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: $s, scaleV: "
+     "diffuse: $c\ntransparency: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, "
+     "scaleU: $s, scaleV: "
      "$s "
      "} }\ninterpolatedTransparency: true\n"},
-    {"leaf", 20, "diffuse: { map: ImageMap, image: $p }\ndiffuseTransparency: $c\n<?specular: $n\n?>"},
+    {"leaf", 20,
+     "diffuse: { map: ImageMap, image: $p }\ndiffuseTransparency: $c\n<?specular: $n\n?>"},
     {"lamp", 20, "diffuse: $d\nemissive: $c\n"},
-    {"screen", 15, "diffuse: 0.02\nemissive: { map: ImageMap, image: $p }\nspecular: 0.5\nshininess: 0.9\n"},
+    {"screen", 15,
+     "diffuse: 0.02\nemissive: { map: ImageMap, image: $p }\nspecular: 0.5\nshininess: 0.9\n"},
     {"lava", 5,
-     "diffuse: $d\nemissive: { map: Blend, blend: [{ value: 0, input: [4, 2, 0.5] }, { value: 0.2, input: 0 }], input: "
+     "diffuse: $d\nemissive: { map: Blend, blend: [{ value: 0, input: [4, 2, 0.5] }, { value: 0.2, "
+     "input: 0 }], input: "
      "{ "
      "map: VolumeTurbulence, size: $s, octaves: 5, waveForm: Abs } }\n"},
 };

@@ -43,7 +43,8 @@ void batch_output_delete(BatchOutput *output, Meter *meter)
 
 const cJSON *batch_program(const cJSON *manifest, int material, const char *pass, const cJSON **use)
 {
-    const cJSON *one = cJSON_GetArrayItem(cJSON_GetObjectItem(manifest, "materials"), material), *item;
+    const cJSON *one = cJSON_GetArrayItem(cJSON_GetObjectItem(manifest, "materials"), material),
+                *item;
     cJSON_ArrayForEach(item, cJSON_GetObjectItem(one, "programs"))
     {
         const cJSON *number = cJSON_GetObjectItem(item, "program");
@@ -108,7 +109,8 @@ static bool set_textures(Material *made, const cJSON *use, const cJSON *reflecti
         bytes[i] = (uint8_t)(i * 2654435761u >> 24);
     cJSON_ArrayForEach(texture, cJSON_GetObjectItem(use, "textures"))
     {
-        TextureSpec spec = {.width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes};
+        TextureSpec spec = {
+            .width = PICTURE_SIDE, .height = PICTURE_SIDE, .lanes = 4, .bytes = bytes};
         set_sampler(&spec, cJSON_GetObjectItem(reflection, "textures"), texture->string);
         fine = fine && material_set_texture(made, texture->string, &spec);
     }
@@ -131,7 +133,8 @@ bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Mate
     const char *name = program ? cJSON_GetObjectItem(program, "fragment")->valuestring : "";
     char *text = program ? batch_read(output->folder, output->out, name) : NULL;
     *made = (Material){0};
-    bool fine = text && field_material(meter->store, NULL, &(FieldText){TARGET_glsl330, text, NULL}, made);
+    bool fine =
+        text && field_material(meter->store, NULL, &(FieldText){TARGET_glsl330, text, NULL}, made);
     const cJSON *constants = fine ? cJSON_GetObjectItem(program, "constants") : NULL;
     free(text);
     if (constants)
@@ -139,5 +142,6 @@ bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Mate
     cJSON *reflection = read_json(output, cJSON_GetObjectItem(program, "reflection"));
     fine = fine && set_textures(made, use, reflection);
     cJSON_Delete(reflection);
-    return fine || message_fail(meter->error, sizeof meter->error, "%s/%s: %s", output->out, name, meter->gl->error);
+    return fine || message_fail(meter->error, sizeof meter->error, "%s/%s: %s", output->out, name,
+                                meter->gl->error);
 }

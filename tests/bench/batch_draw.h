@@ -21,6 +21,8 @@ void batch_output_delete(BatchOutput *output, Meter *meter);
 /* A material's program, with its constants in a buffer. False: meter->error; delete in any case. */
 bool batch_draw_make(Meter *meter, const BatchOutput *output, int material, Material *made);
 
-/* The program of a material for a pass, and what the manifest says of the material's use of it; NULL. */
-const cJSON *batch_program(const cJSON *manifest, int material, const char *pass, const cJSON **use);
+/* The program of a material for a pass, and what the manifest says of the material's use of it;
+ * NULL. */
+const cJSON *batch_program(const cJSON *manifest, int material, const char *pass,
+                           const cJSON **use);
 #endif

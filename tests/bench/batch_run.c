@@ -23,7 +23,8 @@ bool batch_folder_make(BatchFolder *folder, const char *matc)
 {
     *folder = (BatchFolder){.matc = matc};
     const char *above = getenv("TMPDIR");
-    int size = snprintf(folder->path, sizeof folder->path, "%s/matbenchXXXXXX", above && *above ? above : "/tmp");
+    int size = snprintf(folder->path, sizeof folder->path, "%s/matbenchXXXXXX",
+                        above && *above ? above : "/tmp");
     return (size_t)size < sizeof folder->path && mkdtemp(folder->path);
 }
 
@@ -58,7 +59,8 @@ static bool write_pictures(const BatchFolder *folder)
     return fine;
 }
 
-bool batch_folder_fill(BatchFolder *folder, const char *name, int count, void (*write)(int index, Text *out))
+bool batch_folder_fill(BatchFolder *folder, const char *name, int count,
+                       void (*write)(int index, Text *out))
 {
     char path[BATCH_PATH];
     Arena arena = {0};
@@ -96,10 +98,12 @@ BatchCache batch_cache(const BatchFolder *folder)
 {
     BatchCache held = {0};
     char command[2 * BATCH_PATH], line[128];
-    snprintf(command, sizeof command, "%s --cache-stats --cache=%s/cache", folder->matc, folder->path);
+    snprintf(command, sizeof command, "%s --cache-stats --cache=%s/cache", folder->matc,
+             folder->path);
     FILE *said = popen(command, "r");
     while (said && fgets(line, sizeof line, said))
-        if (sscanf(line, "entries %ld", &held.entries) != 1 && sscanf(line, "bytes %ld", &held.bytes) != 1)
+        if (sscanf(line, "entries %ld", &held.entries) != 1 &&
+            sscanf(line, "bytes %ld", &held.bytes) != 1)
             continue;
     if (said)
         pclose(said);
@@ -114,9 +118,13 @@ static void show(const char *path)
     free(said);
 }
 
-static double seconds_of(struct timeval time) { return (double)time.tv_sec + (double)time.tv_usec * 1e-6; }
+static double seconds_of(struct timeval time)
+{
+    return (double)time.tv_sec + (double)time.tv_usec * 1e-6;
+}
 
-/* Greatest resident memory of a process so far, KiB; 0 when it has ended. What wait4 tells is no less than our own memory. */
+/* Greatest resident memory of a process so far, KiB; 0 when it has ended. What wait4 tells is no
+ * less than our own memory. */
 static long memory_of(pid_t process)
 {
     char path[64], line[256];
@@ -153,19 +161,21 @@ static bool run_process(char *const *arguments, const char *output, BatchTimes *
     long memory = 0;
     pid_t child;
     posix_spawn_file_actions_init(&actions);
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, output, O_WRONLY | O_CREAT | O_TRUNC,
+                                     0666);
     posix_spawn_file_actions_adddup2(&actions, STDOUT_FILENO, STDERR_FILENO);
     double start = bench_now();
     bool fine = !posix_spawn(&child, arguments[0], &actions, NULL, arguments, environ) &&
                 wait_for(child, &status, &usage, &memory) && status == 0;
     if (fine)
-        *times = (BatchTimes){bench_now() - start, seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), memory};
+        *times = (BatchTimes){bench_now() - start,
+                              seconds_of(usage.ru_utime) + seconds_of(usage.ru_stime), memory};
     posix_spawn_file_actions_destroy(&actions);
     return fine;
 }
 
-bool batch_run(const BatchFolder *folder, const char *list, const char *out, const char *const *arguments,
-               BatchTimes *times)
+bool batch_run(const BatchFolder *folder, const char *list, const char *out,
+               const char *const *arguments, BatchTimes *times)
 {
     char at_list[BATCH_PATH], to[BATCH_PATH], said[BATCH_PATH];
     const char *all[BATCH_ARGUMENTS] = {folder->matc, "-d", to, at_list};

@@ -21,12 +21,14 @@ typedef struct {
 bool batch_folder_make(BatchFolder *folder, const char *matc);
 void batch_folder_remove(const BatchFolder *folder);
 /* Writes documents 0 to count - 1, what they need, and NAME.txt, which lists them. */
-bool batch_folder_fill(BatchFolder *folder, const char *name, int count, void (*write)(int index, Text *out));
+bool batch_folder_fill(BatchFolder *folder, const char *name, int count,
+                       void (*write)(int index, Text *out));
 /* Writes NAME.txt, which lists some of those documents, also from the last to the first. */
 bool batch_folder_list(const BatchFolder *folder, const char *name, int first, int end, bool back);
-/* matc -d FOLDER/out @FOLDER/list arguments..., NULL behind the last. It must succeed; else what it says is shown. */
-bool batch_run(const BatchFolder *folder, const char *list, const char *out, const char *const *arguments,
-               BatchTimes *times);
+/* matc -d FOLDER/out @FOLDER/list arguments..., NULL behind the last. It must succeed; else what it
+ * says is shown. */
+bool batch_run(const BatchFolder *folder, const char *list, const char *out,
+               const char *const *arguments, BatchTimes *times);
 /* What FOLDER/cache holds. */
 typedef struct {
     long entries, bytes;

@@ -1,5 +1,6 @@
-/* What a scene of 500 materials, such as a game has, saves: programs that differ in constants only are one, layouts are made for
- * what the materials contain, and a pass has only what it needs. Each with and without. */
+/* What a scene of 500 materials, such as a game has, saves: programs that differ in constants only
+ * are one, layouts are made for what the materials contain, and a pass has only what it needs. Each
+ * with and without. */
 #include "batch.h"
 #include "batch_documents.h"
 #include "batch_draw.h"
@@ -9,7 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MATERIALS = 500, EVERY = 5 /* material is timed */, SIDE = 128, SIDE_OF_GPU = 2048, ROUNDS = 5 };
+enum {
+    MATERIALS = 500,
+    EVERY = 5 /* material is timed */,
+    SIDE = 128,
+    SIDE_OF_GPU = 2048,
+    ROUNDS = 5
+};
 
 typedef struct {
     const char *layout, *constants;
@@ -37,10 +44,11 @@ static bool compile(const BatchFolder *folder, const Setting *setting, const cha
     BatchTimes times;
     snprintf(layout, sizeof layout, "--layout=%s", setting->layout);
     snprintf(constants, sizeof constants, "--constants=%s", setting->constants);
-    return batch_run(folder, "s", out,
-                     (const char *const[]){"-j", "2", "--no-validate", "--pass=gbuffer,shadow,depth",
-                                           "--emit=glsl,vertex,reflect,unpack", layout, constants, NULL},
-                     &times);
+    return batch_run(
+        folder, "s", out,
+        (const char *const[]){"-j", "2", "--no-validate", "--pass=gbuffer,shadow,depth",
+                              "--emit=glsl,vertex,reflect,unpack", layout, constants, NULL},
+        &times);
 }
 
 /* Programs of a pass, NULL for all, and the bytes of their fragment texts. */
@@ -54,7 +62,8 @@ static int count_programs(const BatchOutput *output, const char *pass, size_t *b
         const cJSON *fragment = cJSON_GetObjectItem(program, "fragment");
         if (pass && strcmp(cJSON_GetObjectItem(program, "pass")->valuestring, pass) != 0)
             continue;
-        char *text = fragment ? batch_read(output->folder, output->out, fragment->valuestring) : NULL;
+        char *text =
+            fragment ? batch_read(output->folder, output->out, fragment->valuestring) : NULL;
         *bytes += text ? strlen(text) : 0;
         free(text);
         count++;
@@ -64,15 +73,18 @@ static int count_programs(const BatchOutput *output, const char *pass, size_t *b
 
 static size_t unpack_bytes(const BatchOutput *output)
 {
-    const cJSON *name = cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "unpack");
+    const cJSON *name =
+        cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "unpack");
     char *text = name ? batch_read(output->folder, output->out, name->valuestring) : NULL;
     size_t bytes = text ? strlen(text) : 0;
     free(text);
     return bytes;
 }
 
-/* The sum over the timed materials of nanoseconds a pixel; those of one material are timed in turns. */
-static bool time_material(Meter *meter, BatchOutput *outputs, int material, const Field *field, double *sums)
+/* The sum over the timed materials of nanoseconds a pixel; those of one material are timed in
+ * turns. */
+static bool time_material(Meter *meter, BatchOutput *outputs, int material, const Field *field,
+                          double *sums)
 {
     Material materials[SETTINGS] = {0};
     MeterDraw timed[SETTINGS];
@@ -125,9 +137,11 @@ static void put_row(const BatchOutput *output, const Setting *setting, double na
     size_t gbuffer, all;
     int programs = count_programs(output, "gbuffer", &gbuffer);
     int passes = count_programs(output, NULL, &all) - programs;
-    const cJSON *bytes = cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "bytes");
-    printf("%-9s%-10s %8d %10zu %12d %10zu %8d %8zu %9s\n", setting->layout, setting->constants, programs, gbuffer,
-           passes, all - gbuffer, bytes ? bytes->valueint : 0, unpack_bytes(output), NUMBER(2, nanoseconds));
+    const cJSON *bytes =
+        cJSON_GetObjectItem(cJSON_GetObjectItem(output->manifest, "layout"), "bytes");
+    printf("%-9s%-10s %8d %10zu %12d %10zu %8d %8zu %9s\n", setting->layout, setting->constants,
+           programs, gbuffer, passes, all - gbuffer, bytes ? bytes->valueint : 0,
+           unpack_bytes(output), NUMBER(2, nanoseconds));
 }
 
 bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed)
@@ -138,15 +152,17 @@ bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed)
     bool fine = batch_folder_fill(folder, "s", MATERIALS, write_document);
     for (int i = 0; i < SETTINGS && fine; i++) {
         name_of(&settings[i], names[i]);
-        fine = compile(folder, &settings[i], names[i]) && batch_output_read(&outputs[i], folder, names[i]);
+        fine = compile(folder, &settings[i], names[i]) &&
+               batch_output_read(&outputs[i], folder, names[i]);
     }
     fine = fine && (!timed || time_outputs(outputs, gl, means));
     if (fine)
-        printf("\na scene of %d materials\n%-19s %8s %10s %12s %10s %8s %8s %9s\n%-9s%-10s %8s %10s %12s %10s %8s %8s "
+        printf("\na scene of %d materials\n%-19s %8s %10s %12s %10s %8s %8s %9s\n%-9s%-10s %8s "
+               "%10s %12s %10s %8s %8s "
                "%9s\n",
-               MATERIALS, "", "G-buffer", "bytes of", "shadow and", "bytes of", "bytes", "bytes of", "ns a pixel",
-               "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL", "a pixel", "unpack",
-               gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
+               MATERIALS, "", "G-buffer", "bytes of", "shadow and", "bytes of", "bytes", "bytes of",
+               "ns a pixel", "layout", "constants", "programs", "GLSL", "depth progr.", "GLSL",
+               "a pixel", "unpack", gl == GL_KIND_osmesa ? "(llvmpipe)" : "(GPU)");
     for (int i = 0; i < SETTINGS; i++) {
         if (fine)
             put_row(&outputs[i], &settings[i], timed ? means[i] : NAN);

@@ -1,5 +1,7 @@
-/* matbench cells: what cells are replaced with where they are finer than a pixel, by integration over random points and squares: the
- * rows of grammar/cells.def, in its order. tests/compiler/mean/test_statistics_cells.c holds that table against the same integrals with other points. */
+/* matbench cells: what cells are replaced with where they are finer than a pixel, by integration
+ * over random points and squares: the rows of grammar/cells.def, in its order.
+ * tests/compiler/mean/test_statistics_cells.c holds that table against the same integrals with
+ * other points. */
 #include "matbench.h"
 #include "compiler/library/cells.h"
 #include "compiler/library/java_random.h"
@@ -41,7 +43,8 @@ static double edge_slope(const CellsPair *pair, const CellsQuestion *q)
 static void values_of(const CellsPair *pair, double value[MEASURES])
 {
     const double all[MEASURES] = {pair->first.distance, pair->second.distance,
-                                  pair->second.distance - pair->first.distance, pair->first.number, pair->first.away[0]};
+                                  pair->second.distance - pair->first.distance, pair->first.number,
+                                  pair->first.away[0]};
     memcpy(value, all, sizeof all);
 }
 
@@ -70,13 +73,15 @@ static Moments moments_of(CellsQuestion q)
     return m;
 }
 
-/* By which factor the value in the middle of a square predicts the mean over it, by least squares. */
+/* By which factor the value in the middle of a square predicts the mean over it, by least
+ * squares. */
 static void factors_of(CellsQuestion q, const Moments *m, double width, double factor[MEASURES])
 {
     uint64_t random = java_random(7);
     double both[MEASURES] = {0}, square[MEASURES] = {0};
     for (int i = 0; i < SQUARES; i++) {
-        const double from[3] = {random_number(&random), random_number(&random), random_number(&random)};
+        const double from[3] = {random_number(&random), random_number(&random),
+                                random_number(&random)};
         double middle[MEASURES] = {0}, sum[MEASURES] = {0}, value[MEASURES];
         for (int k = -1; k < SIDE * SIDE; k++) {
             const double du = k < 0 ? 0 : width * ((k % SIDE + .5) / SIDE - .5),
@@ -100,8 +105,8 @@ static void factors_of(CellsQuestion q, const Moments *m, double width, double f
         factor[n] = both[n] / square[n];
 }
 
-/* 1 / (1 + b x + c x^2) through the factors of both widths, x = w^2, or w of what jumps. It must fall: where c would be less than 0, it is 0, and
- * b that of the greater width. */
+/* 1 / (1 + b x + c x^2) through the factors of both widths, x = w^2, or w of what jumps. It must
+ * fall: where c would be less than 0, it is 0, and b that of the greater width. */
 static void fit(const double factor[WIDTHS], const double width[WIDTHS], bool jumps, double bend[2])
 {
     double x[WIDTHS], rise[WIDTHS];
@@ -126,9 +131,11 @@ static void print_kind(int dimensions, CellsDistance how)
         const double of[WIDTHS] = {factor[0][k], factor[1][k]};
         double bend[2];
         fit(of, widths, k >= RANDOM, bend);
-        printf("CELLS(%d, %s, %s, THREE(%.4f, %.4f, %.4f), THREE(%.4f, %.4f, %.4f), THREE(%.3f, %.3f, %.3f), %.3f, %.3f)\n",
-               dimensions, distances[how], measures[k], m[0].mean[k], m[1].mean[k], m[2].mean[k], m[0].variance[k],
-               m[1].variance[k], m[2].variance[k], m[0].slope[k], m[1].slope[k], m[2].slope[k], bend[0], bend[1]);
+        printf("CELLS(%d, %s, %s, THREE(%.4f, %.4f, %.4f), THREE(%.4f, %.4f, %.4f), THREE(%.3f, "
+               "%.3f, %.3f), %.3f, %.3f)\n",
+               dimensions, distances[how], measures[k], m[0].mean[k], m[1].mean[k], m[2].mean[k],
+               m[0].variance[k], m[1].variance[k], m[2].variance[k], m[0].slope[k], m[1].slope[k],
+               m[2].slope[k], bend[0], bend[1]);
     }
 }
 

@@ -1,5 +1,6 @@
-/* matbench compile: how long each stage takes (median of many runs in one process), how the time of the processor grows with the document,
- * how long a process takes, and what share of all that is glslang's. */
+/* matbench compile: how long each stage takes (median of many runs in one process), how the time of
+ * the processor grows with the document, how long a process takes, and what share of all that is
+ * glslang's. */
 #include "matbench.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"
@@ -18,19 +19,21 @@ enum { RUNS = 301, LADDER_RUNS = 31, PROCESS_RUNS = 41, MOST_STAGES = 64 };
 
 extern char **environ;
 
-/* The material of peers.md, section 2: a checker of two colours, mixed to white by four octaves of noise. */
-static const char peers_document[] = "material: Phong\n"
-                                     "diffuse:\n"
-                                     "  map: Blend\n"
-                                     "  blend:\n"
-                                     "  - value: -1\n"
-                                     "    input:\n"
-                                     "      map: Checker\n"
-                                     "      color1: [0.8, 0.1, 0.1]\n"
-                                     "      color2: [0.1, 0.1, 0.8]\n"
-                                     "      input: { map: UVTransform, scaleU: 4, scaleV: 4 }\n"
-                                     "  - { value: 1, input: 1 }\n"
-                                     "  input: { map: VolumeTurbulence, octaves: 4, noiseRatio: 0.5, size: 8 }\n";
+/* The material of peers.md, section 2: a checker of two colours, mixed to white by four octaves of
+ * noise. */
+static const char peers_document[] =
+    "material: Phong\n"
+    "diffuse:\n"
+    "  map: Blend\n"
+    "  blend:\n"
+    "  - value: -1\n"
+    "    input:\n"
+    "      map: Checker\n"
+    "      color1: [0.8, 0.1, 0.1]\n"
+    "      color2: [0.1, 0.1, 0.8]\n"
+    "      input: { map: UVTransform, scaleU: 4, scaleV: 4 }\n"
+    "  - { value: 1, input: 1 }\n"
+    "  input: { map: VolumeTurbulence, octaves: 4, noiseRatio: 0.5, size: 8 }\n";
 
 static MatcOptions options_for(bool validate)
 {
@@ -99,7 +102,8 @@ static void print_stages(bool timed)
     for (int run = 0; run < (timed ? RUNS : 1); run++) {
         Arena arena = {0};
         Session session = {.options = &options, .arena = &arena, .optimize = 2, .measure = true};
-        Source source = {.name = "bench.yaml", .text = peers_document, .size = sizeof peers_document - 1};
+        Source source = {
+            .name = "bench.yaml", .text = peers_document, .size = sizeof peers_document - 1};
         ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
         Tree *tree;
         Products products;
@@ -116,7 +120,8 @@ static void print_stages(bool timed)
     printf("stage        microseconds (median of %d)\n", RUNS);
     for (int i = 0; i < count; i++)
         if (strcmp(stages[i].name, "validate") != 0)
-            printf("%-12s %8s\n", stages[i].name, NUMBER(2, timed ? bench_median(stages[i].seconds, RUNS) * 1e6 : NAN));
+            printf("%-12s %8s\n", stages[i].name,
+                   NUMBER(2, timed ? bench_median(stages[i].seconds, RUNS) * 1e6 : NAN));
 }
 
 /* The last row of formulas.def, of 36 operations. */
@@ -134,43 +139,55 @@ static void print_formula(bool timed)
 {
     char with[1024];
     static const char without[] = "material: Phong\ndiffuse: 0.5\n";
-    const size_t size = (size_t)snprintf(with, sizeof with, "material: Phong\ndiffuse: \"= %s\"\n", largest_formula());
+    const size_t size = (size_t)snprintf(with, sizeof with, "material: Phong\ndiffuse: \"= %s\"\n",
+                                         largest_formula());
     const MatcOptions options = options_for(false);
     const double own = bench_compile_least(with, size, &options, timed ? RUNS : 0),
-                 plain = bench_compile_least(without, sizeof without - 1, &options, timed ? RUNS : 0);
-    printf("\na formula of 36 operations takes %s microseconds more than a number\n", NUMBER(1, (own - plain) * 1e6));
+                 plain =
+                     bench_compile_least(without, sizeof without - 1, &options, timed ? RUNS : 0);
+    printf("\na formula of 36 operations takes %s microseconds more than a number\n",
+           NUMBER(1, (own - plain) * 1e6));
 }
 
-/* A document of about `nodes` values (scalars, lists, objects): a Blend of Checkers under transforms, 16 values an item. */
+/* A document of about `nodes` values (scalars, lists, objects): a Blend of Checkers under
+ * transforms, 16 values an item. */
 static char *ladder_document(int nodes, size_t *size)
 {
     enum { VALUES_OF_FRAME = 10, VALUES_OF_ITEM = 16 };
-    int items = nodes > VALUES_OF_FRAME + VALUES_OF_ITEM ? (nodes - VALUES_OF_FRAME) / VALUES_OF_ITEM : 0;
+    int items =
+        nodes > VALUES_OF_FRAME + VALUES_OF_ITEM ? (nodes - VALUES_OF_FRAME) / VALUES_OF_ITEM : 0;
     char *text = NULL;
     FILE *out = open_memstream(&text, size);
-    fputs("material: Phong\ndiffuse:\n  map: Blend\n  input: { map: Gradient, direction: [1, 0, 0] }\n  blend:\n", out);
+    fputs("material: Phong\ndiffuse:\n  map: Blend\n  input: { map: Gradient, direction: [1, 0, 0] "
+          "}\n  blend:\n",
+          out);
     if (!items)
         fputs("  - { value: 0 }\n", out);
     for (int i = 0; i < items; i++)
-        fprintf(out,
-                "  - value: %d\n    input: { map: Checker, color1: [0.%d, 0.5, 0.25], color2: 0.%d,\n"
-                "      input: { map: UVTransform, scaleU: %d, input: { map: Turbulence, octaves: 2 } } }\n",
-                i, i % 10, i % 7, i + 1);
+        fprintf(
+            out,
+            "  - value: %d\n    input: { map: Checker, color1: [0.%d, 0.5, 0.25], color2: 0.%d,\n"
+            "      input: { map: UVTransform, scaleU: %d, input: { map: Turbulence, octaves: 2 } } "
+            "}\n",
+            i, i % 10, i % 7, i + 1);
     fclose(out);
     return text;
 }
 
-/* As it is by default, and with --aa=none, which lowers a document once (compiler/lower/budget.c). */
+/* As it is by default, and with --aa=none, which lowers a document once
+ * (compiler/lower/budget.c). */
 static void print_ladder(bool timed)
 {
     const int runs = timed ? LADDER_RUNS : 0;
-    printf("\nnodes      bytes   microseconds   microseconds a node   with --aa=none   fragment bytes\n");
+    printf("\nnodes      bytes   microseconds   microseconds a node   with --aa=none   fragment "
+           "bytes\n");
     for (int nodes = 10; nodes <= 100000; nodes *= 10) {
         size_t size;
         char *text = ladder_document(nodes, &size);
         MatcOptions options = options_for(false), plain = options;
         plain.aa = "none";
-        double seconds = bench_compile_least(text, size, &options, runs), once = bench_compile_least(text, size, &plain, runs);
+        double seconds = bench_compile_least(text, size, &options, runs),
+               once = bench_compile_least(text, size, &plain, runs);
         MatcDocument *document = matc_read("bench.yaml", text, size, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         size_t bytes;
@@ -191,10 +208,12 @@ static double process_least(char **argv)
         pid_t child;
         int status;
         struct rusage usage;
-        if (posix_spawn(&child, argv[0], NULL, NULL, argv, environ) || wait4(child, &status, 0, &usage) < 0 || status)
+        if (posix_spawn(&child, argv[0], NULL, NULL, argv, environ) ||
+            wait4(child, &status, 0, &usage) < 0 || status)
             return -1;
         const struct timeval user = usage.ru_utime, system = usage.ru_stime;
-        least = fmin(least, (double)(user.tv_sec + system.tv_sec) + (double)(user.tv_usec + system.tv_usec) * 1e-6);
+        least = fmin(least, (double)(user.tv_sec + system.tv_sec) +
+                                (double)(user.tv_usec + system.tv_usec) * 1e-6);
     }
     return least;
 }
@@ -210,7 +229,8 @@ static bool write_file(const char *path, const char *text)
 static bool write_files(char *document_path, char *vertex_path, char *fragment_path)
 {
     MatcOptions options = options_for(false);
-    MatcDocument *document = matc_read("bench.yaml", peers_document, sizeof peers_document - 1, &options);
+    MatcDocument *document =
+        matc_read("bench.yaml", peers_document, sizeof peers_document - 1, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX, &options);
     bool fine = write_file(document_path, peers_document) &&
                 write_file(vertex_path, matc_output(program, MATC_VERTEX, NULL)) &&
@@ -222,11 +242,14 @@ static bool write_files(char *document_path, char *vertex_path, char *fragment_p
 
 static void put_process(double bare, double full, double glslang)
 {
-    printf("\nprocess: without validation %s ms; with validation %s ms, glslang alone %s ms: matc adds %s ms\n",
-           NUMBER(2, bare * 1e3), NUMBER(2, full * 1e3), NUMBER(2, glslang * 1e3), NUMBER(2, (full - glslang) * 1e3));
+    printf("\nprocess: without validation %s ms; with validation %s ms, glslang alone %s ms: matc "
+           "adds %s ms\n",
+           NUMBER(2, bare * 1e3), NUMBER(2, full * 1e3), NUMBER(2, glslang * 1e3),
+           NUMBER(2, (full - glslang) * 1e3));
 }
 
-/* A process of matc beside one that does nothing but glslang's part: parse and link the same two programs. */
+/* A process of matc beside one that does nothing but glslang's part: parse and link the same two
+ * programs. */
 static void print_process(const char *matc)
 {
     char folder[] = "/tmp/matbenchXXXXXX", document[64], vertex[64], fragment[64], self[1024] = {0};
@@ -236,7 +259,8 @@ static void print_process(const char *matc)
     snprintf(vertex, sizeof vertex, "%s/m.vert", folder);
     snprintf(fragment, sizeof fragment, "%s/m.frag", folder);
     if (write_files(document, vertex, fragment)) {
-        double bare = process_least((char *[]){(char *)matc, document, "-o", "/dev/null", "--no-validate", NULL});
+        double bare = process_least(
+            (char *[]){(char *)matc, document, "-o", "/dev/null", "--no-validate", NULL});
         double full = process_least((char *[]){(char *)matc, document, "-o", "/dev/null", NULL});
         double glslang = process_least((char *[]){self, "glslang", vertex, fragment, NULL});
         put_process(bare, full, glslang);
@@ -284,8 +308,8 @@ int bench_compile(const BenchOptions *options)
     double full = bench_compile_least(peers_document, size, &checked, timed ? RUNS / 5 : 0);
     bench_show("");
     printf("checker mixed with four octaves of noise (%zu bytes of YAML)\n", size);
-    printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n", NUMBER(4, bare * 1e3),
-           NUMBER(3, full * 1e3), NUMBER(1, 100 * (full - bare) / full));
+    printf("  without validation %s ms; with validation %s ms; glslang's share %s %%\n\n",
+           NUMBER(4, bare * 1e3), NUMBER(3, full * 1e3), NUMBER(1, 100 * (full - bare) / full));
     print_stages(timed);
     print_formula(timed);
     print_ladder(timed);

@@ -1,4 +1,5 @@
-/* matbench displacement: how far displaced triangles are from the surface, by their number and by how they are divided; how many are displaced and drawn a second. */
+/* matbench displacement: how far displaced triangles are from the surface, by their number and by
+ * how they are divided; how many are displaced and drawn a second. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/render/render.h"
@@ -11,7 +12,8 @@
 
 enum { SIDE = 1024, TEXT = 2048, FRAMES = 5, SMOOTHINGS = 3, CRATERS = 400 };
 
-/* -- heights over a square whose edge is 1, at points a whole number of steps from its corner, linear between them */
+/* -- heights over a square whose edge is 1, at points a whole number of steps from its corner,
+ * linear between them */
 
 typedef struct {
     int side;
@@ -42,7 +44,8 @@ static void smooth(Field *f)
         for (int x = 0; x < f->side; x++) {
             double sum = 0;
             for (int i = 0; i < 9; i++)
-                sum += (i % 3 == 1 ? 4 : 1) * (i / 3 == 1 ? 4 : 1) * texel(f, x + i % 3 - 1, y + i / 3 - 1) / 36;
+                sum += (i % 3 == 1 ? 4 : 1) * (i / 3 == 1 ? 4 : 1) *
+                       texel(f, x + i % 3 - 1, y + i / 3 - 1) / 36;
             next[(size_t)y * (size_t)f->side + (size_t)x] = sum;
         }
     free(f->height);
@@ -61,10 +64,12 @@ static Field craters(void)
     Field f = {SIDE, calloc((size_t)SIDE * SIDE, sizeof *f.height)};
     uint32_t state = 7;
     for (int i = 0; f.height && i < CRATERS; i++) {
-        const double x = chance(&state), y = chance(&state), r = .01 / sqrt(chance(&state) + .005), reach = 2 * r;
-        for (int row = (int)fmax(0, (y - reach) * SIDE); row < SIDE && row < (y + reach) * SIDE; row++)
-            for (int column = (int)fmax(0, (x - reach) * SIDE); column < SIDE && column < (x + reach) * SIDE;
-                 column++) {
+        const double x = chance(&state), y = chance(&state), r = .01 / sqrt(chance(&state) + .005),
+                     reach = 2 * r;
+        for (int row = (int)fmax(0, (y - reach) * SIDE); row < SIDE && row < (y + reach) * SIDE;
+             row++)
+            for (int column = (int)fmax(0, (x - reach) * SIDE);
+                 column < SIDE && column < (x + reach) * SIDE; column++) {
                 const double d = hypot((double)column / SIDE - x, (double)row / SIDE - y) / r;
                 f.height[(size_t)row * SIDE + (size_t)column] +=
                     r * (d < 1 ? .5 * (d * d - 1) + .15 : .15 * exp(-6 * (d - 1)));
@@ -80,11 +85,13 @@ static bool read_map(const char *path, Field *f)
     MatcOptions options;
     matc_options_init(&options);
     options.pixels = true;
-    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: ImageMap, colorspace: linear, image: \"%s\" }\n",
+    snprintf(text, sizeof text,
+             "material: Phong\ndiffuse: { map: ImageMap, colorspace: linear, image: \"%s\" }\n",
              path);
     MatcDocument *document = matc_read("map.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_KEY, &options);
-    const MatcTexture *texture = matc_ok(program) && matc_texture_count(program) ? matc_texture(program, 0) : NULL;
+    const MatcTexture *texture =
+        matc_ok(program) && matc_texture_count(program) ? matc_texture(program, 0) : NULL;
     const bool fine = texture && texture->bytes && texture->width == texture->height;
     if (fine) {
         const size_t count = (size_t)texture->width * (size_t)texture->width;
@@ -95,7 +102,8 @@ static bool read_map(const char *path, Field *f)
             smooth(f);
     } else {
         fprintf(stderr, "matbench: %s: %s\n", path,
-                texture ? "no square picture of 8 bits a lane" : matc_program_diagnostics(program, MATC_TEXT));
+                texture ? "no square picture of 8 bits a lane"
+                        : matc_program_diagnostics(program, MATC_TEXT));
     }
     matc_program_free(program);
     matc_document_free(document);
@@ -123,20 +131,22 @@ typedef struct {
 /* Points of the field within a triangle, or on its edges. */
 static void add_triangle(const Field *f, const float *const p[3], Error *e)
 {
-    const double ax = p[0][0], ay = p[0][1], bx = p[1][0] - ax, by = p[1][1] - ay, cx = p[2][0] - ax, cy = p[2][1] - ay;
+    const double ax = p[0][0], ay = p[0][1], bx = p[1][0] - ax, by = p[1][1] - ay,
+                 cx = p[2][0] - ax, cy = p[2][1] - ay;
     const double twice = bx * cy - by * cx;
     const double low[2] = {fmin(fmin(ax, p[1][0]), p[2][0]), fmin(fmin(ay, p[1][1]), p[2][1])},
                  high[2] = {fmax(fmax(ax, p[1][0]), p[2][0]), fmax(fmax(ay, p[1][1]), p[2][1])};
     for (int row = (int)ceil(low[1] * f->side); row < f->side && row <= high[1] * f->side; row++)
-        for (int column = (int)ceil(low[0] * f->side); column < f->side && column <= high[0] * f->side; column++) {
+        for (int column = (int)ceil(low[0] * f->side);
+             column < f->side && column <= high[0] * f->side; column++) {
             const double x = (double)column / f->side - ax, y = (double)row / f->side - ay;
             const double b = (x * cy - y * cx) / twice, c = (bx * y - by * x) / twice;
             unsigned char *met = &e->met[(size_t)row * (size_t)f->side + (size_t)column];
             if (b < 0 || c < 0 || b + c > 1 || *met)
                 continue;
             *met = 1;
-            const double miss = fabs(p[0][2] + b * ((double)p[1][2] - p[0][2]) + c * ((double)p[2][2] - p[0][2]) -
-                                     texel(f, column, row));
+            const double miss = fabs(p[0][2] + b * ((double)p[1][2] - p[0][2]) +
+                                     c * ((double)p[2][2] - p[0][2]) - texel(f, column, row));
             e->square += miss * miss;
             e->most = fmax(e->most, miss);
             e->count++;
@@ -183,9 +193,10 @@ static bool measure_error(GlContext *gl, const BenchOptions *a)
     if (a->map ? !read_map(a->map, &f) : !(f = craters()).height)
         return false;
     unit_square(&square);
-    printf("\n%s, a square of edge 1: vertical error at %d x %d points\n%-10s %10s %10s %12s %10s %10s %10s\n",
-           a->map ? "a map, 0.25 high" : "craters", f.side, f.side, "triangles", "evenly", "most", "by bisection",
-           "most", "ratio", "seconds");
+    printf("\n%s, a square of edge 1: vertical error at %d x %d points\n%-10s %10s %10s %12s %10s "
+           "%10s %10s\n",
+           a->map ? "a map, 0.25 high" : "craters", f.side, f.side, "triangles", "evenly", "most",
+           "by bisection", "most", "ratio", "seconds");
     static const int rows[] = {8192, 32768, 45000, 131072, 524288, 2097152};
     for (int row = 0; row < (int)(sizeof rows / sizeof *rows) && rows[row] <= a->triangles; row++) {
         const int triangles = rows[row];
@@ -193,13 +204,16 @@ static bool measure_error(GlContext *gl, const BenchOptions *a)
         if (!even(&f, &square, triangles, &shape[0]))
             return false;
         const double begin = bench_now();
-        if (!scene_refine(&square, &(SceneRefining){.move = lift, .user = &f, .triangles = triangles}, &shape[1]))
+        if (!scene_refine(&square,
+                          &(SceneRefining){.move = lift, .user = &f, .triangles = triangles},
+                          &shape[1]))
             return false;
         const double took = bench_now() - begin;
         const Error e[2] = {error_of(&f, &shape[0]), error_of(&f, &shape[1])};
-        const double rms[2] = {sqrt(e[0].square / (double)e[0].count), sqrt(e[1].square / (double)e[1].count)};
-        printf("%-10d %10.6f %10.4f %12.6f %10.4f %10.2f %10s\n", triangles, rms[0], e[0].most, rms[1], e[1].most,
-               rms[0] / rms[1], NUMBER(2, a->timed ? took : NAN));
+        const double rms[2] = {sqrt(e[0].square / (double)e[0].count),
+                               sqrt(e[1].square / (double)e[1].count)};
+        printf("%-10d %10.6f %10.4f %12.6f %10.4f %10.2f %10s\n", triangles, rms[0], e[0].most,
+               rms[1], e[1].most, rms[0] / rms[1], NUMBER(2, a->timed ? took : NAN));
         shape_free(&shape[0]);
         shape_free(&shape[1]);
     }
@@ -208,14 +222,20 @@ static bool measure_error(GlContext *gl, const BenchOptions *a)
     return true;
 }
 
-static bool measure_speed(GlContext *gl, const BenchOptions *a) { return displacement_speed(gl, a->timed, a->triangles / 4); }
+static bool measure_speed(GlContext *gl, const BenchOptions *a)
+{
+    return displacement_speed(gl, a->timed, a->triangles / 4);
+}
 
 static bool measure_programs(GlContext *gl, const BenchOptions *a)
 {
     return displacement_programs(gl, a->timed, a->triangles / 4);
 }
 
-static bool measure_table(GlContext *gl, const BenchOptions *a) { return displacement_table(gl, a->timed, a->triangles, a->plot); }
+static bool measure_table(GlContext *gl, const BenchOptions *a)
+{
+    return displacement_table(gl, a->timed, a->triangles, a->plot);
+}
 
 static bool measure_bisection(GlContext *gl, const BenchOptions *a)
 {

@@ -1,4 +1,5 @@
-/* matbench displacement, the table of bisection: what a view takes whose triangles are those of the view before, but for what has changed; and what is kept for it. */
+/* matbench displacement, the table of bisection: what a view takes whose triangles are those of the
+ * view before, but for what has changed; and what is kept for it. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/displace/displaced_bisection.h"
@@ -36,12 +37,15 @@ static bool make(Bisected *b, int triangles)
 {
     char text[TEXT];
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -8, 1.6], target: [0, 2, "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -8, "
+             "1.6], target: [0, 2, "
              "0.5], angle: 50 }\n"
              "displacement: { method: bisection, pixels: 4, triangles: %d }\nlights: []\n"
-             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 0.5, octaves: 6, "
+             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 0.5, "
+             "octaves: 6, "
              "noiseRatio: 0.48 }, displacementScale: 0.8, displacementBound: 1 } }\n"
-             "objects:\n- { object: Parallelogram, u: [40, 0, 0], v: [0, 40, 0], material: m, transform: { "
+             "objects:\n- { object: Parallelogram, u: [40, 0, 0], v: [0, 40, 0], material: m, "
+             "transform: { "
              "translation: [-20, -10, 0] } }\n",
              EDGE, EDGE, triangles);
     matc_options_init(&b->compile);
@@ -50,7 +54,8 @@ static bool make(Bisected *b, int triangles)
     b->store = store_new(b->gl);
     return b->scene && b->store && displaced_there(b->gl, WORD_Displacing_bisection) &&
            mesh_make_captured(b->gl, &b->mesh) &&
-           displaced_make(b->store, b->scene, &b->compile, b->scene->objects[0].mesh, &b->displaced);
+           displaced_make(b->store, b->scene, &b->compile, b->scene->objects[0].mesh,
+                          &b->displaced);
 }
 
 static void end(Bisected *b)
@@ -107,9 +112,10 @@ static bool measure_row(Bisected *b, int row, bool timed)
     qsort(took, VIEWS, sizeof *took, by_value);
     qsort(busy, VIEWS, sizeof *busy, by_value);
     const DisplacedBisectionCost cost = displaced_bisection_cost(&b->displaced);
-    printf("%-10s %10d %10ld %10ld %10ld %10.2f %10.2f %10s %10s\n", rows[row].name, cost.leaves, looked / VIEWS,
-           splits / VIEWS, merges / VIEWS, (double)cost.kept / cost.leaves, (double)cost.scratch / cost.leaves,
-           NUMBER(3, timed ? 1e3 * took[VIEWS / 2] : NAN), NUMBER(3, timed ? 1e3 * busy[VIEWS / 2] : NAN));
+    printf("%-10s %10d %10ld %10ld %10ld %10.2f %10.2f %10s %10s\n", rows[row].name, cost.leaves,
+           looked / VIEWS, splits / VIEWS, merges / VIEWS, (double)cost.kept / cost.leaves,
+           (double)cost.scratch / cost.leaves, NUMBER(3, timed ? 1e3 * took[VIEWS / 2] : NAN),
+           NUMBER(3, timed ? 1e3 * busy[VIEWS / 2] : NAN));
     return true;
 }
 
@@ -120,11 +126,12 @@ bool displacement_bisection(GlContext *gl, bool timed, int triangles)
     const double fresh = made ? find_pixels(&b, triangles) : -1;
     bool fine = fresh >= 0;
     if (fine)
-        printf("\nbisection in place, a terrain of six octaves in %d x %d pixels, %d views; triangles looked at, "
+        printf("\nbisection in place, a terrain of six octaves in %d x %d pixels, %d views; "
+               "triangles looked at, "
                "bisected and merged a view, bytes a triangle kept and of scratch\n"
                "%-10s %10s %10s %10s %10s %10s %10s %10s %10s\n",
-               EDGE, EDGE, VIEWS, "camera", "triangles", "looked at", "bisected", "merged", "kept", "scratch", "ms",
-               "CPU ms");
+               EDGE, EDGE, VIEWS, "camera", "triangles", "looked at", "bisected", "merged", "kept",
+               "scratch", "ms", "CPU ms");
     for (int i = 0; fine && i < ROWS; i++)
         fine = measure_row(&b, i, timed);
     if (!fine)

@@ -1,5 +1,5 @@
-/* matbench displacement, the table of programs: what a frame of displaced triangles takes that a driver displaces as it draws, beside triangles that stand displaced
- * in a buffer. */
+/* matbench displacement, the table of programs: what a frame of displaced triangles takes that a
+ * driver displaces as it draws, beside triangles that stand displaced in a buffer. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/draw/spaces.h"
@@ -12,11 +12,12 @@
 
 enum { EDGE = 512, FRAMES = 5 };
 
-static const char text[] = "material: Phong\ndisplacementScale: 0.2\n"
-                           "displacement: { map: VolumeTurbulence, size: 3, octaves: 4, noiseRatio: 0.45 }\n";
+static const char text[] =
+    "material: Phong\ndisplacementScale: 0.2\n"
+    "displacement: { map: VolumeTurbulence, size: 3, octaves: 4, noiseRatio: 0.45 }\n";
 static const char flat[] = "material: Phong\n";
-static const char white[] =
-    "#version 450 core\nlayout(location = 0) out vec4 fragment0;\nvoid main() {\n    fragment0 = vec4(1.0);\n}\n";
+static const char white[] = "#version 450 core\nlayout(location = 0) out vec4 fragment0;\nvoid "
+                            "main() {\n    fragment0 = vec4(1.0);\n}\n";
 
 typedef enum { BY_BUFFER, BY_VERTEX, BY_TESSELLATION } By;
 static const struct {
@@ -48,17 +49,20 @@ static bool make_material(Drawn *d)
     options.target = "glsl450";
     options.pass = "depth";
     d->document = matc_read("square.yaml", from, strlen(from), &options);
-    const unsigned stages = d->by == BY_TESSELLATION ? MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL : MATC_VERTEX;
+    const unsigned stages =
+        d->by == BY_TESSELLATION ? MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL : MATC_VERTEX;
     d->program = matc_compile(d->document, 0, MATC_FRAGMENT | stages, &options);
     const ProgramText stage = {
-        .vertex = {matc_output(d->program, d->by == BY_TESSELLATION ? MATC_TESSVERTEX : MATC_VERTEX, NULL)},
+        .vertex = {matc_output(d->program, d->by == BY_TESSELLATION ? MATC_TESSVERTEX : MATC_VERTEX,
+                               NULL)},
         .control = {matc_output(d->program, MATC_TESSCONTROL, NULL)},
         .evaluation = {matc_output(d->program, MATC_TESSEVAL, NULL)},
         .fragment = {white}};
     return matc_ok(d->program) && material_make(d->store, d->program, &stage, &d->material);
 }
 
-/* A square of edge 2; for the buffer its height is a wave, which costs what any other does there. */
+/* A square of edge 2; for the buffer its height is a wave, which costs what any other does
+ * there. */
 static bool make_mesh(Drawn *d, int triangles)
 {
     Shape square, divided;
@@ -97,8 +101,8 @@ static void set_spaces(Drawn *d)
 static void draw(const Drawn *d)
 {
     d->gl->BindVertexArray(d->mesh.array);
-    d->gl->DrawElements(d->by == BY_TESSELLATION ? GL_PATCHES : GL_TRIANGLES, d->mesh.index_count, GL_UNSIGNED_INT,
-                        NULL);
+    d->gl->DrawElements(d->by == BY_TESSELLATION ? GL_PATCHES : GL_TRIANGLES, d->mesh.index_count,
+                        GL_UNSIGNED_INT, NULL);
     d->gl->BindVertexArray(0);
 }
 
@@ -135,7 +139,8 @@ bool displacement_programs(GlContext *gl, bool timed, int triangles)
 {
     Framebuffer target;
     bool fine = framebuffer_make(gl, &(FramebufferSpec){EDGE, EDGE, 1, GL_RGBA8, true}, &target);
-    printf("\ndepth of four octaves of noise on a square, %d x %d pixels: displaced as they are drawn, millions of "
+    printf("\ndepth of four octaves of noise on a square, %d x %d pixels: displaced as they are "
+           "drawn, millions of "
            "triangles a second\n%-16s %10s %12s\n",
            EDGE, EDGE, "by", "triangles", "drawn");
     for (int i = 0; fine && i < ROWS; i++) {
@@ -149,7 +154,8 @@ bool displacement_programs(GlContext *gl, bool timed, int triangles)
             fine = gl_check(gl, "drawing displaced triangles");
         }
         if (fine)
-            printf("%-16s %10.0f %12s\n", rows[i].name, count, NUMBER(2, timed ? count / seconds / 1e6 : NAN));
+            printf("%-16s %10.0f %12s\n", rows[i].name, count,
+                   NUMBER(2, timed ? count / seconds / 1e6 : NAN));
         mesh_delete(gl, &d.mesh);
         material_delete(&d.material);
         matc_program_free(d.program);

@@ -1,4 +1,6 @@
-/* matbench displacement, the table of silhouettes: how far outlines of triangles are from those of the surface, which is traced through a grid so fine that its triangles are a fraction of a pixel. */
+/* matbench displacement, the table of silhouettes: how far outlines of triangles are from those of
+ * the surface, which is traced through a grid so fine that its triangles are a fraction of a
+ * pixel. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/render/render.h"
@@ -9,7 +11,8 @@
 
 /* From where the asteroid is seen: outlines go by other bumps from each side. */
 static const double views[][3] = {{0, -3, .6}, {2.5, 1.7, .5}, {-2.6, 1.2, -1}, {.5, 1, 2.85}};
-/* A pixel of the picture is SCALE by SCALE here, and so `pixels` of the methods count that much more. */
+/* A pixel of the picture is SCALE by SCALE here, and so `pixels` of the methods count that much
+ * more. */
 enum {
     SCALE = 4,
     EDGE = 160 * SCALE,
@@ -53,8 +56,9 @@ static void read_mask(const float *light, Mask *mask)
 static bool draw_view(Render *render, Scene *scene, int view, float *light)
 {
     memcpy(scene->camera.position, views[view], sizeof views[view]);
-    return scene_camera_aim(&scene->camera) == SCENE_AIM_fine && render_changed(render, RENDER_CAMERA) &&
-           render_frame(render) && render_read(render, light);
+    return scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
+           render_changed(render, RENDER_CAMERA) && render_frame(render) &&
+           render_read(render, light);
 }
 
 /* A mask for each view. Triangles come back where edges are blended. */
@@ -64,10 +68,12 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
     MatcOptions compile;
     Scene *scene;
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -3, 0.6], target: [0, 0, "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -3, "
+             "0.6], target: [0, 0, "
              "0], angle: 34 }\n"
              "displacement: { %s }\nlights: []\n"
-             "materials: { m: { material: Phong, emissive: 0.5, displacement: { map: VolumeTurbulence, size: 1.6, "
+             "materials: { m: { material: Phong, emissive: 0.5, displacement: { map: "
+             "VolumeTurbulence, size: 1.6, "
              "octaves: 5, "
              "noiseRatio: 0.45 }, displacementScale: 0.16 } }\n"
              "objects: [{ object: Sphere, radius: 0.62, detail: 12, material: m }]\n",
@@ -75,8 +81,9 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
     matc_options_init(&compile);
     compile.pixels = true;
     MatcDocument *document = scene_read("scene.yaml", text, strlen(text), &compile, &scene);
-    const RenderOptions options = {
-        .compile = &compile, .view = "light", .edges = counted ? RENDER_EDGES_coverage : RENDER_EDGES_none};
+    const RenderOptions options = {.compile = &compile,
+                                   .view = "light",
+                                   .edges = counted ? RENDER_EDGES_coverage : RENDER_EDGES_none};
     Render *render = scene ? render_open(gl, &options) : NULL;
     float *light = malloc(4 * (size_t)PIXELS * sizeof *light);
     bool fine = light && render && render_scene(render, scene);
@@ -85,7 +92,8 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
         if (!fine)
             break;
         read_mask(light, &masks[view]);
-        masks[view].triangles = counted ? scene->meshes[scene->objects[0].mesh].shape.index_count / 3 : 0;
+        masks[view].triangles =
+            counted ? scene->meshes[scene->objects[0].mesh].shape.index_count / 3 : 0;
     }
     fine = fine || fail(gl, scene, document);
     free(light);
@@ -98,7 +106,8 @@ static bool draw(GlContext *gl, const char *how, bool counted, Mask *masks)
 static bool is_outline(const bool *covered, int x, int y)
 {
     const int at = y * EDGE + x;
-    return covered[at] != covered[at + (x + 1 < EDGE)] || covered[at] != covered[at + (y + 1 < EDGE ? EDGE : 0)];
+    return covered[at] != covered[at + (x + 1 < EDGE)] ||
+           covered[at] != covered[at + (y + 1 < EDGE ? EDGE : 0)];
 }
 
 /* From a pixel to the nearest of the outline, in pixels of the picture. */
@@ -148,8 +157,8 @@ static void print_row(const char *name, const Mask *truth, const Mask *masks)
         pixels += (double)truth[view].count / SCALE / SCALE / VIEWS;
     }
     printf("%-24s %9d %7.1f %7.3f %7.2f   %9.0f %7.1f %7.3f %7.2f\n", name, masks[0].triangles,
-           (double)truth[0].count / SCALE / SCALE / (masks[0].triangles / 2.), first.mean, first.most, triangles,
-           pixels / (triangles / 2), all.mean, all.most);
+           (double)truth[0].count / SCALE / SCALE / (masks[0].triangles / 2.), first.mean,
+           first.most, triangles, pixels / (triangles / 2), all.mean, all.most);
 }
 
 static bool make_masks(Mask masks[VIEWS])
@@ -168,12 +177,14 @@ bool displacement_silhouettes(GlContext *gl)
     const bool room[2] = {make_masks(truth), make_masks(masks)};
     bool fine = room[0] && room[1] && draw(gl, "method: traced, triangles: 250000", false, truth);
     if (fine)
-        printf("\nsilhouettes of an asteroid in %d x %d pixels: triangles, pixels for each that is turned to the "
-               "camera; how far its outline is from the surface's, in pixels: in the mean, at most; the same from %d "
+        printf("\nsilhouettes of an asteroid in %d x %d pixels: triangles, pixels for each that is "
+               "turned to the "
+               "camera; how far its outline is from the surface's, in pixels: in the mean, at "
+               "most; the same from %d "
                "sides\n"
                "%-24s %9s %7s %7s %7s   %9s %7s %7s %7s\n",
-               EDGE / SCALE, EDGE / SCALE, VIEWS, "method", "triangles", "pixels", "mean", "most", "triangles",
-               "pixels", "mean", "most");
+               EDGE / SCALE, EDGE / SCALE, VIEWS, "method", "triangles", "pixels", "mean", "most",
+               "triangles", "pixels", "mean", "most");
     for (int i = 0; fine && i < ROWS; i++) {
         fine = draw(gl, rows[i].how, true, masks);
         if (fine)

@@ -1,4 +1,6 @@
-/* matbench displacement, the table of slopes: what normals of a curved surface that is displaced are off where those of its base are taken to stay as they are, and where they turn as the base does. */
+/* matbench displacement, the table of slopes: what normals of a curved surface that is displaced
+ * are off where those of its base are taken to stay as they are, and where they turn as the base
+ * does. */
 #include "displacement.h"
 #include "matbench.h"
 #include "tests/value/curved.h"
@@ -14,7 +16,8 @@ typedef struct {
     double mean, most;
 } Off;
 
-/* By how much of the body's radius it rises, or is moved by a vector; without what turns: normals of the base, or its tangents about them. */
+/* By how much of the body's radius it rises, or is moved by a vector; without what turns: normals
+ * of the base, or its tangents about them. */
 typedef struct {
     CurvedBody body;
     double part;
@@ -53,14 +56,15 @@ static bool print_row(const Case *c)
     char text[TEXT];
     Document d;
     snprintf(text, sizeof text, "material: Phong\ndisplacement%s\ndisplacementScale: %.17g\n",
-             c->vector ? "Vector: " CURVED_VECTOR : ": " CURVED_HEIGHT, c->part * curved_radius[c->body]);
+             c->vector ? "Vector: " CURVED_VECTOR : ": " CURVED_HEIGHT,
+             c->part * curved_radius[c->body]);
     const bool fine = document_open_text(&d, text);
     if (fine) {
         Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
         const Off stay = off_truth(oracle, d.graph->materials[0].node, c, true),
                   turn = off_truth(oracle, d.graph->materials[0].node, c, false);
-        printf("%-8s %8.2f %12.3f %8.2f %14.1e %10.1e\n", names[c->body], c->part, stay.mean, stay.most, turn.mean,
-               turn.most);
+        printf("%-8s %8.2f %12.3f %8.2f %14.1e %10.1e\n", names[c->body], c->part, stay.mean,
+               stay.most, turn.mean, turn.most);
         oracle_close(oracle);
     }
     document_close(&d);
@@ -80,8 +84,8 @@ static bool print_table(bool vector)
 
 bool displacement_slopes(void)
 {
-    printf(
-        "\nnormals of curved bodies that rise and fall: degrees off the closed form, in the mean square and at most\n");
+    printf("\nnormals of curved bodies that rise and fall: degrees off the closed form, in the "
+           "mean square and at most\n");
     if (!print_table(false))
         return false;
     printf("\nthe same of bodies that vectors move\n");

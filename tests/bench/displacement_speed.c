@@ -1,4 +1,5 @@
-/* matbench displacement, the table of speed: how many triangles a second each method displaces, into a mesh or a buffer, and how many the picture's first pass then draws. */
+/* matbench displacement, the table of speed: how many triangles a second each method displaces,
+ * into a mesh or a buffer, and how many the picture's first pass then draws. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/displace/displaced.h"
@@ -33,8 +34,10 @@ static double least_frame(GlContext *gl, Render *render)
     return least;
 }
 
-/* Seconds until the driver has written the buffer, the least of some times; and its triangles. Negative: it fails. */
-static double least_write(GlContext *gl, const Scene *scene, const MatcOptions *compile, double *triangles)
+/* Seconds until the driver has written the buffer, the least of some times; and its triangles.
+ * Negative: it fails. */
+static double least_write(GlContext *gl, const Scene *scene, const MatcOptions *compile,
+                          double *triangles)
 {
     double least = INFINITY;
     Store *store = store_new(gl);
@@ -70,12 +73,15 @@ static bool measure_method(GlContext *gl, bool timed, int row, int triangles)
     matc_options_init(&compile);
     compile.pixels = true;
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -2.6, 2], target: [0, "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -2.6, "
+             "2], target: [0, "
              "0, 0] }\n"
              "displacement: { method: %s, triangles: %d }\nlights: [{ light: Ambient }]\n"
-             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 3, octaves: 4, "
+             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 3, "
+             "octaves: 4, "
              "noiseRatio: 0.45 }, displacementScale: 0.2 } }\n"
-             "objects:\n- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { translation: "
+             "objects:\n- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, "
+             "transform: { translation: "
              "[-1, -1, 0] } }\n",
              EDGE, EDGE, methods[row].name, triangles);
     const double begin = bench_now();
@@ -85,13 +91,17 @@ static bool measure_method(GlContext *gl, bool timed, int row, int triangles)
     if (scene && methods[row].driver)
         displaced = least_write(gl, scene, &compile, &count);
     Render *render = scene ? render_open(gl, &(RenderOptions){.compile = &compile}) : NULL;
-    const bool fine = displaced >= 0 && render && render_scene(render, scene) && render_frame(render);
+    const bool fine =
+        displaced >= 0 && render && render_scene(render, scene) && render_frame(render);
     if (fine) {
         const double drawn = least_frame(gl, render), millions = count / 1e6;
-        printf("%-12s %10.0f %12s %12s %12s\n", methods[row].name, count, NUMBER(3, timed ? millions / displaced : NAN),
-               NUMBER(1, timed ? millions / drawn : NAN), NUMBER(3, timed ? millions / (displaced + drawn) : NAN));
+        printf("%-12s %10.0f %12s %12s %12s\n", methods[row].name, count,
+               NUMBER(3, timed ? millions / displaced : NAN),
+               NUMBER(1, timed ? millions / drawn : NAN),
+               NUMBER(3, timed ? millions / (displaced + drawn) : NAN));
     } else {
-        fprintf(stderr, "matbench: %s\n", scene ? gl->error : matc_diagnostics(document, MATC_TEXT));
+        fprintf(stderr, "matbench: %s\n",
+                scene ? gl->error : matc_diagnostics(document, MATC_TEXT));
     }
     render_close(render);
     scene_free(scene);
@@ -102,7 +112,8 @@ static bool measure_method(GlContext *gl, bool timed, int row, int triangles)
 bool displacement_speed(GlContext *gl, bool timed, int triangles)
 {
     bool fine = true;
-    printf("\nfour octaves of noise on a square, 512 x 512 pixels: millions of triangles a second\n%-12s %10s %12s "
+    printf("\nfour octaves of noise on a square, 512 x 512 pixels: millions of triangles a "
+           "second\n%-12s %10s %12s "
            "%12s %12s\n",
            "method", "triangles", "displaced", "drawn", "both");
     for (size_t i = 0; fine && i < sizeof methods / sizeof *methods; i++)

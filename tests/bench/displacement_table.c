@@ -1,5 +1,7 @@
-/* matbench displacement, the table of the thesis: frames a second by the number of triangles, by its third and second version at its numbers of steps, as it has them and here. Each frame the
- * camera has moved, so that all is divided, moved and drawn again; what stands in a buffer is drawn alone. */
+/* matbench displacement, the table of the thesis: frames a second by the number of triangles, by
+ * its third and second version at its numbers of steps, as it has them and here. Each frame the
+ * camera has moved, so that all is divided, moved and drawn again; what stands in a buffer is drawn
+ * alone. */
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/frame/frame.h"
@@ -10,8 +12,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Its figures 22 to 24, of 2009: brute force, then 11, 10, 9, 8 steps of the third version, 10, 9, 8 of the second; 0: none. */
-enum { THIRD = 4, SECOND = 3, VERSIONS = THIRD + SECOND, TEXT = 2048, POINTS = 40, FRAMES = 3, SIDE = 600 };
+/* Its figures 22 to 24, of 2009: brute force, then 11, 10, 9, 8 steps of the third version, 10, 9,
+ * 8 of the second; 0: none. */
+enum {
+    THIRD = 4,
+    SECOND = 3,
+    VERSIONS = THIRD + SECOND,
+    TEXT = 2048,
+    POINTS = 40,
+    FRAMES = 3,
+    SIDE = 600
+};
 static const struct {
     int triangles, brute, third[THIRD], second[SECOND];
 } rows[] = {
@@ -78,14 +89,16 @@ static const struct {
     {128, 0, {2010, 2150, 2310, 2510}, {1732, 1860, 2010}},
     {32, 12000, {2190, 2340, 2500, 2680}, {2060, 2230, 2380}},
 };
-#define FRAMES_AT(curve, triangles) NUMBER(decimals(frames_at(curve, triangles)), frames_at(curve, triangles))
+#define FRAMES_AT(curve, triangles)                                                                \
+    NUMBER(decimals(frames_at(curve, triangles)), frames_at(curve, triangles))
 enum { ROWS = sizeof rows / sizeof *rows };
 
 static const struct {
     const char *name, *skirts;
     int steps;
-} versions[VERSIONS] = {{"V3 11", "early", 11},   {"V3 10", "early", 10}, {"V3 9", "early", 9},  {"V3 8", "early", 8},
-                        {"V2 10", "borders", 10}, {"V2 9", "borders", 9}, {"V2 8", "borders", 8}};
+} versions[VERSIONS] = {{"V3 11", "early", 11}, {"V3 10", "early", 10},   {"V3 9", "early", 9},
+                        {"V3 8", "early", 8},   {"V2 10", "borders", 10}, {"V2 9", "borders", 9},
+                        {"V2 8", "borders", 8}};
 
 typedef struct {
     double triangles, seconds;
@@ -108,21 +121,25 @@ static bool open_drawn(GlContext *gl, const char *how, Drawn *d)
     char text[TEXT];
     *d = (Drawn){.gl = gl};
     matc_options_init(&d->compile);
-    snprintf(
-        text, sizeof text,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 100], up: [0, 1, 0], angle: "
-        "60 }\n"
-        "displacement: { %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1], shadows: none }]\n"
-        "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 1, octaves: 4, "
-        "noiseRatio: 0.45 }, displacementScale: 0.2 } }\n"
-        "objects:\n- { object: Parallelogram, u: [10, 0, 0], v: [0, 10, 0], material: m, transform: { translation: "
-        "[-5, -5, 0] } }\n",
-        SIDE, SIDE, how);
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, "
+             "100], up: [0, 1, 0], angle: "
+             "60 }\n"
+             "displacement: { %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1], "
+             "shadows: none }]\n"
+             "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 1, "
+             "octaves: 4, "
+             "noiseRatio: 0.45 }, displacementScale: 0.2 } }\n"
+             "objects:\n- { object: Parallelogram, u: [10, 0, 0], v: [0, 10, 0], material: m, "
+             "transform: { translation: "
+             "[-5, -5, 0] } }\n",
+             SIDE, SIDE, how);
     d->document = scene_read("scene.yaml", text, strlen(text), &d->compile, &d->scene);
     d->render = d->scene ? render_open(gl, &(RenderOptions){.compile = &d->compile}) : NULL;
     if (d->render && render_scene(d->render, d->scene))
         return true;
-    fprintf(stderr, "matbench: %s\n", d->scene ? gl->error : matc_diagnostics(d->document, MATC_TEXT));
+    fprintf(stderr, "matbench: %s\n",
+            d->scene ? gl->error : matc_diagnostics(d->document, MATC_TEXT));
     return false;
 }
 
@@ -158,11 +175,12 @@ static bool measure_version(GlContext *gl, int version, int most, Curve *curve)
     const double farthest = 8e4, nearer = .66;
     char how[120];
     Drawn d;
-    snprintf(how, sizeof how, "method: feedback, near: 4, detail: 250, steps: %d, skirts: %s", versions[version].steps,
-             versions[version].skirts);
+    snprintf(how, sizeof how, "method: feedback, near: 4, detail: 250, steps: %d, skirts: %s",
+             versions[version].steps, versions[version].skirts);
     bool fine = open_drawn(gl, how, &d);
     double height = farthest;
-    for (int i = 0; fine && i < POINTS && !(curve->count && curve->at[curve->count - 1].triangles > most);
+    for (int i = 0;
+         fine && i < POINTS && !(curve->count && curve->at[curve->count - 1].triangles > most);
          i++, height *= nearer) {
         bench_show(versions[version].name);
         Point *at = &curve->at[curve->count];
@@ -178,7 +196,8 @@ static bool measure_version(GlContext *gl, int version, int most, Curve *curve)
 static bool measure_even(GlContext *gl, const char *method, double height, int most, Curve *curve)
 {
     bool fine = true;
-    for (int triangles = 32; fine && triangles <= 2 * most && curve->count < POINTS; triangles *= 4) {
+    for (int triangles = 32; fine && triangles <= 2 * most && curve->count < POINTS;
+         triangles *= 4) {
         char how[120];
         Drawn d;
         snprintf(how, sizeof how, "method: %s, triangles: %d", method, triangles);
@@ -188,7 +207,8 @@ static bool measure_even(GlContext *gl, const char *method, double height, int m
     return fine;
 }
 
-/* Frames a second of so many triangles, between the two numbers nearest; NAN: fewer or more were not drawn. */
+/* Frames a second of so many triangles, between the two numbers nearest; NAN: fewer or more were
+ * not drawn. */
 static double frames_at(const Curve *curve, double triangles)
 {
     for (int i = 1; i < curve->count; i++) {
@@ -217,7 +237,9 @@ typedef struct {
 /* The thesis' frames a second in a column: those of THIRD, then of SECOND; -1: brute force. */
 static double thesis_rate(int row, int column)
 {
-    const int rate = column < 0 ? rows[row].brute : column < THIRD ? rows[row].third[column] : rows[row].second[column - THIRD];
+    const int rate = column < 0       ? rows[row].brute
+                     : column < THIRD ? rows[row].third[column]
+                                      : rows[row].second[column - THIRD];
     return given(rate);
 }
 
@@ -230,7 +252,10 @@ static void add_line(Line *to, int column, int line, const Curve *here)
         if (isnan(rate))
             continue;
         last = to->count++;
-        to->at[last] = (PlotPoint){.x = triangles, .y = rate, .line = line, .label = column < 0 ? "brute" : versions[column].name};
+        to->at[last] = (PlotPoint){.x = triangles,
+                                   .y = rate,
+                                   .line = line,
+                                   .label = column < 0 ? "brute" : versions[column].name};
     }
     if (last >= 0)
         to->at[last].named = true;
@@ -246,11 +271,13 @@ static bool write_text(const char *plot, const char *svg)
     return done || fprintf(stderr, "matbench: %s cannot be written\n", path) < 0;
 }
 
-static bool write_charts(const char *plot, const char *driver, const Curve curves[VERSIONS], const Curve *brute)
+static bool write_charts(const char *plot, const char *driver, const Curve curves[VERSIONS],
+                         const Curve *brute)
 {
     static Line lines[PANELS];
-    static const char *const titles[PANELS] = {"third version, GeForce 8800 GTX", "third version, here",
-                                               "second version, GeForce 8800 GTX", "second version, here"};
+    static const char *const titles[PANELS] = {
+        "third version, GeForce 8800 GTX", "third version, here",
+        "second version, GeForce 8800 GTX", "second version, here"};
     PlotPanel panels[PANELS];
     memset(lines, 0, sizeof lines);
     for (int i = 0; i < PANELS; i++) {
@@ -258,7 +285,8 @@ static bool write_charts(const char *plot, const char *driver, const Curve curve
         add_line(&lines[i], -1, LINES, i % 2 ? brute : NULL);
         for (int column = first; column < first + count; column++)
             add_line(&lines[i], column, column - first + 1, i % 2 ? &curves[column] : NULL);
-        panels[i] = (PlotPanel){titles[i], "triangles", "frames a second", lines[i].at, lines[i].count};
+        panels[i] =
+            (PlotPanel){titles[i], "triangles", "frames a second", lines[i].at, lines[i].count};
     }
     char *svg = plot_svg(&(Plot){"Displacement by transform feedback", driver, panels, PANELS, 2});
     const bool done = write_text(plot, svg);
@@ -275,7 +303,8 @@ bool displacement_table(GlContext *gl, bool timed, int most, const char *plot)
         fine = measure_version(gl, i, most, &curves[i]);
     for (int i = 0; i < 2 && fine && timed; i++)
         fine = measure_even(gl, methods[i], 12, most, &even[i]);
-    printf("\nthe thesis' table: frames a second, there : here, of a square of two triangles, 600 x 600 pixels\n%-9s "
+    printf("\nthe thesis' table: frames a second, there : here, of a square of two triangles, 600 "
+           "x 600 pixels\n%-9s "
            "%11s %7s",
            "triangles", "brute", "grid");
     for (int i = 0; i < VERSIONS; i++)
@@ -283,10 +312,11 @@ bool displacement_table(GlContext *gl, bool timed, int most, const char *plot)
     puts("");
     for (int row = 0; row < ROWS && fine; row++) {
         const double triangles = rows[row].triangles;
-        printf("%-9.0f %5s:%5s %7s", triangles, NUMBER(0, given(rows[row].brute)), FRAMES_AT(&even[0], triangles),
-               FRAMES_AT(&even[1], triangles));
+        printf("%-9.0f %5s:%5s %7s", triangles, NUMBER(0, given(rows[row].brute)),
+               FRAMES_AT(&even[0], triangles), FRAMES_AT(&even[1], triangles));
         for (int i = 0; i < VERSIONS; i++)
-            printf(" %5s:%5s", NUMBER(0, given(i < THIRD ? rows[row].third[i] : rows[row].second[i - THIRD])),
+            printf(" %5s:%5s",
+                   NUMBER(0, given(i < THIRD ? rows[row].third[i] : rows[row].second[i - THIRD])),
                    FRAMES_AT(&curves[i], triangles));
         puts("");
     }

@@ -25,7 +25,8 @@ void error_target(ErrorBench *bench, const char *what, bool reached, const char 
         *bar = 0;
     snprintf(target->what, sizeof target->what, "%s", what);
     snprintf(target->wanted, sizeof target->wanted, "%.*s", TARGET_TEXT - 1, text);
-    snprintf(target->measured, sizeof target->measured, "%.*s", TARGET_TEXT - 1, bar ? bar + 1 : "");
+    snprintf(target->measured, sizeof target->measured, "%.*s", TARGET_TEXT - 1,
+             bar ? bar + 1 : "");
     target->reached = reached;
 }
 
@@ -40,7 +41,8 @@ MatcDocument *error_document(const char *name, const char *text)
 {
     char path[LONGEST_PATH];
     const char *root =
-        access(SOURCE_FOLDER "/examples", R_OK) ? "." : SOURCE_FOLDER; /* a binary may have been carried */
+        /* a binary may have been carried */
+        access(SOURCE_FOLDER "/examples", R_OK) ? "." : SOURCE_FOLDER;
     MatcOptions options;
     matc_options_init(&options);
     options.pixels = true;
@@ -61,7 +63,8 @@ MatcProgram *error_program(const MatcDocument *document, const Variant *variant)
     return variant_compile(document, 0, MATC_FRAGMENT, &options);
 }
 
-bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Material *made)
+bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant,
+                    Material *made)
 {
     MatcProgram *program = error_program(document, variant);
     *made = (Material){0};
@@ -82,11 +85,12 @@ static bool write_plot(const ErrorBench *bench, const char *basename)
 {
     char path[LONGEST_PATH], note[512], error[512];
     const char *renderer = bench->meter->gl->renderer;
-    snprintf(
-        note, sizeof note,
-        "Of every material: the greatest error through the G-buffer; the aliasing on a plane up to its horizon. %s",
-        renderer);
-    char *svg = plot_svg(&(Plot){"Run time against error", note, bench->panels, bench->panel_count, PANEL_COLUMNS});
+    snprintf(note, sizeof note,
+             "Of every material: the greatest error through the G-buffer; the aliasing on a plane "
+             "up to its horizon. %s",
+             renderer);
+    char *svg = plot_svg(
+        &(Plot){"Run time against error", note, bench->panels, bench->panel_count, PANEL_COLUMNS});
     snprintf(path, sizeof path, "%s.svg", basename);
     bool done = write_text(path, svg);
     snprintf(path, sizeof path, "%s.png", basename);
@@ -112,7 +116,8 @@ static void print_targets(const ErrorBench *bench)
 {
     for (int i = 0; i < bench->target_count; i++) {
         const ErrorTarget *t = &bench->targets[i];
-        printf("%-8s %s: %s / %s\n", t->reached ? "reached" : "missed", t->what, t->wanted, t->measured);
+        printf("%-8s %s: %s / %s\n", t->reached ? "reached" : "missed", t->what, t->wanted,
+               t->measured);
     }
 }
 
@@ -121,7 +126,9 @@ static const char *plot_from_page(const BenchOptions *a)
 {
     const char *slash = a->page ? strrchr(a->page, '/') : NULL;
     size_t folder = slash ? (size_t)(slash - a->page) + 1 : 0;
-    return a->plot && folder && !strncmp(a->plot, a->page, folder) ? a->plot + folder : a->plot ? a->plot : "accuracy";
+    return a->plot && folder && !strncmp(a->plot, a->page, folder) ? a->plot + folder
+           : a->plot                                               ? a->plot
+                                                                   : "accuracy";
 }
 
 static int finish(ErrorBench *bench, const BenchOptions *a, const char *csv, char *const *parts)
@@ -161,10 +168,12 @@ int bench_error(const BenchOptions *options)
     bench->quick = options->quick;
     for (int i = 0; i < options->argument_count; i++) {
         size_t size = strlen(bench->command);
-        snprintf(bench->command + size, sizeof bench->command - size, i ? " %s" : "build/matbench %s",
-                 options->arguments[i]);
+        snprintf(bench->command + size, sizeof bench->command - size,
+                 i ? " %s" : "build/matbench %s", options->arguments[i]);
     }
-    bench->seconds = options->seconds > 0 ? options->seconds : options->quick ? quick_seconds : full_seconds;
+    bench->seconds = options->seconds > 0 ? options->seconds
+                     : options->quick     ? quick_seconds
+                                          : full_seconds;
     bench->meter = meter_open(options->gl, error, sizeof error);
     if (!bench->meter) {
         fprintf(stderr, "matbench: %s\n", error);

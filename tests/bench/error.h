@@ -34,8 +34,10 @@ typedef struct {
     char command[1024]; /* as it was called */
     bool quick;
     double seconds; /* for a material */
-    int factor; /* pictures that are timed are so many times wider and higher on a GPU, or they would last no time */
-    FILE *csv;  /* group,subject,gl,variant,quantity,value */
+    /* pictures that are timed are so many times wider and higher on a GPU, or they would last no
+     * time */
+    int factor;
+    FILE *csv;                      /* group,subject,gl,variant,quantity,value */
     FILE *part[SECTION_PART_count]; /* Markdown */
     ErrorTarget targets[TARGETS_LIMIT];
     int target_count;
@@ -43,7 +45,8 @@ typedef struct {
     int panel_count;
 } ErrorBench;
 
-__attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what, bool reached,
+__attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what,
+                                                        bool reached,
                                                         const char *wanted_then_measured, ...);
 /* What a figure of the CSV is of. */
 typedef struct {
@@ -52,12 +55,15 @@ typedef struct {
 
 void error_figure(ErrorBench *bench, ErrorSubject of, const char *quantity, double value);
 
-/* A document of the benches, read with its pictures; its materials exist, or the program has a fault and ends. */
+/* A document of the benches, read with its pictures; its materials exist, or the program has a
+ * fault and ends. */
 MatcDocument *error_document(const char *name, const char *text);
-/* A program of pass value, slot diffuse, of a document's first material. NULL: it does not compile. */
+/* A program of pass value, slot diffuse, of a document's first material. NULL: it does not
+ * compile. */
 MatcProgram *error_program(const MatcDocument *document, const Variant *variant);
 /* The same, to be drawn. False: it does not compile. */
-bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant, Material *made);
+bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant,
+                    Material *made);
 
 /* Each fills its parts and targets. */
 void error_normals(ErrorBench *bench);
@@ -68,6 +74,7 @@ void error_powers(ErrorBench *bench);
 void error_codes(ErrorBench *bench);
 void error_layouts(ErrorBench *bench);
 
-/* The page, from its template, the parts and the targets. From malloc; NULL: the template cannot be read. */
+/* The page, from its template, the parts and the targets. From malloc; NULL: the template cannot be
+ * read. */
 char *error_page(ErrorBench *bench, const char *plot, char *const *parts);
 #endif

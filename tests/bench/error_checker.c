@@ -1,4 +1,5 @@
-/* A checker on a plane up to its horizon: what filtering costs, and how far it is from 4096 samples a pixel. */
+/* A checker on a plane up to its horizon: what filtering costs, and how far it is from 4096 samples
+ * a pixel. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -17,10 +18,12 @@ enum {
 };
 static const double yaws[YAWS] = {0, 0.3, 0.785};
 
-/* u and v a unit of height, such that points alone err as they do in the table of numerics.md: 0.165. */
+/* u and v a unit of height, such that points alone err as they do in the table of numerics.md:
+ * 0.165. */
 static const double checker_scale = 0.78;
 
-static const char checker_document[] = "material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n";
+static const char checker_document[] =
+    "material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n";
 
 /* The same by samples within the shader: what filtering competes with. */
 static const char samples_text[] = "#version 330 core\n"
@@ -59,12 +62,14 @@ static void make_methods(Checker *c, const MatcDocument *document)
     matc_options_init(&options);
     variant_of(&options, &base);
     strcpy(c->methods[0].name, "16 samples in the shader");
-    c->count = field_material(c->bench->meter->store, NULL, &(FieldText){TARGET_glsl330, samples_text, NULL},
-                              &c->methods[0].material);
+    c->count =
+        field_material(c->bench->meter->store, NULL,
+                       &(FieldText){TARGET_glsl330, samples_text, NULL}, &c->methods[0].material);
     for (int i = 0; i < axis_choices(AXIS_aa) && c->count < MOST; i++) {
         variant = base;
         variant.choice[AXIS_aa] = axis_table[AXIS_aa].first + i;
-        snprintf(c->methods[c->count].name, VARIANT_NAME, "aa=%s", choice_table[variant.choice[AXIS_aa]].name);
+        snprintf(c->methods[c->count].name, VARIANT_NAME, "aa=%s",
+                 choice_table[variant.choice[AXIS_aa]].name);
         if (error_material(c->bench, document, &variant, &c->methods[c->count].material))
             c->count++;
     }
@@ -73,14 +78,18 @@ static void make_methods(Checker *c, const MatcDocument *document)
 static bool make_views(Checker *c)
 {
     GlContext *gl = c->bench->meter->gl;
-    FramebufferSpec full = {.width = WIDTH, .height = HEIGHT, .color_count = 1, .color_format = GL_RGBA32F},
+    FramebufferSpec full = {.width = WIDTH,
+                            .height = HEIGHT,
+                            .color_count = 1,
+                            .color_format = GL_RGBA32F},
                     half = full;
     half.color_format = GL_RGBA16F;
     half.width *= c->bench->factor;
     half.height *= c->bench->factor;
     for (int i = 0; i < YAWS; i++) {
         FieldVertex plane[PLANE_VERTICES];
-        sample_plane(plane, &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});
+        sample_plane(plane,
+                     &(PlaneView){yaws[i], checker_scale, (double)WIDTH / HEIGHT, HEIGHT, {0, 0}});
         if (!field_make(gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &c->views[i]))
             return false;
     }
@@ -117,7 +126,8 @@ static bool add_times(Checker *c)
     draws[0] = (MeterDraw){&constant, &c->views[1], &c->half};
     for (int i = 0; i < c->count; i++)
         draws[1 + i] = (MeterDraw){&c->methods[i].material, &c->views[1], &c->half};
-    bool done = meter_time(c->bench->meter, draws, c->count + 1, c->bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
+    bool done = meter_time(c->bench->meter, draws, c->count + 1,
+                           c->bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
     for (int i = 0; i < c->count; i++)
         c->methods[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
     material_delete(&constant);
@@ -139,32 +149,35 @@ static void report(Checker *c)
     fputs("| method | RMSE | max | ns a pixel |\n| --- | --- | --- | --- |\n", out);
     for (int i = 0; i < c->count; i++) {
         const Method *m = &c->methods[i];
-        fprintf(out, "| %s | %.4f | %.3f | %.2f |\n", m->name, sqrt(m->squares), m->maximum, m->nanoseconds);
+        fprintf(out, "| %s | %.4f | %.3f | %.2f |\n", m->name, sqrt(m->squares), m->maximum,
+                m->nanoseconds);
         const ErrorSubject of = {"checker", "horizon", m->name};
         error_figure(c->bench, of, "rmse", sqrt(m->squares));
         error_figure(c->bench, of, "max", m->maximum);
         error_figure(c->bench, of, "ns_per_pixel", m->nanoseconds);
     }
     if (samples->nanoseconds <= 0)
-        fputs("\nThe machine was busy: 16 samples took no longer than drawing nothing, so no ratio of times can be "
+        fputs("\nThe machine was busy: 16 samples took no longer than drawing nothing, so no ratio "
+              "of times can be "
               "told.\n",
               out);
     if (box && samples->nanoseconds > 0)
         error_target(c->bench, "checker to the horizon, aa=box",
                      sqrt(box->squares) <= 0.0465 && box->nanoseconds <= 0.5 * samples->nanoseconds,
-                     "RMSE 0.046 at half the time of 16 samples|RMSE %.4f at %.2f of it", sqrt(box->squares),
-                     box->nanoseconds / samples->nanoseconds);
+                     "RMSE 0.046 at half the time of 16 samples|RMSE %.4f at %.2f of it",
+                     sqrt(box->squares), box->nanoseconds / samples->nanoseconds);
     if (aniso && samples->nanoseconds > 0)
         error_target(c->bench, "checker to the horizon, aa=aniso",
                      sqrt(aniso->squares) <= 0.019 && aniso->nanoseconds <= samples->nanoseconds,
-                     "RMSE 0.019 at the time of 16 samples|RMSE %.4f at %.2f of it", sqrt(aniso->squares),
-                     aniso->nanoseconds / samples->nanoseconds);
+                     "RMSE 0.019 at the time of 16 samples|RMSE %.4f at %.2f of it",
+                     sqrt(aniso->squares), aniso->nanoseconds / samples->nanoseconds);
 }
 
 void error_checker(ErrorBench *bench)
 {
     Checker *c = calloc(1, sizeof *c);
-    float *wanted = calloc(WIDTH * HEIGHT * 4, sizeof *wanted), *found = calloc(WIDTH * HEIGHT * 4, sizeof *found);
+    float *wanted = calloc(WIDTH * HEIGHT * 4, sizeof *wanted),
+          *found = calloc(WIDTH * HEIGHT * 4, sizeof *found);
     if (!c || !wanted || !found)
         abort();
     MatcDocument *document = error_document("checker", checker_document);

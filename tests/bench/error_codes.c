@@ -1,5 +1,5 @@
-/* Every layout: whatever a slot reads back as is packed and read back once more, and must come back the same, so that no code
- * is lost between a shader, a render target and the next shader. */
+/* Every layout: whatever a slot reads back as is packed and read back once more, and must come back
+ * the same, so that no code is lost between a shader, a render target and the next shader. */
 #include "error.h"
 #include "matbench.h"
 #include <math.h>
@@ -13,8 +13,9 @@ static const char document_text[] =
     "material: Phong\n"
     "diffuse: &x { map: Gradient, direction: [1, 0, 0] }\n"
     "specular: *x\ntransparency: *x\ndiffuseTransparency: *x\nambient: *x\nemissive: *x\n";
-static const Slot slots[] = {SLOT_diffuse, SLOT_specular, SLOT_transparency, SLOT_diffuseTransparency,
-                             SLOT_ambient, SLOT_emissive};
+static const Slot slots[] = {SLOT_diffuse,      SLOT_specular,
+                             SLOT_transparency, SLOT_diffuseTransparency,
+                             SLOT_ambient,      SLOT_emissive};
 enum { SLOTS = sizeof slots / sizeof *slots };
 
 typedef struct {
@@ -83,14 +84,15 @@ static bool sweep_layout(Sweep *s, const MatcDocument *document)
     if (!program)
         return false;
     int steps = s->bench->quick ? QUICK_SWEEP : SWEEP;
-    bool done = meter_make_material(s->bench->meter, program, &s->material) &&
-                meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
+    bool done =
+        meter_make_material(s->bench->meter, program, &s->material) &&
+        meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
     sample_points(s->points, 1);
     for (int from = 0; from < steps && done; from += POINTS)
         done = check_batch(s, from, steps);
     if (done) {
-        fprintf(s->bench->part[SECTION_PART_codes], "| %s | %d | %ld | %ld |\n", layout_table[s->layout].name,
-                distinct(s->codes, steps), s->read, s->changed);
+        fprintf(s->bench->part[SECTION_PART_codes], "| %s | %d | %ld | %ld |\n",
+                layout_table[s->layout].name, distinct(s->codes, steps), s->read, s->changed);
         const ErrorSubject of = {"codes", layout_table[s->layout].name, ""};
         error_figure(s->bench, of, "read", (double)s->read);
         error_figure(s->bench, of, "changed", (double)s->changed);
@@ -108,9 +110,9 @@ void error_codes(ErrorBench *bench)
     if (!s || !codes)
         abort();
     MatcDocument *document = error_document("codes", document_text);
-    fputs(
-        "| layout | codes of a lane of specular | codes read twice, all lanes | changed |\n| --- | --- | --- | --- |\n",
-        bench->part[SECTION_PART_codes]);
+    fputs("| layout | codes of a lane of specular | codes read twice, all lanes | changed |\n| --- "
+          "| --- | --- | --- |\n",
+          bench->part[SECTION_PART_codes]);
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
         bench_show(layout_table[layout].name);
         *s = (Sweep){.bench = bench, .layout = (Layout)layout, .codes = codes};

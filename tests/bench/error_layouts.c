@@ -1,4 +1,5 @@
-/* Every built-in layout: what comes back of each slot, over a sweep of its values, and what packing and reading back cost. */
+/* Every built-in layout: what comes back of each slot, over a sweep of its values, and what packing
+ * and reading back cost. */
 #include "error.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
@@ -11,10 +12,15 @@
 enum { BATCHES = 32, QUICK_BATCHES = 4, LONGEST_DOCUMENT = 2048 };
 
 /* The lanes of a colour are x, 1 - x and a part of [0, 1]; light is up to 64. */
-#define COLOR "{ map: Blend, blend: [{ value: 0, input: [0, 1, 0.2] }, { value: 1, input: [1, 0, 0.7] }], input: *t }\n"
-#define LIGHT "{ map: Blend, blend: [{ value: 0, input: [0, 64, 8] }, { value: 1, input: [64, 0, 28] }], input: *t }\n"
-#define PLAIN                                                                                                          \
-    "material: Phong\nshininess: &t { map: Gradient, direction: [1, 0, 0] }\ndiffuse: " COLOR "specular: " COLOR
+#define COLOR                                                                                      \
+    "{ map: Blend, blend: [{ value: 0, input: [0, 1, 0.2] }, { value: 1, input: [1, 0, 0.7] }], "  \
+    "input: *t }\n"
+#define LIGHT                                                                                      \
+    "{ map: Blend, blend: [{ value: 0, input: [0, 64, 8] }, { value: 1, input: [64, 0, 28] }], "   \
+    "input: *t }\n"
+#define PLAIN                                                                                      \
+    "material: Phong\nshininess: &t { map: Gradient, direction: [1, 0, 0] }\ndiffuse: " COLOR      \
+    "specular: " COLOR
 #define CLEAR "transparency: " COLOR "transparencyShininess: *t\n"
 static const struct {
     const char *name, *text;
@@ -64,10 +70,12 @@ static void compare(const Sweep *s, Errors *errors)
             if (!s->bench->meter->readers[s->layout].holds[slot])
                 continue;
             if (slot == SLOT_normal)
-                note(errors, slot, normal_angle((double[]){n[0], n[1], n[2]}, s->got[i].lane[slot]));
+                note(errors, slot,
+                     normal_angle((double[]){n[0], n[1], n[2]}, s->got[i].lane[slot]));
             for (int lane = 0; slot != SLOT_normal && lane < type_table[row->type].lanes; lane++) {
                 double want = fmin(fmax(s->want[i].lane[slot][lane], row->low), row->high);
-                note(errors, slot, fabs(s->got[i].lane[slot][lane] - want) / greatest_lane(&s->want[i], slot));
+                note(errors, slot,
+                     fabs(s->got[i].lane[slot][lane] - want) / greatest_lane(&s->want[i], slot));
             }
         }
 }
@@ -93,8 +101,9 @@ static bool measure(Sweep *s, int which, Errors *errors)
     MatcProgram *program = variant_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     bool fine = program != NULL;
     if (fine) {
-        fine = meter_make_material(s->bench->meter, program, &material) &&
-               meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
+        fine =
+            meter_make_material(s->bench->meter, program, &material) &&
+            meter_open_layout(s->bench->meter, s->layout, matc_output(program, MATC_UNPACK, NULL));
         for (int batch = 0; batch < batches && fine; batch++) {
             for (int i = 0; i < POINTS; i++) {
                 double x = (i * batches + batch + 0.5) / ((double)batches * POINTS);
@@ -119,7 +128,8 @@ static const CaseRow *case_of(const LayoutRow *row, int which)
     for (; number + 1 < row->case_count; number++) {
         bool all = true;
         for (int slot = 0; slot < SLOT_COUNT; slot++)
-            if (strstr(documents[which].text, slot_table[slot].name) && layout_has_slot(row, (Slot)slot))
+            if (strstr(documents[which].text, slot_table[slot].name) &&
+                layout_has_slot(row, (Slot)slot))
                 all &= layout_case_has_slot(&row->cases[number], (Slot)slot);
         if (all)
             break;
@@ -162,8 +172,8 @@ static void put_table(Sweep *s, const Errors errors[DOCUMENTS], int first)
                 continue;
             }
             fprintf(out, " %s | %.3g | %.3g |", encoding, e->greatest[slot], rms);
-            error_figure(s->bench, (ErrorSubject){"layouts", row->name, documents[which].name}, slot_table[slot].name,
-                         e->greatest[slot]);
+            error_figure(s->bench, (ErrorSubject){"layouts", row->name, documents[which].name},
+                         slot_table[slot].name, e->greatest[slot]);
         }
         fputc('\n', out);
     }
@@ -181,9 +191,10 @@ static void put_layout(Sweep *s)
             return;
     if (!bench_layout_cost(s->bench->meter->gl, (int)s->layout, &write, &read))
         return;
-    fprintf(s->bench->part[SECTION_PART_layouts],
-            "\n### %s\n\n%d bytes a pixel; writing it takes %.1f ns a pixel, reading it back %.1f.\n\n", row->name,
-            layout_bytes(row), write, read);
+    fprintf(
+        s->bench->part[SECTION_PART_layouts],
+        "\n### %s\n\n%d bytes a pixel; writing it takes %.1f ns a pixel, reading it back %.1f.\n\n",
+        row->name, layout_bytes(row), write, read);
     const ErrorSubject of = {"layouts", row->name, ""};
     error_figure(s->bench, of, "write", write);
     error_figure(s->bench, of, "read", read);

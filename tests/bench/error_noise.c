@@ -7,16 +7,17 @@
 
 enum { SIDE = 512, ROUNDS = 25, QUICK_ROUNDS = 7, MOST = 16 };
 
-/* Cells of the first octave a pixel; the picture that the error is taken of, and its samples a pixel along an edge: far away,
- * where all octaves have faded, a pixel's true mean is only known from thousands of samples. */
+/* Cells of the first octave a pixel; the picture that the error is taken of, and its samples a
+ * pixel along an edge: far away, where all octaves have faded, a pixel's true mean is only known
+ * from thousands of samples. */
 typedef struct {
     double cells;
     int side, samples;
 } View;
 static const View distances[] = {{0.2, SIDE, 16}, {2, SIDE, 16}, {128, 64, 128}};
 
-static const char noise_document[] =
-    "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 1, size: 8, frequency: 0.5, phase: 0.5 }\n";
+static const char noise_document[] = "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: "
+                                     "1, size: 8, frequency: 0.5, phase: 0.5 }\n";
 static const char octaves_document[] =
     "material: Phong\ndiffuse: { map: VolumeTurbulence, octaves: 8, noiseRatio: 0.5, "
     "frequency: 0.5, phase: 0.5 }\n";
@@ -32,7 +33,8 @@ static bool make_square(Meter *m, double extent, Field *made)
         v->at[0] = 1.1f * x;
         v->at[1] = 1.1f * y;
         v->at[3] = 1;
-        v->input[INPUT_N][2] = v->input[INPUT_eyeN][2] = v->input[INPUT_DU][0] = v->input[INPUT_DV][1] = 1;
+        v->input[INPUT_N][2] = v->input[INPUT_eyeN][2] = v->input[INPUT_DU][0] =
+            v->input[INPUT_DV][1] = 1;
         v->input[INPUT_XU][0] = v->input[INPUT_XV][1] = 1;
         for (int k = 0; k < 3; k++) {
             float at = 1.1f * reach * (k == 0 ? x : k == 1 ? y : 0.1f * x + 0.3f);
@@ -50,7 +52,8 @@ typedef struct {
 } Timed;
 
 /* Every choice of an axis; returns how many compile. */
-static int make_choices(ErrorBench *bench, const MatcDocument *document, Axis axis, Timed list[MOST])
+static int make_choices(ErrorBench *bench, const MatcDocument *document, Axis axis,
+                        Timed list[MOST])
 {
     Variant base, variant;
     MatcOptions options;
@@ -67,7 +70,8 @@ static int make_choices(ErrorBench *bench, const MatcDocument *document, Axis ax
     return count;
 }
 
-static bool time_choices(ErrorBench *bench, const Field *field, const Framebuffer *target, Timed *list, int count)
+static bool time_choices(ErrorBench *bench, const Field *field, const Framebuffer *target,
+                         Timed *list, int count)
 {
     Material constant;
     MeterDraw draws[MOST + 1];
@@ -77,7 +81,8 @@ static bool time_choices(ErrorBench *bench, const Field *field, const Framebuffe
     draws[0] = (MeterDraw){&constant, field, target};
     for (int i = 0; i < count; i++)
         draws[1 + i] = (MeterDraw){&list[i].material, field, target};
-    bool done = meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
+    bool done = meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS,
+                           nanoseconds);
     for (int i = 0; i < count; i++)
         list[i].nanoseconds = fmax(nanoseconds[1 + i] - nanoseconds[0], 1e-3);
     material_delete(&constant);
@@ -92,7 +97,8 @@ static void report_noise(ErrorBench *bench, const Timed *list, int count)
     for (int i = 0; i < count; i++) {
         double speed = 1000 / list[i].nanoseconds;
         fprintf(out, "| %s | %.2f | %.0f |\n", list[i].name, list[i].nanoseconds, speed);
-        error_figure(bench, (ErrorSubject){"noise", "one octave", list[i].name}, "ns_per_pixel", list[i].nanoseconds);
+        error_figure(bench, (ErrorSubject){"noise", "one octave", list[i].name}, "ns_per_pixel",
+                     list[i].nanoseconds);
         best = strcmp(list[i].name, "noise=lattice") ? best : speed;
     }
     error_target(bench, "lattice noise in space", best >= 200, "200 Mpixel/s|%.0f Mpixel/s", best);
@@ -122,7 +128,8 @@ typedef struct {
     const Framebuffer *target;
 } Canvas;
 
-static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, Timed *list, int count)
+static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, Timed *list,
+                          int count)
 {
     FILE *out = bench->part[SECTION_PART_noise];
     float *wanted = calloc((size_t)view->side * (size_t)view->side * 4, sizeof *wanted);
@@ -130,15 +137,19 @@ static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, Ti
     char what[TARGET_TEXT];
     if (!wanted)
         abort();
-    fprintf(out, "\n| eight octaves, %g cells of the first a pixel | ns a pixel | RMS error | max error |\n",
-            view->cells);
+    fprintf(
+        out,
+        "\n| eight octaves, %g cells of the first a pixel | ns a pixel | RMS error | max error |\n",
+        view->cells);
     fputs("| --- | --- | --- | --- |\n", out);
     snprintf(what, sizeof what, "%g cells a pixel", view->cells);
     const MeterDraw plain = {&list[0].material, canvas.field, canvas.target};
     meter_draw_mean(bench->meter, &plain, view->samples, wanted);
     for (int i = 0; i < count; i++) {
-        Distance d = difference(bench, &(MeterDraw){&list[i].material, canvas.field, canvas.target}, wanted);
-        fprintf(out, "| %s | %.2f | %.5f | %.4f |\n", list[i].name, list[i].nanoseconds, d.rms, d.maximum);
+        Distance d =
+            difference(bench, &(MeterDraw){&list[i].material, canvas.field, canvas.target}, wanted);
+        fprintf(out, "| %s | %.2f | %.5f | %.4f |\n", list[i].name, list[i].nanoseconds, d.rms,
+                d.maximum);
         const ErrorSubject of = {"fading", what, list[i].name};
         error_figure(bench, of, "ns_per_pixel", list[i].nanoseconds);
         error_figure(bench, of, "rmse", d.rms);
@@ -150,17 +161,20 @@ static void report_fading(ErrorBench *bench, const View *view, Canvas canvas, Ti
     snprintf(what, sizeof what, "fading of octaves, aa=box, %g cells a pixel", view->cells);
     if (speedup > 0 && view->samples > 16)
         error_target(bench, what, speedup >= 2 && rms <= 1. / 255,
-                     "2 times faster, within 1/255 = 0.0039|%.2f times, RMS error %.4f", speedup, rms);
+                     "2 times faster, within 1/255 = 0.0039|%.2f times, RMS error %.4f", speedup,
+                     rms);
     free(wanted);
 }
 
 static bool make_target(ErrorBench *bench, int side, GLenum format, Framebuffer *made)
 {
-    const FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = format};
+    const FramebufferSpec spec = {
+        .width = side, .height = side, .color_count = 1, .color_format = format};
     return framebuffer_make(bench->meter->gl, &spec, made);
 }
 
-static void measure_document(ErrorBench *bench, const char *text, Axis axis, double extent, const View *view)
+static void measure_document(ErrorBench *bench, const char *text, Axis axis, double extent,
+                             const View *view)
 {
     Field field = {0}, wide = {0}; /* what is looked at; as much more of it as more is timed */
     Framebuffer full, half;
@@ -199,5 +213,6 @@ void error_noise(ErrorBench *bench)
     measure_document(bench, noise_document, AXIS_noise, 1, NULL);
     bench_show("fading of octaves");
     for (size_t i = 0; i < sizeof distances / sizeof *distances; i++)
-        measure_document(bench, octaves_document, AXIS_aa, distances[i].cells * SIDE / 2, &distances[i]);
+        measure_document(bench, octaves_document, AXIS_aa, distances[i].cells * SIDE / 2,
+                         &distances[i]);
 }

@@ -25,7 +25,8 @@ static void put_targets(const ErrorBench *bench, FILE *out)
     fputs("| what | target | measured | |\n| --- | --- | --- | --- |\n", out);
     for (int i = 0; i < bench->target_count; i++) {
         const ErrorTarget *t = &bench->targets[i];
-        fprintf(out, "| %s | %s | %s | %s |\n", t->what, t->wanted, t->measured, t->reached ? "reached" : "**missed**");
+        fprintf(out, "| %s | %s | %s | %s |\n", t->what, t->wanted, t->measured,
+                t->reached ? "reached" : "**missed**");
     }
 }
 
@@ -36,10 +37,11 @@ typedef struct {
 } Insertions;
 
 /* What stands for a name of the template. */
-static void put_name(ErrorBench *bench, const char *name, size_t size, const Insertions *texts, FILE *out)
+static void put_name(ErrorBench *bench, const char *name, size_t size, const Insertions *texts,
+                     FILE *out)
 {
-    static const char *const names[SECTION_PART_count] = {"MATERIALS", "NORMALS", "CHECKER", "NOISE",
-                                                          "POWERS",    "CODES",   "LAYOUTS"};
+    static const char *const names[SECTION_PART_count] = {
+        "MATERIALS", "NORMALS", "CHECKER", "NOISE", "POWERS", "CODES", "LAYOUTS"};
     const GlContext *gl = bench->meter->gl;
     for (int i = 0; i < SECTION_PART_count; i++)
         if (size == strlen(names[i]) && !strncmp(name, names[i], size))
@@ -51,7 +53,9 @@ static void put_name(ErrorBench *bench, const char *name, size_t size, const Ins
     if (!strncmp(name, "COMMAND", size))
         fputs(bench->command, out);
     if (!strncmp(name, "CLOCK", size))
-        fputs(gl->hardware && gl->GetQueryObjectui64v ? "the GPU's own clock" : "the wall clock, around glFinish", out);
+        fputs(gl->hardware && gl->GetQueryObjectui64v ? "the GPU's own clock"
+                                                      : "the wall clock, around glFinish",
+              out);
     if (!strncmp(name, "PLOT", size))
         fputs(texts->plot, out);
 }

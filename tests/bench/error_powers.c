@@ -6,8 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The picture fits into a cache: powers are few instructions, and writing many pixels takes longer. */
-enum { SIDE = 256, ROUNDS = 25, QUICK_ROUNDS = 7, BATCHES = 64, QUICK_BATCHES = 8, MOST = 8, EXPONENT = 32 };
+/* The picture fits into a cache: powers are few instructions, and writing many pixels takes
+ * longer. */
+enum {
+    SIDE = 256,
+    ROUNDS = 25,
+    QUICK_ROUNDS = 7,
+    BATCHES = 64,
+    QUICK_BATCHES = 8,
+    MOST = 8,
+    EXPONENT = 32
+};
 
 /* Five squares of x, one after the other. */
 static const char document_text[] =
@@ -53,7 +62,8 @@ static bool measure_batch(ErrorBench *bench, int number, Power *powers, int coun
         done = meter_draw_points(bench->meter, &powers[k].material, &field, batch.rgba);
         for (int i = 0; i < POINTS && done; i++) {
             double wanted = pow(batch.points[i].input[INPUT_X][0], EXPONENT);
-            powers[k].ulp = fmax(powers[k].ulp, fabs(batch.rgba[i][0] - wanted) / float_step(wanted));
+            powers[k].ulp =
+                fmax(powers[k].ulp, fabs(batch.rgba[i][0] - wanted) / float_step(wanted));
         }
     }
     field_delete(bench->meter->gl, &field);
@@ -71,7 +81,8 @@ static bool measure_times(ErrorBench *bench, Power *powers, int count)
     GlContext *gl = bench->meter->gl;
     sample_plane(plane, &(PlaneView){.scale = 1, .aspect = 1, .height = SIDE});
     const int side = SIDE * bench->factor * (bench->factor > 1 ? 2 : 1);
-    FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
+    FramebufferSpec spec = {
+        .width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     if (!framebuffer_make(gl, &spec, &target))
         return false;
     bool done = field_make(gl, plane, PLANE_VERTICES, GL_TRIANGLE_STRIP, &field) &&
@@ -79,7 +90,8 @@ static bool measure_times(ErrorBench *bench, Power *powers, int count)
     draws[0] = (MeterDraw){&constant, &field, &target};
     for (int i = 0; i < count; i++)
         draws[1 + i] = (MeterDraw){&powers[i].material, &field, &target};
-    done = done && meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS, nanoseconds);
+    done = done && meter_time(bench->meter, draws, count + 1, bench->quick ? QUICK_ROUNDS : ROUNDS,
+                              nanoseconds);
     for (int i = 0; i < count && done; i++)
         powers[i].nanoseconds = fmax(0, nanoseconds[1 + i] - nanoseconds[0]);
     material_delete(&constant);
@@ -109,22 +121,27 @@ static void report(ErrorBench *bench, const Power *powers, int count)
     FILE *out = bench->part[SECTION_PART_powers];
     const Power *squaring = find(powers, count, "squaring"), *call = find(powers, count, "pow");
     const Power *exact = find(powers, count, "compensated");
-    fputs("| x^32, x in [1/2, 3/2) | greatest error, ULP | ns a pixel |\n| --- | --- | --- |\n", out);
+    fputs("| x^32, x in [1/2, 3/2) | greatest error, ULP | ns a pixel |\n| --- | --- | --- |\n",
+          out);
     for (int i = 0; i < count; i++) {
-        fprintf(out, "| %s | %.2f | %.3f |\n", powers[i].name, powers[i].ulp, powers[i].nanoseconds);
+        fprintf(out, "| %s | %.2f | %.3f |\n", powers[i].name, powers[i].ulp,
+                powers[i].nanoseconds);
         const ErrorSubject of = {"power", "x^32", powers[i].name};
         error_figure(bench, of, "ulp", powers[i].ulp);
         error_figure(bench, of, "ns_per_pixel", powers[i].nanoseconds);
     }
     if (squaring && call && is_same(squaring, call))
-        error_target(bench, "x^32, powers=squaring", false, "25 ULP, twice as fast as pow|both are one program");
+        error_target(bench, "x^32, powers=squaring", false,
+                     "25 ULP, twice as fast as pow|both are one program");
     else if (squaring && call)
         error_target(bench, "x^32, powers=squaring",
-                     squaring->ulp <= 25 && call->nanoseconds > 0 && 2 * squaring->nanoseconds <= call->nanoseconds,
+                     squaring->ulp <= 25 && call->nanoseconds > 0 &&
+                         2 * squaring->nanoseconds <= call->nanoseconds,
                      "25 ULP, twice as fast as pow|%.1f ULP, %.2f times as fast", squaring->ulp,
                      call->nanoseconds / fmax(squaring->nanoseconds, 1e-3));
     if (exact)
-        error_target(bench, "x^32, powers=compensated", exact->ulp <= 1, "1 ULP|%.2f ULP", exact->ulp);
+        error_target(bench, "x^32, powers=compensated", exact->ulp <= 1, "1 ULP|%.2f ULP",
+                     exact->ulp);
 }
 
 static int make_powers(ErrorBench *bench, const MatcDocument *document, Power powers[MOST])
@@ -137,10 +154,11 @@ static int make_powers(ErrorBench *bench, const MatcDocument *document, Power po
     for (int i = 0; i < axis_choices(AXIS_powers) && count < MOST; i++) {
         variant_of(&options, &variant);
         variant.choice[AXIS_powers] = axis_table[AXIS_powers].first + i;
-        snprintf(powers[count].name, VARIANT_NAME, "powers=%s", choice_table[variant.choice[AXIS_powers]].name);
+        snprintf(powers[count].name, VARIANT_NAME, "powers=%s",
+                 choice_table[variant.choice[AXIS_powers]].name);
         powers[count].program = error_program(document, &variant);
-        count +=
-            powers[count].program && meter_make_material(bench->meter, powers[count].program, &powers[count].material);
+        count += powers[count].program &&
+                 meter_make_material(bench->meter, powers[count].program, &powers[count].material);
     }
     return count;
 }

@@ -1,5 +1,6 @@
-/* matbench functions: what a driver makes of functions of which GLSL promises little or nothing, and of waves that are made of them, drawn
- * at a grid of floats and compared with the C library in double: the worst error seen, beside what docs/stability.md states of Mesa. */
+/* matbench functions: what a driver makes of functions of which GLSL promises little or nothing,
+ * and of waves that are made of them, drawn at a grid of floats and compared with the C library in
+ * double: the worst error seen, beside what docs/stability.md states of Mesa. */
 #include "matbench.h"
 #include "tests/value/canvas.h"
 #include <math.h>
@@ -8,7 +9,8 @@
 enum { SIDE = 512, PIXELS = SIDE * SIDE };
 static const double UNIT = 1. / (1 << 24); /* of relative errors */
 
-/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is a float. */
+/* Drawn from `low` on, over a width that is a power of two, so that every number of the grid is a
+ * float. */
 typedef struct {
     const char *name, *library; /* a library function, or "" */
     double (*reference)(double);
@@ -38,7 +40,8 @@ static Worst worst_of(const Row *row, const float *rgba)
     Worst worst = {0, 0};
     for (int i = 0; i < PIXELS; i++) {
         double x = row->low + i * (row->width / PIXELS), value = row->reference(x);
-        double off = fabs((double)rgba[4 * i] - value) / (row->of_exp && value != 0 ? fabs(value) : 1);
+        double off =
+            fabs((double)rgba[4 * i] - value) / (row->of_exp && value != 0 ? fabs(value) : 1);
         double stated = row->of_exp ? (6 + 2 * fabs(x)) * UNIT : row->stated;
         worst.seen = fmax(worst.seen, off);
         worst.ratio = fmax(worst.ratio, off / stated);
@@ -49,9 +52,10 @@ static Worst worst_of(const Row *row, const float *rgba)
 static bool measure(Canvas *canvas, const Row *row, float *rgba, Worst *worst)
 {
     char expression[128];
-    snprintf(expression, sizeof expression, "vec4(%s(float(index) * %.17g + %.17g))", row->name, row->width / PIXELS,
-             row->low);
-    if (!canvas_draw(canvas, &(Drawing){.functions = row->library, .expression = expression}, &canvas->floats) ||
+    snprintf(expression, sizeof expression, "vec4(%s(float(index) * %.17g + %.17g))", row->name,
+             row->width / PIXELS, row->low);
+    if (!canvas_draw(canvas, &(Drawing){.functions = row->library, .expression = expression},
+                     &canvas->floats) ||
         !framebuffer_read(canvas->gl, &canvas->floats, 0, rgba)) {
         fprintf(stderr, "matbench: %s: %s\n", row->name, canvas->error);
         return false;

@@ -1,4 +1,5 @@
-/* matbench growth [NAME...]: how the time to compile grows with the document, over the table that test_growth.c bounds. */
+/* matbench growth [NAME...]: how the time to compile grows with the document, over the table that
+ * test_growth.c bounds. */
 #include "matbench.h"
 #include "tests/growth/growth.h"
 #include <math.h>
@@ -43,8 +44,8 @@ static void print_batch(const GrowthBatch *row)
 
 int bench_growth(const BenchOptions *options)
 {
-    printf("%-20s %-34s %6s %9s %9s %9s %9s %8s %8s %8s %6s\n", "document", "options", "n", "n: ms", "2 n", "4 n",
-           "8 n", "exponent", "KiB read", "written", "errors");
+    printf("%-20s %-34s %6s %9s %9s %9s %9s %8s %8s %8s %6s\n", "document", "options", "n", "n: ms",
+           "2 n", "4 n", "8 n", "exponent", "KiB read", "written", "errors");
     for (int i = 0; i < growth_count; i++)
         if (is_wanted(growth_table[i].name, options))
             print_row(&growth_table[i]);

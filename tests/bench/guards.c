@@ -1,5 +1,6 @@
-/* matbench guards: the formulas of examples, how many guards of totality lowering made for them (a quotient's, a root's, a logarithm's, a
- * power's, an arc's, an exponential's), and how many are left where intervals proved what they could. */
+/* matbench guards: the formulas of examples, how many guards of totality lowering made for them (a
+ * quotient's, a root's, a logarithm's, a power's, an arc's, an exponential's), and how many are
+ * left where intervals proved what they could. */
 #include "matbench.h"
 #include "tests/value/documents.h"
 #include <math.h>
@@ -102,14 +103,16 @@ int bench_guards(const BenchOptions *options)
             const Node *material = d.graph->materials[m].node;
             if (!material || !has_formula(material))
                 continue;
-            const Guards own = {count_of(&d.options, d.graph, material, 0), count_of(&d.options, d.graph, material, 2)};
+            const Guards own = {count_of(&d.options, d.graph, material, 0),
+                                count_of(&d.options, d.graph, material, 2)};
             printf("%-38s %11d %6d\n", document_name(&d), own.made, own.left);
             all.made += own.made, all.left += own.left;
             programs++, without += !own.left;
         }
         document_close(&d);
     }
-    printf("%d of %d materials need none; %d guards of %d are left\n", without, programs, all.left, all.made);
+    printf("%d of %d materials need none; %d guards of %d are left\n", without, programs, all.left,
+           all.made);
     documents_free(&list);
     return 0;
 }

@@ -1,4 +1,6 @@
-/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is: indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
+/* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them
+ * by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is:
+ * indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
 #include "gen/render_text.h"
 #include "runtime/indirect/voxels.h"
 #include "indirect_passes.h"
@@ -27,18 +29,21 @@ static void put_scene(const BenchOptions *a, int detail, char text[TEXT])
     char body[TEXT / 4];
     if (a->mesh)
         snprintf(body, sizeof body,
-                 "{ object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, 0], translation: [0, 0, "
+                 "{ object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, 0], "
+                 "translation: [0, 0, "
                  "%s] } }",
                  a->mesh, a->lift);
     else
         snprintf(body, sizeof body,
-                 "{ object: Sphere, radius: 1, detail: %d, material: m, transform: { translation: [0, 0, 1.01] } }",
+                 "{ object: Sphere, radius: 1, detail: %d, material: m, transform: { translation: "
+                 "[0, 0, 1.01] } }",
                  detail);
-    snprintf(
-        text, TEXT,
-        "image: { width: 16, height: 16 }\nvoxels: { size: %d }\nmaterials: { m: { material: Phong, diffuse: .6 } }\n"
-        "objects:\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n- %s\n",
-        a->voxels, body);
+    snprintf(text, TEXT,
+             "image: { width: 16, height: 16 }\nvoxels: { size: %d }\nmaterials: { m: { material: "
+             "Phong, diffuse: .6 } }\n"
+             "objects:\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: "
+             "[0, 0, -.1] } }\n- %s\n",
+             a->voxels, body);
 }
 
 static bool open_place(GlContext *gl, const BenchOptions *a, int detail, Place *p)
@@ -133,8 +138,8 @@ static uint32_t *read_bricks(const Place *p, int words)
     uint32_t *made = malloc(sizeof *made * (size_t)words);
     p->gl->BindBuffer(GL_TEXTURE_BUFFER, p->render->voxels->buffer);
     if (made)
-        p->gl->GetBufferSubData(GL_TEXTURE_BUFFER, (GLintptr)sizeof *made * 2 * above, (GLsizeiptr)sizeof *made * words,
-                                made);
+        p->gl->GetBufferSubData(GL_TEXTURE_BUFFER, (GLintptr)sizeof *made * 2 * above,
+                                (GLsizeiptr)sizeof *made * words, made);
     p->gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
     return made;
 }
@@ -152,30 +157,35 @@ static int count_others(const uint32_t *a, const uint32_t *b, int words)
 static bool measure_maps(GlContext *gl, const BenchOptions *a)
 {
     static const int details[] = {264, 933};
-    printf("\nslice maps of %d voxels along an edge, with bricks: least milliseconds; what the levels above take more, "
+    printf("\nslice maps of %d voxels along an edge, with bricks: least milliseconds; what the "
+           "levels above take more, "
            "which "
-           "views show; surfaces by the rasteriser, and voxels that are others by it; bricks alone\n%-10s %10s %10s "
+           "views show; surfaces by the rasteriser, and voxels that are others by it; bricks "
+           "alone\n%-10s %10s %10s "
            "%8s %10s %10s %8s "
            "%10s\n",
-           a->voxels, "triangles", "bodies", "levels", "share", "surfaces", "drawn", "others", "bricks");
+           a->voxels, "triangles", "bodies", "levels", "share", "surfaces", "drawn", "others",
+           "bricks");
     for (int i = 0; i < (a->mesh ? 1 : 2); i++) {
         Place p;
         double times[4];
         uint32_t *maps[2] = {NULL, NULL};
         if (!open_place(gl, a, details[i], &p))
             return false;
-        const int words = p.render->voxels->grid.size * p.render->voxels->grid.size * (p.render->voxels->grid.size / 32);
+        const int words = p.render->voxels->grid.size * p.render->voxels->grid.size *
+                          (p.render->voxels->grid.size / 32);
         for (int k = 0; k < 4; k++) {
             if (k > 1)
                 make_surfaces(&p, k > 2);
-            times[k] = 1e3 * map_time(&p, k == 1 ? p.render->voxels->levels : 1, a->timed ? FRAMES : 1);
+            times[k] =
+                1e3 * map_time(&p, k == 1 ? p.render->voxels->levels : 1, a->timed ? FRAMES : 1);
             if (k > 1)
                 maps[k - 2] = read_bricks(&p, words);
             times[k] = a->timed ? times[k] : NAN;
         }
         printf("%-10d %10s %10s %7s%% %10s %10s %8d %10s\n", triangles_of(&p), NUMBER(2, times[0]),
-               NUMBER(2, times[1] - times[0]), NUMBER(1, 100 * (times[1] / times[0] - 1)), NUMBER(2, times[2]),
-               NUMBER(2, times[3]), count_others(maps[0], maps[1], words),
+               NUMBER(2, times[1] - times[0]), NUMBER(1, 100 * (times[1] / times[0] - 1)),
+               NUMBER(2, times[2]), NUMBER(2, times[3]), count_others(maps[0], maps[1], words),
                NUMBER(2, a->timed ? 1e3 * bricks_time(&p) : NAN));
         free(maps[0]);
         free(maps[1]);
@@ -212,7 +222,8 @@ static bool make_points(const Place *p, VoxelPoints *points)
         const double u = s[0] * (shape->index_count / 3) - triangle, v = (1 - u) * s[1];
         for (int k = 0; k < 9; k++) {
             const float *at = shape->vertices[shape->indices[3 * triangle + k / 3]].position;
-            corners[k / 3][k % 3] = m[k % 3] * at[0] + m[4 + k % 3] * at[1] + m[8 + k % 3] * at[2] + m[12 + k % 3];
+            corners[k / 3][k % 3] =
+                m[k % 3] * at[0] + m[4 + k % 3] * at[1] + m[8 + k % 3] * at[2] + m[12 + k % 3];
         }
         double edges[2][3];
         for (int k = 0; k < 3; k++) {
@@ -240,9 +251,10 @@ static bool make_points(const Place *p, VoxelPoints *points)
 static const char by_walk[] = "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
                               "    VoxelHit hit = voxelWalk(from, way, far, 0, true);\n"
                               "    count = float(hit.steps);\n    return hit.way >= 0.0;\n}\n";
-static const char by_march[] = "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
-                               "    float t;\n    bool met = voxelMarch(from, far * way, 32, 0.5, t);\n"
-                               "    count = met ? t * 32.0 - 0.5 : 32.0;\n    return met;\n}\n";
+static const char by_march[] =
+    "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
+    "    float t;\n    bool met = voxelMarch(from, far * way, 32, 0.5, t);\n"
+    "    count = met ? t * 32.0 - 0.5 : 32.0;\n    return met;\n}\n";
 
 static bool measure_rays(GlContext *gl, const BenchOptions *a)
 {
@@ -256,7 +268,8 @@ static bool measure_rays(GlContext *gl, const BenchOptions *a)
     VoxelPoints points = {.wide = 0};
     static float said[WIDE * HIGH][4];
     bool fine = open_place(gl, a, 264, &p) && make_points(&p, &points);
-    printf("\nrays of a quarter of the scene, %d voxels along an edge: bricks or voxels that one reads, share that "
+    printf("\nrays of a quarter of the scene, %d voxels along an edge: bricks or voxels that one "
+           "reads, share that "
            "meets nothing, nanoseconds\n"
            "%-16s %8s %8s %8s\n",
            a->voxels, "by", "reads", "open", "ns");
@@ -314,7 +327,8 @@ static const struct {
               {"path", measure_path},
               {"passes", measure_passes},
               {"table", measure_table}};
-enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 }; /* what takes minutes is measured only by its name */
+/* what takes minutes is measured only by its name */
+enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 };
 
 const char *bench_indirect_table_name(const void *user, int i)
 {

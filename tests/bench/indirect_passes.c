@@ -1,5 +1,6 @@
-/* matbench indirect passes: what each pass of indirect light takes, by the driver's clock where it has one, in the scenes that say what is to be reached, beside the thesis'
- * march of 32 rays of 32 steps, all of a scene in turns. How far off they are is for test_frame_indirect_truth goals. */
+/* matbench indirect passes: what each pass of indirect light takes, by the driver's clock where it
+ * has one, in the scenes that say what is to be reached, beside the thesis' march of 32 rays of 32
+ * steps, all of a scene in turns. How far off they are is for test_frame_indirect_truth goals. */
 #include "indirect_passes.h"
 #include "matbench.h"
 #include "runtime/gl/clock.h"
@@ -13,18 +14,23 @@
 enum { TEXT = 4096, FRAMES = 5, FRAMES_MOST = 200, ROWS_MOST = 8 };
 
 /* In the order of a frame: found for each frame; made once for a scene, or its lamps. */
-static const char *const timed_passes[] = {"rays", "history", "smooth", "spread", "voxels", "radiance"};
+static const char *const timed_passes[] = {"rays",   "history", "smooth",
+                                           "spread", "voxels",  "radiance"};
 enum { TIMED = sizeof timed_passes / sizeof *timed_passes, EACH_FRAME = 4 };
 
 static const char thesis[] = "method: march, rays: 32, steps: 32, filter: none";
 
 static const char sky[] =
-    "camera: { camera: Perspective, position: [0, -4.25, 1], target: [0, 0, 1], angle: 39 }\nlights: [{ light: Sky }]\n"
+    "camera: { camera: Perspective, position: [0, -4.25, 1], target: [0, 0, 1], angle: 39 "
+    "}\nlights: [{ light: Sky }]\n"
     "sky: { material: SunSkyLight, sun: [-1, .25, .12], turbidity: 4, disableSun: true }\n"
     "materials: { m: { material: Phong, diffuse: .75, specular: 0 } }\nobjects:\n"
-    "- { object: Box, material: m, size: [2.2, 2.2, .1], transform: { translation: [0, 0, -.05] } }\n"
-    "- { object: Box, material: m, size: [2.2, .1, 2.2], transform: { translation: [0, 1.05, 1] } }\n"
-    "- { object: Box, material: m, size: [.1, 2.2, 2.2], transform: { translation: [-1.05, 0, 1] } }\n"
+    "- { object: Box, material: m, size: [2.2, 2.2, .1], transform: { translation: [0, 0, -.05] } "
+    "}\n"
+    "- { object: Box, material: m, size: [2.2, .1, 2.2], transform: { translation: [0, 1.05, 1] } "
+    "}\n"
+    "- { object: Box, material: m, size: [.1, 2.2, 2.2], transform: { translation: [-1.05, 0, 1] } "
+    "}\n"
     "- { object: Sphere, radius: .5, material: m, transform: { translation: [.3, -.2, .5] } }\n";
 
 typedef struct {
@@ -32,27 +38,30 @@ typedef struct {
     double radius;
     int bounces;
     double
-        most; /* milliseconds on a GPU of the H100's kind that the first of its rows may take; NAN: nothing is said */
+        /* milliseconds on a GPU of the H100's kind that the first of its rows may take; NAN:
+         * nothing is said */
+        most;
     const char *rows[ROWS_MOST]; /* keys */
 } Place;
 
-static const Place places[] = {{"openness, box",
-                                "open",
-                                indirect_scenes_box,
-                                .5,
-                                0,
-                                .5,
-                                {"rays: 8", "method: voxels", "rays: 16", "rays: 8, filter: atrous"}},
-                               {"openness, bunny", "open", NULL, .75, 0, .5, {"rays: 8", "method: voxels", "rays: 16"}},
-                               {"light, box",
-                                "indirect",
-                                indirect_scenes_box,
-                                4,
-                                1,
-                                1,
-                                {"rays: 8", "method: voxels", "rays: 8, bounces: 2", "rays: 8, bounces: 4",
-                                 "rays: 8, history: 16", "rays: 16, resolution: half, filter: atrous"}},
-                               {"light of a sky", "light", sky, 4, 1, NAN, {"rays: 8", "rays: 8, directional: false"}}};
+static const Place places[] = {
+    {"openness, box",
+     "open",
+     indirect_scenes_box,
+     .5,
+     0,
+     .5,
+     {"rays: 8", "method: voxels", "rays: 16", "rays: 8, filter: atrous"}},
+    {"openness, bunny", "open", NULL, .75, 0, .5, {"rays: 8", "method: voxels", "rays: 16"}},
+    {"light, box",
+     "indirect",
+     indirect_scenes_box,
+     4,
+     1,
+     1,
+     {"rays: 8", "method: voxels", "rays: 8, bounces: 2", "rays: 8, bounces: 4",
+      "rays: 8, history: 16", "rays: 16, resolution: half, filter: atrous"}},
+    {"light of a sky", "light", sky, 4, 1, NAN, {"rays: 8", "rays: 8, directional: false"}}};
 enum { PLACES = sizeof places / sizeof *places };
 
 typedef struct {
@@ -100,7 +109,8 @@ static double each_frame(const Row *row)
 }
 
 /* What is to be reached is of the first row alone, and on a GPU. */
-static void put_row(const IndirectPasses *p, const Place *place, const Row *row, const Row *march, int number)
+static void put_row(const IndirectPasses *p, const Place *place, const Row *row, const Row *march,
+                    int number)
 {
     printf("| %s | `%s` |", place->name, place->rows[number]);
     for (int k = 0; k < TIMED; k++) {
@@ -114,14 +124,16 @@ static void put_row(const IndirectPasses *p, const Place *place, const Row *row,
 }
 
 /* Of a row that says its bounces these, else the place's. */
-static bool open_keys(GlContext *gl, const IndirectPasses *p, const Place *place, const char *keys, Row *row)
+static bool open_keys(GlContext *gl, const IndirectPasses *p, const Place *place, const char *keys,
+                      Row *row)
 {
     char text[TEXT], bunny[INDIRECT_SCENES_TEXT], bounces[BENCH_NUMBER] = "";
     if (!place->body)
         indirect_scenes_bunny(p->mesh, p->lift, bunny);
     if (!strstr(keys, "bounces"))
         snprintf(bounces, sizeof bounces, "bounces: %d, ", place->bounces);
-    snprintf(text, sizeof text, "image: { width: %d, height: %d }\nindirect: { radius: %g, %s%s }\n%s", p->edge,
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\nindirect: { radius: %g, %s%s }\n%s", p->edge,
              p->edge, place->radius, bounces, keys, place->body ? place->body : bunny);
     return open_row(gl, text, place->view, row);
 }
@@ -134,7 +146,8 @@ static bool measure(GlContext *gl, const IndirectPasses *p, const Place *place, 
     for (; fine && count < ROWS_MOST && place->rows[count]; count++)
         fine = open_keys(gl, p, place, place->rows[count], &rows[count]);
     const double enough = 2, start = bench_now();
-    for (int i = 0; fine && p->timed && i < FRAMES_MOST && (i < FRAMES || bench_now() < start + enough); i++) {
+    for (int i = 0;
+         fine && p->timed && i < FRAMES_MOST && (i < FRAMES || bench_now() < start + enough); i++) {
         time_row(march, i == 0);
         for (int k = 0; k < count; k++)
             time_row(&rows[k], i == 0);
@@ -157,11 +170,12 @@ bool bench_indirect_passes(GlContext *gl, const IndirectPasses *passes)
         p.mesh = found;
         p.lift = "0.9913";
     }
-    printf(
-        "\npasses of indirect light, %d x %d, least milliseconds by the %s clock: those of a frame together, which are "
-        "to take at most so on "
-        "an H100, as a share of the march of openness in the box by `%s`; what is made once for a scene\n\n| | keys |",
-        p.edge, p.edge, gl_clock_is(gl) ? "driver's" : "wall", thesis);
+    printf("\npasses of indirect light, %d x %d, least milliseconds by the %s clock: those of a "
+           "frame together, which are "
+           "to take at most so on "
+           "an H100, as a share of the march of openness in the box by `%s`; what is made once for "
+           "a scene\n\n| | keys |",
+           p.edge, p.edge, gl_clock_is(gl) ? "driver's" : "wall", thesis);
     for (int k = 0; k < TIMED; k++)
         printf("%s %s |", k == EACH_FRAME ? " together | at most | share |" : "", timed_passes[k]);
     printf("\n| --- | --- |");
@@ -172,7 +186,8 @@ bool bench_indirect_passes(GlContext *gl, const IndirectPasses *passes)
         if (places[i].body || p.mesh)
             fine = measure(gl, &p, &places[i], &march);
         else
-            printf("| %s | there is no mesh: `sh tests/meshes/fetch.sh build` fetches it |\n", places[i].name);
+            printf("| %s | there is no mesh: `sh tests/meshes/fetch.sh build` fetches it |\n",
+                   places[i].name);
     close_row(&march);
     free(found);
     return fine;

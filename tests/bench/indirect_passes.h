@@ -4,8 +4,9 @@
 #include "runtime/render/render.h"
 
 typedef struct {
-    const char *mesh, *lift; /* indirect_scenes_bunny; NULL: the bunny, where tests/meshes/fetch.sh has put it */
-    int edge;                /* of the picture, in pixels */
+    /* indirect_scenes_bunny; NULL: the bunny, where tests/meshes/fetch.sh has put it */
+    const char *mesh, *lift;
+    int edge; /* of the picture, in pixels */
     bool timed;
 } IndirectPasses;
 

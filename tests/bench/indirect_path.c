@@ -1,5 +1,6 @@
-/* matbench indirect path: a camera goes around a ball and boxes in 60 frames; how far openness is off, and how much of that differs from frame to frame, which is what one sees as
- * flicker, by what is kept of frames before. */
+/* matbench indirect path: a camera goes around a ball and boxes in 60 frames; how far openness is
+ * off, and how much of that differs from frame to frame, which is what one sees as flicker, by what
+ * is kept of frames before. */
 #include "indirect_path.h"
 #include "matbench.h"
 #include <math.h>
@@ -9,12 +10,15 @@
 enum { EDGE = 96, PIXELS = EDGE * EDGE, STEPS = 60, TEXT = 2048 };
 
 static const char body[] =
-    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
+    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], "
+    "target: [0, 0, .6], "
     "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6 } }\nobjects:\n"
     "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n"
-    "- { object: Sphere, radius: .4, detail: 48, material: m, transform: { translation: [-.5, -.5, .4] } }\n"
-    "- { object: Box, material: m, size: [.5, .5, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] "
+    "- { object: Sphere, radius: .4, detail: 48, material: m, transform: { translation: [-.5, -.5, "
+    ".4] } }\n"
+    "- { object: Box, material: m, size: [.5, .5, .9], transform: { translation: [.5, -.2, .45], "
+    "rotation: [0, 0, .4] "
     "} "
     "}\n";
 
@@ -62,13 +66,15 @@ static bool step(Path *p, int number)
     const double angle = .01 * number, far = 4 - .008 * number;
     p->scene->camera.position[0] = .4 + far * sin(angle);
     p->scene->camera.position[1] = -far * cos(angle);
-    return render_changed(p->render, RENDER_CAMERA) && render_frame(p->render) && render_read(p->render, p->now);
+    return render_changed(p->render, RENDER_CAMERA) && render_frame(p->render) &&
+           render_read(p->render, p->now);
 }
 
 static void compare(Path *p, const Path *truth, bool first)
 {
     for (int i = 0; i < PIXELS; i++) {
-        const double error = (double)p->now[4 * i] - (double)truth->now[4 * i], change = error - p->error[i];
+        const double error = (double)p->now[4 * i] - (double)truth->now[4 * i],
+                     change = error - p->error[i];
         p->off += error * error / PIXELS / STEPS;
         p->flicker += first ? 0 : change * change / PIXELS / (STEPS - 1);
         p->error[i] = error;
@@ -87,7 +93,8 @@ bool bench_indirect_path(GlContext *gl)
             fine = step(&paths[i], k);
             compare(&paths[i], &paths[0], k == 0);
         }
-    printf("\na camera's path of %d frames, %d x %d: openness, root of the mean square against %s, and of what that "
+    printf("\na camera's path of %d frames, %d x %d: openness, root of the mean square against %s, "
+           "and of what that "
            "differs by from frame to frame\n%-38s %10s %10s\n",
            STEPS, EDGE, EDGE, ways[0], "keys", "off", "flicker");
     for (int i = 1; fine && i < WAYS; i++)

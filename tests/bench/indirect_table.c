@@ -1,5 +1,6 @@
-/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its values of keys, beside the defaults at the same views. What "off" is counted from is this renderer's own hybrid, 512
- * rays a pixel in 256 voxels along an edge: tests compare that with rays of Embree. */
+/* matbench indirect table: both tables of Thiedemann 2009, 6.2, with its values of keys, beside the
+ * defaults at the same views. What "off" is counted from is this renderer's own hybrid, 512 rays a
+ * pixel in 256 voxels along an edge: tests compare that with rays of Embree. */
 #include "indirect_table.h"
 #include "matbench.h"
 #include "shadows_scene.h"
@@ -18,7 +19,8 @@ enum { TEXT = 8192, KEYS = 512, FRAMES = 2, FRAMES_MOST = 64, BODIES = 6, MESHES
 
 typedef enum { MESH_none, MESH_bunny, MESH_dragon } BodyMesh;
 
-/* A mesh as high as `high`, on the floor. What no file has is a ball with bumps, of as many triangles as are wanted. */
+/* A mesh as high as `high`, on the floor. What no file has is a ball with bumps, of as many
+ * triangles as are wanted. */
 typedef struct {
     BodyMesh mesh;
     int triangles;
@@ -31,7 +33,9 @@ typedef struct {
     int blur; /* pixels to each side, of a picture of half the width */
     Body bodies[BODIES];
     int count;
-    double direct[2], rows[6][2]; /* frames a second of the thesis' systems; of table 1 points and rays in the picture and in voxels */
+    /* frames a second of the thesis' systems; of table 1 points and rays in the picture and in
+     * voxels */
+    double direct[2], rows[6][2];
 } Place;
 
 static const Place places[] = {
@@ -74,19 +78,26 @@ static const Place places[] = {
      {{3, 11.8}, {2.4, 10}, {2.7, 11}, {1.7, 9.4}, {6.9, 23.7}, {5.1, 22}}}};
 enum { PLACES = sizeof places / sizeof *places };
 
-/* The Cornell box, 5 wide as the thesis', seen from its open side; walls as thick as two voxels of 128. */
+/* The Cornell box, 5 wide as the thesis', seen from its open side; walls as thick as two voxels of
+ * 128. */
 static const char room[] =
-    "camera: { camera: Perspective, position: [0, -9.6, 2.5], target: [0, 0, 2.5], angle: 41 }\nmaterials:\n"
+    "camera: { camera: Perspective, position: [0, -9.6, 2.5], target: [0, 0, 2.5], angle: 41 "
+    "}\nmaterials:\n"
     "  white: { material: Phong, diffuse: .75, specular: 0, ambient: .75 }\n"
     "  red: { material: Phong, diffuse: [.7, .1, .1], specular: 0, ambient: [.7, .1, .1] }\n"
     "  green: { material: Phong, diffuse: [.15, .5, .1], specular: 0, ambient: [.15, .5, .1] }\n"
     "lights:\n- { light: Point, position: [.4, -1, 4.4], intensity: 5, shadows: map }\n"
     "- { light: Ambient, color: [.3, .3, .3] }\nobjects:\n"
-    "- { object: Box, material: white, size: [5.2, 5.2, .1], transform: { translation: [0, 0, -.05] } }\n"
-    "- { object: Box, material: white, size: [5.2, 5.2, .1], transform: { translation: [0, 0, 5.05] } }\n"
-    "- { object: Box, material: white, size: [5.2, .1, 5.2], transform: { translation: [0, 2.55, 2.5] } }\n"
-    "- { object: Box, material: red, size: [.1, 5.2, 5.2], transform: { translation: [-2.55, 0, 2.5] } }\n"
-    "- { object: Box, material: green, size: [.1, 5.2, 5.2], transform: { translation: [2.55, 0, 2.5] } }\n";
+    "- { object: Box, material: white, size: [5.2, 5.2, .1], transform: { translation: [0, 0, "
+    "-.05] } }\n"
+    "- { object: Box, material: white, size: [5.2, 5.2, .1], transform: { translation: [0, 0, "
+    "5.05] } }\n"
+    "- { object: Box, material: white, size: [5.2, .1, 5.2], transform: { translation: [0, 2.55, "
+    "2.5] } }\n"
+    "- { object: Box, material: red, size: [.1, 5.2, 5.2], transform: { translation: [-2.55, 0, "
+    "2.5] } }\n"
+    "- { object: Box, material: green, size: [.1, 5.2, 5.2], transform: { translation: [2.55, 0, "
+    "2.5] } }\n";
 enum { WALLS = 5 };
 
 /* As high as 1 from z = 0 on, above the origin. */
@@ -120,8 +131,9 @@ static void raise_z(Shape *shape)
 /* NULL: it is nowhere. */
 static char *find_mesh(const IndirectTable *t, BodyMesh mesh)
 {
-    static const char *const names[MESHES] = {"", "bunny", "dragon-small"}, *const files[MESHES] = {"", "bunny.obj",
-                                                                                                   "dragon-small.ply"};
+    static const char *const names[MESHES] = {"", "bunny", "dragon-small"}, *const files[MESHES] = {
+                                                                                "", "bunny.obj",
+                                                                                "dragon-small.ply"};
     if (mesh == MESH_none || !t->meshes)
         return mesh == MESH_none ? NULL : meshes_path(names[mesh]);
     const size_t size = strlen(t->meshes) + strlen(files[mesh]) + 2;
@@ -136,7 +148,8 @@ static bool open_mesh(const IndirectTable *t, const Body *body, Shape *made)
     char error[4096];
     char *path = find_mesh(t, body->mesh);
     const bool ball = !path;
-    bool fine = ball ? shadows_ball(body->triangles, made) : model_read(path, made, error, sizeof error);
+    bool fine =
+        ball ? shadows_ball(body->triangles, made) : model_read(path, made, error, sizeof error);
     if (!fine)
         fprintf(stderr, "matbench: %s\n", ball ? "out of memory" : error);
     if (fine && body->mesh == MESH_dragon && !ball)
@@ -148,7 +161,8 @@ static bool open_mesh(const IndirectTable *t, const Body *body, Shape *made)
 }
 
 /* Bodies of one mesh share it, as objects of one file do. */
-static bool open_meshes(const IndirectTable *t, const Place *place, SceneMesh meshes[BODIES], int *count)
+static bool open_meshes(const IndirectTable *t, const Place *place, SceneMesh meshes[BODIES],
+                        int *count)
 {
     bool fine = true;
     for (*count = 0; fine && *count < place->count; ++*count)
@@ -190,12 +204,13 @@ static void close_drawn(Drawn *d)
 static bool open_drawn(const Bench *b, const char *keys, const char *view, Drawn *made)
 {
     char text[TEXT];
-    int size = snprintf(text, sizeof text, "image: { width: %d, height: %d }\n%s\n%s", b->table->edge, b->table->edge,
-                        keys, room);
+    int size = snprintf(text, sizeof text, "image: { width: %d, height: %d }\n%s\n%s",
+                        b->table->edge, b->table->edge, keys, room);
     for (int i = 0; i < b->place->count; i++) {
         const Body *body = &b->place->bodies[i];
         size += snprintf(text + size, sizeof text - (size_t)size,
-                         "- { object: Sphere, material: white, transform: { translation: [%g, %g, 0], rotation: [0, 0, "
+                         "- { object: Sphere, material: white, transform: { translation: [%g, %g, "
+                         "0], rotation: [0, 0, "
                          "%g], scale: %g } }\n",
                          body->x, body->y, body->turn, body->high);
     }
@@ -210,14 +225,18 @@ static bool open_drawn(const Bench *b, const char *keys, const char *view, Drawn
         object->kind = SCENE_Mesh;
         object->mesh = i < b->mesh_count ? i : b->mesh_count - 1;
     }
-    made->render = render_open(b->gl, &(RenderOptions){.compile = &b->compile, .view = view, .deep = view != NULL});
-    const bool fine = made->render && render_scene(made->render, made->scene) && render_frame(made->render);
+    made->render = render_open(
+        b->gl, &(RenderOptions){.compile = &b->compile, .view = view, .deep = view != NULL});
+    const bool fine =
+        made->render && render_scene(made->render, made->scene) && render_frame(made->render);
     return fine || fprintf(stderr, "matbench: %s\n", b->gl->error) < 0;
 }
 
-/* The least of a few frames, of more where they are short, the camera said to be another, as then nothing but what knows no camera is kept. */
+/* The least of a few frames, of more where they are short, the camera said to be another, as then
+ * nothing but what knows no camera is kept. */
 typedef struct {
-    double seconds, processor; /* of all threads, what a driver without a GPU takes, however busy the machine is */
+    /* of all threads, what a driver without a GPU takes, however busy the machine is */
+    double seconds, processor;
 } FrameTime;
 
 static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
@@ -243,8 +262,9 @@ static bool time_frame(const Bench *b, const char *keys, FrameTime *time)
 static bool find_values(const Bench *b, const char *keys, float *rgba)
 {
     Drawn drawn;
-    const bool fine = open_drawn(b, keys, "indirect", &drawn) &&
-                      framebuffer_read(b->gl, &drawn.render->targets.draws[FRAME_DRAW_open], 0, rgba);
+    const bool fine =
+        open_drawn(b, keys, "indirect", &drawn) &&
+        framebuffer_read(b->gl, &drawn.render->targets.draws[FRAME_DRAW_open], 0, rgba);
     close_drawn(&drawn);
     return fine;
 }
@@ -268,7 +288,8 @@ static double off_by(const Bench *b, const float *is, const float *want, bool li
 typedef struct {
     const char *name, *preset; /* NULL: the place's */
     const char *keys;          /* behind it */
-    int of;                    /* in Place.rows; OURS, by defaults, or DIRECT, without `indirect:` */
+    /* in Place.rows; OURS, by defaults, or DIRECT, without `indirect:` */
+    int of;
     bool light, half;
 } Row;
 enum { OURS = -1, DIRECT = -2 };
@@ -294,7 +315,8 @@ static void put_keys(const Place *place, const Row *row, char keys[KEYS])
     const char *preset = row->preset ? row->preset : place->preset;
     snprintf(base, sizeof base, row->of == OURS ? "radius: %g" : "preset: ", place->radius);
     if (row->half)
-        snprintf(half, sizeof half, ", resolution: half, filter: separable, filterSize: %d", place->blur);
+        snprintf(half, sizeof half, ", resolution: half, filter: separable, filterSize: %d",
+                 place->blur);
     snprintf(keys, KEYS, "indirect: { %s%s%s%s%s }", row->light ? "" : "bounces: 0, ", base,
              row->of == OURS ? "" : preset, row->keys, half);
     keys[0] = row->of == DIRECT ? 0 : keys[0];
@@ -304,17 +326,21 @@ static bool measure_row(const Bench *b, const Row *row, const float *want, float
 {
     char keys[KEYS];
     const Place *place = b->place;
-    const double *thesis = row->of == DIRECT ? place->direct : row->of == OURS ? NULL : place->rows[row->of];
+    const double *thesis = row->of == DIRECT ? place->direct
+                           : row->of == OURS ? NULL
+                                             : place->rows[row->of];
     FrameTime time = {NAN, NAN};
     put_keys(place, row, keys);
     bench_show(row->name);
-    const bool fine = (!b->table->timed || time_frame(b, keys, &time)) && (!*keys || find_values(b, keys, is));
+    const bool fine =
+        (!b->table->timed || time_frame(b, keys, &time)) && (!*keys || find_values(b, keys, is));
     bench_show("");
     if (fine)
         printf("%-16s %8s %8s %8s %8s %8s %8s  %s\n", row->name, NUMBER(1, 1e3 * time.processor),
                NUMBER(1, 1e3 * time.seconds), NUMBER(2, 1 / time.seconds),
                NUMBER(1, thesis ? thesis[0] : NAN), NUMBER(1, thesis ? thesis[1] : NAN),
-               NUMBER(4, *keys ? off_by(b, is, want, row->light) : NAN), *keys ? keys + strlen("indirect: ") : "");
+               NUMBER(4, *keys ? off_by(b, is, want, row->light) : NAN),
+               *keys ? keys + strlen("indirect: ") : "");
     fflush(stdout);
     return fine;
 }
@@ -336,15 +362,18 @@ static void put_head(const Bench *b)
         printf("%s %s", i ? "," : "", path ? strrchr(path, '/') + 1 : "a ball with bumps");
         free(path);
     }
-    printf("%s; radius %g\n%-16s %8s %8s %8s %8s %8s %8s  %s\n", place->count > b->mesh_count ? ", six times" : "",
-           place->radius, "", "CPU ms", "ms", "fps", "8600 GTS", "GTX 260", "off", "keys");
+    printf("%s; radius %g\n%-16s %8s %8s %8s %8s %8s %8s  %s\n",
+           place->count > b->mesh_count ? ", six times" : "", place->radius, "", "CPU ms", "ms",
+           "fps", "8600 GTS", "GTX 260", "off", "keys");
 }
 
 static bool measure_place(const Bench *b)
 {
-    static const char truth[] = "voxels: { size: 256 }\nindirect: { rays: 16, samples: 32, filter: none, radius: %g }";
+    static const char truth[] =
+        "voxels: { size: 256 }\nindirect: { rays: 16, samples: 32, filter: none, radius: %g }";
     const Row *rows = b->place->preset ? second : first;
-    const int count = b->place->preset ? sizeof second / sizeof *second : sizeof first / sizeof *first;
+    const int count =
+        b->place->preset ? sizeof second / sizeof *second : sizeof first / sizeof *first;
     const size_t pixels = (size_t)b->table->edge * (size_t)b->table->edge;
     char keys[KEYS];
     float *values = malloc(8 * pixels * sizeof *values);
@@ -361,7 +390,8 @@ static bool measure_place(const Bench *b)
 bool bench_indirect_table(GlContext *gl, const IndirectTable *table)
 {
     bool fine = true;
-    printf("\nThiedemann 2009, tables 1 and 2, %d x %d, 128 voxels along an edge: least of %d frames or more, beside frames a "
+    printf("\nThiedemann 2009, tables 1 and 2, %d x %d, 128 voxels along an edge: least of %d "
+           "frames or more, beside frames a "
            "second of its two systems; off: openness, or light over its mean\n",
            table->edge, table->edge, FRAMES);
     for (int i = 0; fine && i < PLACES; i++) {

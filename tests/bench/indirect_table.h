@@ -4,8 +4,9 @@
 #include "runtime/render/render.h"
 
 typedef struct {
-    const char *meshes; /* a folder with bunny.obj and dragon-small.ply; NULL: where tests/meshes/fetch.sh puts them */
-    int edge;           /* of the picture, in pixels */
+    /* a folder with bunny.obj and dragon-small.ply; NULL: where tests/meshes/fetch.sh puts them */
+    const char *meshes;
+    int edge; /* of the picture, in pixels */
     bool timed;
 } IndirectTable;
 

@@ -1,7 +1,8 @@
-/* matbench instructions: our shader and one written by hand for the same material, both through glslang and spirv-opt -O,
- * counted in SPIR-V instructions within functions. The shaders by hand average nothing over the pixel, so ours are those of
- * --aa=none. The documents and the shaders lie in tests/bench/; formulas have theirs in formulas.def. A test, too: none of ours may have more than
- * LARGEST_RATIO times the instructions; status 77 where spirv-opt is not installed. */
+/* matbench instructions: our shader and one written by hand for the same material, both through
+ * glslang and spirv-opt -O, counted in SPIR-V instructions within functions. The shaders by hand
+ * average nothing over the pixel, so ours are those of --aa=none. The documents and the shaders lie
+ * in tests/bench/; formulas have theirs in formulas.def. A test, too: none of ours may have more
+ * than LARGEST_RATIO times the instructions; status 77 where spirv-opt is not installed. */
 #include "matbench.h"
 #include "compiler/base/session.h"
 #include "compiler/matc.h"
@@ -19,14 +20,27 @@
 static const double LARGEST_RATIO = 1.05;
 
 enum { SKIPPED = 77 }; /* as ctest knows it */
-enum { OP_EXTENDED = 12, OP_FUNCTION = 54, OP_LABEL = 248, HEADER_WORDS = 5, EXTENDED_SMOOTHSTEP = 49, SMOOTHSTEP_OPERATIONS = 7, LONGEST_PATH = 1024, LARGEST_WORDS = 1 << 20, LARGEST_FORMULA = 1024, LARGEST_SHADER = 1 << 13 };
+enum {
+    OP_EXTENDED = 12,
+    OP_FUNCTION = 54,
+    OP_LABEL = 248,
+    HEADER_WORDS = 5,
+    EXTENDED_SMOOTHSTEP = 49,
+    SMOOTHSTEP_OPERATIONS = 7,
+    LONGEST_PATH = 1024,
+    LARGEST_WORDS = 1 << 20,
+    LARGEST_FORMULA = 1024,
+    LARGEST_SHADER = 1 << 13
+};
 
-static const char *const names[] = {"plain",  "checker", "uvChecker", "wood",          "granite",
-                                    "marble", "image",   "bumpImage", "volumeChecker", "sideSwitch"};
+static const char *const names[] = {"plain",         "checker",   "uvChecker", "wood",
+                                    "granite",       "marble",    "image",     "bumpImage",
+                                    "volumeChecker", "sideSwitch"};
 enum { NAME_COUNT = sizeof names / sizeof *names };
 
-/* Instructions from the first function on, labels aside. A smoothstep is one of SPIR-V's, and what it is defined as on a GPU, which is what
- * matc writes: t = clamp((x - low) * scale, 0, 1), t * t * (3 - 2 * t). */
+/* Instructions from the first function on, labels aside. A smoothstep is one of SPIR-V's, and what
+ * it is defined as on a GPU, which is what matc writes: t = clamp((x - low) * scale, 0, 1), t * t *
+ * (3 - 2 * t). */
 static int count_instructions(const uint32_t *words, size_t count)
 {
     int instructions = 0;
@@ -46,9 +60,9 @@ static bool has_spirv_opt(void)
 {
     if (!system("spirv-opt --version >/dev/null 2>&1"))
         return true;
-    fputs(
-        "matbench: spirv-opt is not installed (Debian: spirv-tools), and it is what instructions are counted behind\n",
-        stderr);
+    fputs("matbench: spirv-opt is not installed (Debian: spirv-tools), and it is what instructions "
+          "are counted behind\n",
+          stderr);
     return false;
 }
 
@@ -99,7 +113,8 @@ int bench_count(const char *path, const char *text, size_t size, const char *lay
     const char *spirv = matc_output(program, MATC_SPIRV, &spirv_size);
     const int count = spirv ? optimised_count(spirv, spirv_size) : -1;
     if (!spirv)
-        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        fprintf(stderr, "%s%s", matc_diagnostics(document, MATC_TEXT),
+                matc_program_diagnostics(program, MATC_TEXT));
     matc_program_free(program);
     matc_document_free(document);
     return count;
@@ -113,8 +128,11 @@ static int count_shader(const char *path, const char *text)
     matc_options_init(&options);
     Session session = {.arena = &arena, .options = &options};
     ValidateWords words;
-    const bool fine = text && validate_to_spirv(&session, &(ValidateStages){{[VALIDATE_fragment] = text}}, &words, &log);
-    const int count = fine ? optimised_count(words.at[VALIDATE_fragment], words.size[VALIDATE_fragment]) : -1;
+    const bool fine =
+        text &&
+        validate_to_spirv(&session, &(ValidateStages){{[VALIDATE_fragment] = text}}, &words, &log);
+    const int count =
+        fine ? optimised_count(words.at[VALIDATE_fragment], words.size[VALIDATE_fragment]) : -1;
     if (!fine)
         fprintf(stderr, "%s: %s\n", path, log);
     arena_free(&arena);
@@ -153,7 +171,8 @@ enum { FORMULA_COUNT = sizeof formulas / sizeof *formulas };
 static int formula_ours(const Formula *formula)
 {
     char text[LARGEST_FORMULA];
-    const int size = snprintf(text, sizeof text, "material: Phong\ndiffuse: \"= %s\"\n", formula->formula);
+    const int size =
+        snprintf(text, sizeof text, "material: Phong\ndiffuse: \"= %s\"\n", formula->formula);
     return bench_count(formula->name, text, (size_t)size, "thesis");
 }
 
@@ -166,7 +185,8 @@ static int formula_by_hand(const Formula *formula)
     char *frame = read_text("formula", ".frag", path, &size);
     const char *at = frame ? strstr(frame, mark) : NULL;
     if (at)
-        snprintf(text, sizeof text, "%.*s%s%s", (int)(at - frame), frame, formula->hand, at + strlen(mark));
+        snprintf(text, sizeof text, "%.*s%s%s", (int)(at - frame), frame, formula->hand,
+                 at + strlen(mark));
     const int count = count_shader(path, at ? text : NULL);
     free(frame);
     return count;
@@ -178,7 +198,9 @@ static bool put_row(const char *name, int hand, int mine)
     const double ratio = (double)mine / hand;
     printf("%-14s %8d %8d %8.3f\n", name, hand, mine, ratio);
     if (ratio > LARGEST_RATIO)
-        fprintf(stderr, "matbench: %s has more than %g times the instructions of what is written by hand\n", name, LARGEST_RATIO);
+        fprintf(stderr,
+                "matbench: %s has more than %g times the instructions of what is written by hand\n",
+                name, LARGEST_RATIO);
     return hand >= 0 && mine >= 0 && ratio <= LARGEST_RATIO;
 }
 
@@ -194,6 +216,7 @@ int bench_instructions(const BenchOptions *options)
         fine &= put_row(names[i], by_hand(names[i]), ours(names[i]));
     printf("\nformula         by hand     matc    ratio\n");
     for (int i = 0; i < FORMULA_COUNT; i++)
-        fine &= put_row(formulas[i].name, formula_by_hand(&formulas[i]), formula_ours(&formulas[i]));
+        fine &=
+            put_row(formulas[i].name, formula_by_hand(&formulas[i]), formula_ours(&formulas[i]));
     return !fine;
 }

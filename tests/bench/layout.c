@@ -1,5 +1,5 @@
-/* What encodings cost: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their bits and their errors. The
- * same square with nothing to do is taken off. */
+/* What encodings cost: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their
+ * bits and their errors. The same square with nothing to do is taken off. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "tests/value/canvas.h"
@@ -45,13 +45,16 @@ static double measure_call(Canvas *canvas, const Call *call)
     char text[TEXT_ROOM], last[16] = "";
     if (call->bits)
         snprintf(last, sizeof last, ", %d", call->bits);
-    snprintf(text, sizeof text, "%s(%s(%s%s)%s)", call->words ? "uvec4" : "vec4", call->function, call->value, last,
-             fill[call->lanes]);
+    snprintf(text, sizeof text, "%s(%s(%s%s)%s)", call->words ? "uvec4" : "vec4", call->function,
+             call->value, last, fill[call->lanes]);
     return measure(canvas, call->function, text, call->words);
 }
 
 /* What is below the time of the store itself is 0. */
-static double beyond(double all, double nothing) { return isnan(all) ? all : fmax(all - nothing, 0); }
+static double beyond(double all, double nothing)
+{
+    return isnan(all) ? all : fmax(all - nothing, 0);
+}
 
 static void put_row(Canvas *canvas, const FieldRow *field)
 {
@@ -69,14 +72,17 @@ static void put_row(Canvas *canvas, const FieldRow *field)
              row->takes == 3   ? ", 0.0"
              : row->takes == 2 ? ", 0.0, 0.0"
                                : "");
-    double pack = measure_call(canvas, &(Call){function_row(row->pack)->name, input, bits, packed, row->words});
+    double pack = measure_call(
+        canvas, &(Call){function_row(row->pack)->name, input, bits, packed, row->words});
     double before = measure(canvas, "", empty, false);
     const char *mask = "index * 40503u";
     unsigned long most = (1ul << field_size(field)) - 1;
     if (row->words)
         snprintf(code, sizeof code, "%s & %luu", mask, most > 0xFFFFFFFF ? 0xFFFFFFFF : most);
     else
-        snprintf(code, sizeof code, packed == 2 ? "vec2(index & 511u, index >> 9)" : "float(index & 65535u) - 32768.0");
+        snprintf(code, sizeof code,
+                 packed == 2 ? "vec2(index & 511u, index >> 9)"
+                             : "float(index & 65535u) - 32768.0");
     if (field->encoding == ENCODING_spheremap)
         snprintf(code, sizeof code, "%s", inputs[2]);
     double unpack = canvas ? 0 : NAN, nothing = 0;
@@ -86,8 +92,9 @@ static void put_row(Canvas *canvas, const FieldRow *field)
         nothing = measure(canvas, "", empty, false);
     }
     bench_show("");
-    printf("%-20s %6d  %-14s %8s %8s %6d\n", name.at, field_size(field) * (row->words ? 1 : 16), error.at,
-           NUMBER(2, beyond(pack, before)), NUMBER(2, beyond(unpack, nothing)), function_row(row->pack)->cost);
+    printf("%-20s %6d  %-14s %8s %8s %6d\n", name.at, field_size(field) * (row->words ? 1 : 16),
+           error.at, NUMBER(2, beyond(pack, before)), NUMBER(2, beyond(unpack, nothing)),
+           function_row(row->pack)->cost);
     arena_free(&arena);
 }
 
@@ -101,7 +108,8 @@ int bench_layout(const BenchOptions *options)
         fprintf(stderr, "matbench: %s\n", canvas.error);
         return 1;
     }
-    printf("%-20s %6s  %-14s %8s %8s %6s\n", "encoding", "bits", "error at most", "pack ns", "unpack", "cost");
+    printf("%-20s %6s  %-14s %8s %8s %6s\n", "encoding", "bits", "error at most", "pack ns",
+           "unpack", "cost");
     for (int i = 0; i < ENCODING_COUNT; i++) {
         const EncodingRow *row = &encoding_table[i];
         for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {

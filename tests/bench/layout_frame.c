@@ -1,5 +1,6 @@
-/* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so that nothing is packed
- * beforehand, and a pass that reads all slots back. Both fill a square; the least of several draws counts. */
+/* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so
+ * that nothing is packed beforehand, and a pass that reads all slots back. Both fill a square; the
+ * least of several draws counts. */
 #include "matbench.h"
 #include "runtime/draw/targets.h"
 #include "runtime/gl/screen.h"
@@ -11,14 +12,18 @@ enum { SIDE = 1024, REPEATS = 30, TEXT_ROOM = 1 << 15 };
 
 static const char document_text[] =
     "material: Phong\n"
-    "diffuse: { param: a, default: [0.5, 0.5, 0.5] }\nspecular: { param: b, default: [0.5, 0.5, 0.5] }\n"
+    "diffuse: { param: a, default: [0.5, 0.5, 0.5] }\nspecular: { param: b, default: [0.5, 0.5, "
+    "0.5] }\n"
     "shininess: { param: c, default: 0.5 }\ntransparency: { param: d, default: [0.5, 0.5, 0.5] }\n"
-    "diffuseTransparency: { param: e, default: [0.5, 0.5, 0.5] }\nambient: { param: f, default: [0.5, 0.5, 0.5] }\n"
-    "emissive: { param: g, default: [0.5, 0.5, 0.5] }\ntransparencyShininess: { param: h, default: 0.5 }\n";
+    "diffuseTransparency: { param: e, default: [0.5, 0.5, 0.5] }\nambient: { param: f, default: "
+    "[0.5, 0.5, 0.5] }\n"
+    "emissive: { param: g, default: [0.5, 0.5, 0.5] }\ntransparencyShininess: { param: h, default: "
+    "0.5 }\n";
 
 static const char vertex_text[] =
     "#version 330 core\nout vec3 eyeNormal;\n"
-    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., 0., 1.);\n"
+    "void main() { gl_Position = vec4(gl_VertexID == 1 ? 3. : -1., gl_VertexID == 2 ? 3. : -1., "
+    "0., 1.);\n"
     "eyeNormal = vec3(gl_Position.xy, 1. - dot(gl_Position.xy, gl_Position.xy)); }";
 
 static double least_draw(GlContext *gl, const Screen *screen)
@@ -46,7 +51,8 @@ static void reader_text(const LayoutRow *layout, char *text)
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(layout, (Slot)slot))
             size += snprintf(text + size, (size_t)(TEXT_ROOM - size), "    color%s += s.%s;\n",
-                             swizzle[type_table[slot_table[slot].type].lanes - 1], slot_table[slot].name);
+                             swizzle[type_table[slot_table[slot].type].lanes - 1],
+                             slot_table[slot].name);
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }
 
@@ -70,12 +76,14 @@ static bool time_write(Bench *b, MatcProgram *program, const Framebuffer *gbuffe
     return true;
 }
 
-static bool time_read(Bench *b, const LayoutRow *layout, const char *unpack, const Framebuffer *gbuffer, double *ms)
+static bool time_read(Bench *b, const LayoutRow *layout, const char *unpack,
+                      const Framebuffer *gbuffer, double *ms)
 {
     char text[TEXT_ROOM];
     Material reader;
     reader_text(layout, text);
-    const ProgramText whole = {.vertex = {vertex_text}, .fragment = {"#version 330 core\n", unpack, text}};
+    const ProgramText whole = {.vertex = {vertex_text},
+                               .fragment = {"#version 330 core\n", unpack, text}};
     if (!material_make(b->store, NULL, &whole, &reader))
         return false;
     framebuffer_use(b->gl, &b->target);
@@ -85,7 +93,8 @@ static bool time_read(Bench *b, const LayoutRow *layout, const char *unpack, con
     return true;
 }
 
-static bool measure_layout(Bench *b, const MatcDocument *document, int layout, double *write, double *read)
+static bool measure_layout(Bench *b, const MatcDocument *document, int layout, double *write,
+                           double *read)
 {
     MatcOptions options;
     Framebuffer gbuffer;
@@ -93,8 +102,10 @@ static bool measure_layout(Bench *b, const MatcDocument *document, int layout, d
     matc_options_init(&options);
     options.layout = layout_table[layout].name;
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
-    bool made = targets_make(b->gl, program, &spec, &gbuffer) && time_write(b, program, &gbuffer, write) &&
-                time_read(b, &layout_table[layout], matc_output(program, MATC_UNPACK, NULL), &gbuffer, read);
+    bool made = targets_make(b->gl, program, &spec, &gbuffer) &&
+                time_write(b, program, &gbuffer, write) &&
+                time_read(b, &layout_table[layout], matc_output(program, MATC_UNPACK, NULL),
+                          &gbuffer, read);
     framebuffer_delete(b->gl, &gbuffer);
     matc_program_free(program);
     return made;
@@ -105,10 +116,12 @@ bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read)
     MatcOptions options;
     Bench b = {.gl = gl, .store = store_new(gl)};
     matc_options_init(&options);
-    MatcDocument *document = matc_read("bench.yaml", document_text, strlen(document_text), &options);
-    bool fine = b.store && matc_material_count(document) && screen_make(gl, &b.screen) &&
-                framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &b.target) &&
-                measure_layout(&b, document, layout, write, read);
+    MatcDocument *document =
+        matc_read("bench.yaml", document_text, strlen(document_text), &options);
+    bool fine =
+        b.store && matc_material_count(document) && screen_make(gl, &b.screen) &&
+        framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &b.target) &&
+        measure_layout(&b, document, layout, write, read);
     if (fine) {
         *write *= 1e6 / SIDE / SIDE;
         *read *= 1e6 / SIDE / SIDE;
@@ -130,8 +143,8 @@ int bench_layout_frame(bool timed)
     for (int layout = 0; fine && layout < LAYOUT_COUNT; layout++) {
         fine = !timed || bench_layout_cost(gl, layout, &write, &read);
         if (fine)
-            printf("%-10s %6d %10s %10s\n", layout_table[layout].name, layout_bytes(&layout_table[layout]),
-                   NUMBER(2, write), NUMBER(2, read));
+            printf("%-10s %6d %10s %10s\n", layout_table[layout].name,
+                   layout_bytes(&layout_table[layout]), NUMBER(2, write), NUMBER(2, read));
     }
     if (!fine)
         fprintf(stderr, "matbench: %s\n", gl ? gl->error : error);

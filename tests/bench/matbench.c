@@ -1,4 +1,5 @@
-/* matbench: measures what matc promises. Every figure in docs/ comes from one of its subcommands. */
+/* matbench: measures what matc promises. Every figure in docs/ comes from one of its
+ * subcommands. */
 #include "matbench.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/suggest.h"
@@ -54,10 +55,10 @@ static const struct Command {
 } commands[] = {
     {"cells", .run = bench_cells,
      .doc = "what cells are replaced with far away, measured: the rows of grammar/cells.def"},
-    {"compile", bench_compile,
-     "time of every stage, a ladder of sizes, a process, glslang's share", .words = "[MATC]"},
-    {"glslang", bench_glslang,
-     "only validates two files; `compile` measures a process of it", .words = "VERTEX FRAGMENT"},
+    {"compile", bench_compile, "time of every stage, a ladder of sizes, a process, glslang's share",
+     .words = "[MATC]"},
+    {"glslang", bench_glslang, "only validates two files; `compile` measures a process of it",
+     .words = "VERTEX FRAGMENT"},
     {"layout", .run = bench_layout,
      .doc = "time to pack and unpack by every encoding, beside its error"},
     {"surfaces", .run = bench_surfaces,
@@ -78,11 +79,12 @@ static const struct Command {
      .doc = "guards that formulas of examples were made with, and those that intervals left"},
     {"growth", bench_growth,
      "time at n, 2 n, 4 n, 8 n of documents of every kind, and the exponent", .words = "[NAME]..."},
-    {"noise", bench_noise,
-     "time of noise, beside noise of others written anew", .options = bench_noise_options},
+    {"noise", bench_noise, "time of noise, beside noise of others written anew",
+     .options = bench_noise_options},
     {"render", bench_render,
      "what a frame takes by materials, lights, objects, passes, transparent fragments, beside a "
-     "forward renderer", .options = bench_render_options, .table = bench_render_table},
+     "forward renderer",
+     .options = bench_render_options, .table = bench_render_table},
     {"thesis", bench_thesis,
      "tables 5.2 to 5.6 of the thesis on Proteus, its numbers beside ours: there : here",
      .options = bench_thesis_options, .table = bench_thesis_table},
@@ -94,9 +96,10 @@ static const struct Command {
      .options = bench_indirect_options, .table = bench_indirect_table_name},
     {"displacement", bench_displacement,
      "how far displaced triangles are from the surface by their number, and how many are drawn a "
-     "second", .options = bench_displacement_options, .table = bench_displacement_table},
-    {"stress", bench_stress,
-     "random documents, tried in every way; a fault is shrunk", .own = true},
+     "second",
+     .options = bench_displacement_options, .table = bench_displacement_table},
+    {"stress", bench_stress, "random documents, tried in every way; a fault is shrunk",
+     .own = true},
 };
 
 enum { COMMANDS = sizeof commands / sizeof *commands };

@@ -14,8 +14,9 @@ double bench_median(double *values, int count);
 /* Greatest resident memory of the process so far, in KiB. */
 long bench_peak_memory(void);
 
-/* A number of so many decimals, or "-" for NAN: what was not measured. --untimed leaves all times out, so that what is left does not
- * depend on the machine: tests/docs/figures.sh holds docs/ against it. */
+/* A number of so many decimals, or "-" for NAN: what was not measured. --untimed leaves all times
+ * out, so that what is left does not depend on the machine: tests/docs/figures.sh holds docs/
+ * against it. */
 enum { BENCH_NUMBER = 32 };
 #define NUMBER(decimals, value) bench_number((char[BENCH_NUMBER]){0}, decimals, value)
 const char *bench_number(char text[BENCH_NUMBER], int decimals, double value);
@@ -27,9 +28,9 @@ typedef struct {
     const char *csv, *plot, *page, *mesh, *meshes, *lift, *map, *only, *matc;
     int count, triangles, maps, voxels, pixels, size[2];
     double seconds;
-    SuggestName *table;   /* the names of the subcommand's tables; NULL: it has none */
-    unsigned tables;      /* a bit for each table that was named; 0: none */
-    const char **words;   /* arguments of a subcommand without tables */
+    SuggestName *table; /* the names of the subcommand's tables; NULL: it has none */
+    unsigned tables;    /* a bit for each table that was named; 0: none */
+    const char **words; /* arguments of a subcommand without tables */
     int word_count;
     char **arguments; /* all arguments from the subcommand on */
     int argument_count;
@@ -39,25 +40,44 @@ typedef struct {
 /* Rows of a subcommand's options, which end with BENCH_HELP. */
 #define BENCH_AT(member) offsetof(BenchOptions, member)
 #define BENCH_TEXT(name_, member, label_, help_)                                                   \
-    {name_, OPTION_text, BENCH_AT(member), .label = label_, .help = help_}
-#define BENCH_FLAG(name_, member, help_) {name_, OPTION_flag, BENCH_AT(member), .help = help_}
+    {                                                                                              \
+        name_, OPTION_text, BENCH_AT(member), .label = label_, .help = help_                       \
+    }
+#define BENCH_FLAG(name_, member, help_)                                                           \
+    {                                                                                              \
+        name_, OPTION_flag, BENCH_AT(member), .help = help_                                        \
+    }
 #define BENCH_INT(name_, member, label_, min_, max_, wants_, help_)                                \
-    {name_, OPTION_int, BENCH_AT(member), .label = label_, .min = min_, .max = max_,               \
-     .wants = name_ " wants " wants_, .help = help_}
+    {                                                                                              \
+        name_, OPTION_int, BENCH_AT(member), .label = label_, .min = min_, .max = max_,            \
+                                             .wants = name_ " wants " wants_, .help = help_        \
+    }
 #define BENCH_UNTIMED                                                                              \
-    {"--untimed", OPTION_clear, BENCH_AT(timed), .help = "print - for what depends on the machine"}
+    {                                                                                              \
+        "--untimed", OPTION_clear, BENCH_AT(timed),                                                \
+            .help = "print - for what depends on the machine"                                      \
+    }
 #define BENCH_GL                                                                                   \
-    {"--gl", OPTION_index, BENCH_AT(gl), .words = {bench_gl_name, NULL, GL_KIND_count},            \
-     .label = "=KIND", .help = "osmesa (default), egl: a GPU where there is one"}
-#define BENCH_HELP {"--help", OPTION_flag, BENCH_AT(help), .help = ""}
+    {                                                                                              \
+        "--gl", OPTION_index, BENCH_AT(gl),                                                        \
+            .words = {bench_gl_name, NULL, GL_KIND_count}, .label = "=KIND",                       \
+            .help = "osmesa (default), egl: a GPU where there is one"                              \
+    }
+#define BENCH_HELP                                                                                 \
+    {                                                                                              \
+        "--help", OPTION_flag, BENCH_AT(help), .help = ""                                          \
+    }
 const char *bench_gl_name(const void *user, int i);
 
-/* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing where standard error is none. */
+/* Says on a terminal what is measured now; "" takes it away, before a line is printed. Nothing
+ * where standard error is none. */
 void bench_show(const char *what);
 
-/* Seconds of the processor that a compilation of a document's first material takes, the least of so many runs; NAN for none. */
+/* Seconds of the processor that a compilation of a document's first material takes, the least of so
+ * many runs; NAN for none. */
 double bench_compile_least(const char *text, size_t size, const MatcOptions *options, int runs);
-/* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not compile, or spirv-opt is not there. */
+/* Instructions of its program for a layout, --aa=none, behind spirv-opt -O. -1: it does not
+ * compile, or spirv-opt is not there. */
 int bench_count(const char *path, const char *text, size_t size, const char *layout);
 
 /* Run a subcommand and return the exit status. matbench.c has a row for each, with its options and
@@ -86,7 +106,8 @@ extern const Option bench_batch_options[], bench_displacement_options[], bench_e
 SuggestName bench_displacement_table, bench_indirect_table_name, bench_render_table,
     bench_shadows_table, bench_thesis_table;
 
-/* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads all of it. */
+/* Nanoseconds a pixel that the pass takes which writes a layout of layout_table, and one that reads
+ * all of it. */
 bool bench_layout_cost(GlContext *gl, int layout, double *write, double *read);
 /* Prints the second table of bench_layout: whole passes. */
 int bench_layout_frame(bool timed);

@@ -1,5 +1,6 @@
-/* matbench noise: how long noise of ours takes, beside noise of others, written anew from their published definitions. Every function
- * is summed over the same octaves at the same places; the time of a constant colour is subtracted. */
+/* matbench noise: how long noise of ours takes, beside noise of others, written anew from their
+ * published definitions. Every function is summed over the same octaves at the same places; the
+ * time of a constant colour is subtracted. */
 #include "compiler/base/file.h"
 #include "matbench.h"
 #include "runtime/measure/meter.h"
@@ -29,16 +30,17 @@ static const Row rows[] = {
 enum { ROW_COUNT = sizeof rows / sizeof *rows };
 
 static const char text_head[] = "#version 330 core\nlayout(location = 0) out vec4 colour;\n";
-static const char text_main[] = "void main() {\n"
-                                "    vec3 p = vec3(0.04 * gl_FragCoord.xy, 0.01 * gl_FragCoord.x + 0.37);\n"
-                                "    float sum = 0.0, strength = 1.0;\n"
-                                "    for (int k = 0; k < 4; k++) {\n"
-                                "        sum += strength * noise(p);\n"
-                                "        strength *= 0.5;\n"
-                                "        p *= 2.0;\n"
-                                "    }\n"
-                                "    colour = vec4(sum);\n"
-                                "}\n";
+static const char text_main[] =
+    "void main() {\n"
+    "    vec3 p = vec3(0.04 * gl_FragCoord.xy, 0.01 * gl_FragCoord.x + 0.37);\n"
+    "    float sum = 0.0, strength = 1.0;\n"
+    "    for (int k = 0; k < 4; k++) {\n"
+    "        sum += strength * noise(p);\n"
+    "        strength *= 0.5;\n"
+    "        p *= 2.0;\n"
+    "    }\n"
+    "    colour = vec4(sum);\n"
+    "}\n";
 
 /* The fragment program of a row. False: said. */
 static bool write_text(const Row *row, char text[TEXT_ROOM])
@@ -80,7 +82,8 @@ static bool time_rows(Meter *m, double nanoseconds[ROW_COUNT])
 {
     static char text[TEXT_ROOM];
     const int side = SIDE * (m->gl->hardware ? GPU_FACTOR : 1);
-    const FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
+    const FramebufferSpec spec = {
+        .width = side, .height = side, .color_count = 1, .color_format = GL_RGBA16F};
     Material materials[ROW_COUNT + 1];
     MeterDraw draws[ROW_COUNT + 1];
     double all[ROW_COUNT + 1];
@@ -89,8 +92,9 @@ static bool time_rows(Meter *m, double nanoseconds[ROW_COUNT])
     bool done = framebuffer_make(m->gl, &spec, &target) && make_square(m, &field) &&
                 meter_make_constant(m, &materials[ROW_COUNT]);
     for (int i = 0; i < ROW_COUNT && done; i++)
-        done = write_text(&rows[i], text) &&
-               field_material(m->store, NULL, &(FieldText){TARGET_glsl330, text, NULL}, &materials[i]);
+        done =
+            write_text(&rows[i], text) &&
+            field_material(m->store, NULL, &(FieldText){TARGET_glsl330, text, NULL}, &materials[i]);
     for (int i = 0; i <= ROW_COUNT; i++)
         draws[i] = (MeterDraw){&materials[i], &field, &target};
     bench_show("four octaves of each");

@@ -1,5 +1,6 @@
-// Gradient noise as MaterialX and three.js have it (three.js' is translated from MaterialX'): the lattice noise of Perlin, "Improving
-// noise" (2002), with its twelve gradients and its fade of degree five, over the final mixing of Jenkins' lookup3 (2006).
+// Gradient noise as MaterialX and three.js have it (three.js' is translated from MaterialX'): the
+// lattice noise of Perlin, "Improving noise" (2002), with its twelve gradients and its fade of
+// degree five, over the final mixing of Jenkins' lookup3 (2006).
 uint rotated(uint x, int by) { return x << by | x >> (32 - by); }
 uint cornerHash(uvec3 at) {
     uint a = 0xDEADBEEFu + 12u + 13u + at.x;

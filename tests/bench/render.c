@@ -1,5 +1,6 @@
-/* matbench render: what a frame takes, after the tables of the thesis: by materials, lights and objects, beside a forward renderer, both without tone
- * mapping, in turns, and of one picture; what render_passes.h has. */
+/* matbench render: what a frame takes, after the tables of the thesis: by materials, lights and
+ * objects, beside a forward renderer, both without tone mapping, in turns, and of one picture; what
+ * render_passes.h has. */
 #include <stdio.h>
 #include "matbench.h"
 #include "render_scenes.h"
@@ -38,7 +39,12 @@ static const Series series[] = {
      scenes_lights,
      false,
      true},
-    {"objects", "a bush in the sun", {8, 25, 78, 245, 767, 2401, 7512, 23474}, scenes_objects, false, false},
+    {"objects",
+     "a bush in the sun",
+     {8, 25, 78, 245, 767, 2401, 7512, 23474},
+     scenes_objects,
+     false,
+     false},
 };
 enum { SERIES = sizeof series / sizeof *series };
 
@@ -58,15 +64,19 @@ typedef struct {
 /* "": the series has no such column. */
 static const char *way_name(const Series *of, int way)
 {
-    const char *const names[BENCH_WAYS] = {of->bounded ? "summed" : "deferred", of->bounded ? "bounded" : "",
-                                           "forward"};
+    const char *const names[BENCH_WAYS] = {of->bounded ? "summed" : "deferred",
+                                           of->bounded ? "bounded" : "", "forward"};
     return names[way];
 }
 
-/* Of pixels, by how much: the default layout is off by 1/255 of some, what is left out of lights by half of that. */
+/* Of pixels, by how much: the default layout is off by 1/255 of some, what is left out of lights by
+ * half of that. */
 static const double bound = 2.0 / 255, pixels_beyond = .002;
 
-static const char *same_picture(double apart) { return isnan(apart) ? "-" : apart > pixels_beyond ? "no" : "yes"; }
+static const char *same_picture(double apart)
+{
+    return isnan(apart) ? "-" : apart > pixels_beyond ? "no" : "yes";
+}
 
 static void put_head(const Series *of)
 {
@@ -77,7 +87,8 @@ static void put_head(const Series *of)
     printf(" %8s %s\n", of->bounded ? "/ sum." : "/ def.", "same picture");
 }
 
-static void put_row(const Bench *bench, const Series *of, const Row *row, const double first[BENCH_WAYS])
+static void put_row(const Bench *bench, const Series *of, const Row *row,
+                    const double first[BENCH_WAYS])
 {
     const BenchTimes *times = row->times;
     char name[16], least[32];
@@ -89,10 +100,11 @@ static void put_row(const Bench *bench, const Series *of, const Row *row, const 
         snprintf(least, sizeof least, "%s least", way_name(of, way));
         bench_csv(bench, of->name, name, way_name(of, way), times[way].median);
         bench_csv(bench, of->name, name, least, times[way].least);
-        printf(" %10s %10s %8s", NUMBER(3, 1e3 * times[way].median), NUMBER(3, 1e3 * times[way].least),
-               NUMBER(2, times[way].median / first[way]));
+        printf(" %10s %10s %8s", NUMBER(3, 1e3 * times[way].median),
+               NUMBER(3, 1e3 * times[way].least), NUMBER(2, times[way].median / first[way]));
     }
-    printf(" %8s %s\n", NUMBER(2, times[BENCH_WAY_forward].median / times[BENCH_WAY_deferred].median),
+    printf(" %8s %s\n",
+           NUMBER(2, times[BENCH_WAY_forward].median / times[BENCH_WAY_deferred].median),
            same_picture(row->apart));
     fflush(stdout); /* the whole takes minutes */
 }
@@ -135,7 +147,8 @@ static bool measure_series(const Bench *bench, const Series *of)
         Row row = {of->counts[i], {{NAN, NAN}, {NAN, NAN}, {NAN, NAN}}, NAN};
         fine = measure_row(bench, of, &row);
         for (int way = 0; way < BENCH_WAYS; way++)
-            first[way] = i ? first[way] : row.times[way == BENCH_WAY_bounded ? BENCH_WAY_deferred : way].median;
+            first[way] = i ? first[way]
+                           : row.times[way == BENCH_WAY_bounded ? BENCH_WAY_deferred : way].median;
         if (fine)
             put_row(bench, of, &row, first);
         fine = fine && !(row.apart > pixels_beyond);
@@ -161,11 +174,13 @@ static bool measure(const Bench *bench, unsigned tables)
     bool fine = true;
     for (int i = 0; i < (int)TABLES; i++)
         if (tables >> i & 1)
-            fine &= i < SERIES ? measure_series(bench, &series[i]) : others[i - SERIES].measure(bench);
+            fine &=
+                i < SERIES ? measure_series(bench, &series[i]) : others[i - SERIES].measure(bench);
     return fine;
 }
 
-/* A picture that a CPU fills in the time that a GPU takes for one of 1080 rows; without times, as small as will do. */
+/* A picture that a CPU fills in the time that a GPU takes for one of 1080 rows; without times, as
+ * small as will do. */
 static void choose_size(Bench *bench)
 {
     static const int sizes[][2] = {{160, 90}, {480, 270}, {1920, 1080}};
@@ -184,7 +199,8 @@ static const char *set_size(void *to, const Option *option, const char *value)
 {
     BenchOptions *o = to;
     int *size = o->size;
-    const bool fine = sscanf(value, "%dx%d", &size[0], &size[1]) == 2 && size[0] >= 0 && size[1] >= 0;
+    const bool fine =
+        sscanf(value, "%dx%d", &size[0], &size[1]) == 2 && size[0] >= 0 && size[1] >= 0;
     return fine ? NULL : option_fault_number(&o->arena, option->wants, value);
 }
 
@@ -200,7 +216,10 @@ const Option bench_render_options[] = {
 int bench_render(const BenchOptions *options)
 {
     char error[4096];
-    Bench bench = {.timed = options->timed, .width = options->size[0], .height = options->size[1], .seconds = 1};
+    Bench bench = {.timed = options->timed,
+                   .width = options->size[0],
+                   .height = options->size[1],
+                   .seconds = 1};
     matc_options_init(&bench.compile);
     bench.compile.pixels = true;
     bench.gl = gl_open(options->timed ? options->gl : GL_KIND_osmesa, true, error, sizeof error);

@@ -1,10 +1,11 @@
-/* The G-buffer programs of matc, whose outputs become variables, with the renderer's own surface model behind them. Their layout keeps every slot as
- * the floats it was, so packing and unpacking is nothing. A fragment program is
+/* The G-buffer programs of matc, whose outputs become variables, with the renderer's own surface
+ * model behind them. Their layout keeps every slot as the floats it was, so packing and unpacking
+ * is nothing. A fragment program is
  *
  *     #version 450 core
  *     #define main surfaceMain
- *     ... what matc wrote, each `layout(location = 0) out uvec4 fragment0;` without what stands before uvec4
- *     #undef main
+ *     ... what matc wrote, each `layout(location = 0) out uvec4 fragment0;` without what stands
+ *     before uvec4 #undef main
  *     ... unpackTexels, surfaceLobe
  *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
  *     ... main() below */
@@ -16,12 +17,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_LIGHTS = 1024, LIGHT_FLOATS = 8, LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float) };
+enum {
+    MOST_LIGHTS = 1024,
+    LIGHT_FLOATS = 8,
+    LIGHTS_BYTES = MOST_LIGHTS * LIGHT_FLOATS * (int)sizeof(float)
+};
 
-static const char layout_text[] = "layout: forward\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
-                                  "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
-                                  "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
-                                  "- { slot: ambient, encoding: full }\n";
+static const char layout_text[] =
+    "layout: forward\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
+    "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+    "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+    "- { slot: ambient, encoding: full }\n";
 
 static const char head[] = "#version 450 core\n#define main surfaceMain\n";
 static const char tail[] =
@@ -35,7 +41,8 @@ static const char tail[] =
     "void main()\n"
     "{\n"
     "    surfaceMain();\n"
-    "    vec3 point = vec3((2.0 * gl_FragCoord.xy - forward_ray.zw) * forward_ray.xy, -1.0) * (forward_view.x / "
+    "    vec3 point = vec3((2.0 * gl_FragCoord.xy - forward_ray.zw) * forward_ray.xy, -1.0) * "
+    "(forward_view.x / "
     "gl_FragCoord.z);\n"
     "    Lit m = surfaceLit(unpackTexels(FORWARD_TEXELS), -normalize(point));\n"
     "    vec3 sum = surfaceOwn(m) + surfaceAmbient(m, forward_ambient.xyz);\n"
@@ -93,12 +100,13 @@ static char *variables_of(const char *text)
 static bool make_material(Forward *f, int number)
 {
     const SceneMaterial *of = &f->scene->materials[number];
-    MatcProgram *program =
-        matc_compile(of->document, of->index, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, &f->compile);
+    MatcProgram *program = matc_compile(of->document, of->index,
+                                        MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, &f->compile);
     char *text = matc_ok(program) ? variables_of(matc_output(program, MATC_FRAGMENT, NULL)) : NULL;
     bool fine = text != NULL || gl_fail(f->gl, "%s", matc_program_diagnostics(program, MATC_TEXT));
     if (fine) {
-        const ProgramText own = {.fragment = {head, text, "#undef main\n", matc_output(program, MATC_UNPACK, NULL),
+        const ProgramText own = {.fragment = {head, text, "#undef main\n",
+                                              matc_output(program, MATC_UNPACK, NULL),
                                               surface_model_phong.text, tail}};
         fine = material_make(f->store, program, &own, &f->materials[number]) &&
                material_write(&f->materials[number], "Forward", &f->block, sizeof f->block) &&
@@ -130,7 +138,8 @@ static bool make_mesh(Forward *f, int object)
     return fine;
 }
 
-/* Where it is, or, of a directional one, the direction to it, in the eye's space, w 1 or 0; its light. */
+/* Where it is, or, of a directional one, the direction to it, in the eye's space, w 1 or 0; its
+ * light. */
 static void put_light(const Forward *f, const SceneLight *light, float *to)
 {
     const double *m = f->space.eye_from_world;
@@ -170,7 +179,8 @@ static bool choose_layout(Forward *f)
     f->compile.validate = false; /* the driver does */
     f->layout = matc_layout_read("forward.yaml", layout_text, sizeof layout_text - 1, &f->compile);
     f->compile.custom = f->layout;
-    return matc_layout_ok(f->layout) || gl_fail(f->gl, "%s", matc_layout_diagnostics(f->layout, MATC_TEXT));
+    return matc_layout_ok(f->layout) ||
+           gl_fail(f->gl, "%s", matc_layout_diagnostics(f->layout, MATC_TEXT));
 }
 
 static bool make(Forward *f)

@@ -1,5 +1,6 @@
-/* What a point light takes, by the surface: nanoseconds a pixel and light, from 1 to 64 lights, and times Phong's. Frames of all surfaces and numbers of
- * lights are drawn in turns, and the least of each counts. `plastic+` is plastic in a scene in which another material has a coat and fuzz. */
+/* What a point light takes, by the surface: nanoseconds a pixel and light, from 1 to 64 lights, and
+ * times Phong's. Frames of all surfaces and numbers of lights are drawn in turns, and the least of
+ * each counts. `plastic+` is plastic in a scene in which another material has a coat and fuzz. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "matbench.h"
@@ -17,13 +18,22 @@ static const struct {
 } surfaces[] = {
     {"Phong", "material: Phong, diffuse: [.5, .4, .3], specular: .3, shininess: .7", false},
     {"plastic", "material: Principled, baseColor: [.5, .4, .3], roughness: '= .2 + .6 * u'", false},
-    {"metal", "material: Principled, baseColor: [.9, .6, .3], metalness: 1, roughness: '= .2 + .6 * u'", false},
-    {"brushed", "material: Principled, baseColor: [.9, .6, .3], metalness: 1, roughness: .5, anisotropy: .7", false},
+    {"metal",
+     "material: Principled, baseColor: [.9, .6, .3], metalness: 1, roughness: '= .2 + .6 * u'",
+     false},
+    {"brushed",
+     "material: Principled, baseColor: [.9, .6, .3], metalness: 1, roughness: .5, anisotropy: .7",
+     false},
     {"painted",
-     "material: Principled, baseColor: [.5, .4, .3], roughness: '= .2 + .6 * u', coat: .8, coatRoughness: .2", false},
-    {"cloth", "material: Principled, baseColor: [.5, .4, .3], roughness: .7, fuzz: .6, fuzzRoughness: .5", false},
+     "material: Principled, baseColor: [.5, .4, .3], roughness: '= .2 + .6 * u', coat: .8, "
+     "coatRoughness: .2",
+     false},
+    {"cloth",
+     "material: Principled, baseColor: [.5, .4, .3], roughness: .7, fuzz: .6, fuzzRoughness: .5",
+     false},
     {"both",
-     "material: Principled, baseColor: [.5, .4, .3], roughness: .7, fuzz: .6, fuzzRoughness: .5, coat: .8, "
+     "material: Principled, baseColor: [.5, .4, .3], roughness: .7, fuzz: .6, fuzzRoughness: .5, "
+     "coat: .8, "
      "coatRoughness: .2",
      false},
     {"plastic+", "material: Principled, baseColor: [.5, .4, .3], roughness: '= .2 + .6 * u'", true},
@@ -61,7 +71,8 @@ static double processor_seconds(void)
     return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
-/* Of a GPU those of the pass light; else those that all threads of the process take for a frame, which other programs change little. */
+/* Of a GPU those of the pass light; else those that all threads of the process take for a frame,
+ * which other programs change little. */
 static double light_seconds(const Bench *bench, BenchScene *scene)
 {
     RenderPassTime times[RENDER_PASSES_MOST];
@@ -83,7 +94,8 @@ static void put_rows(const Bench *bench, const Lobes *lobes)
     const double pixels = (double)bench->width * bench->height * (counts[COUNTS - 1] - counts[0]);
     double phong = NAN;
     for (int i = 0; i < SURFACES; i++) {
-        const double *seconds = lobes->seconds[i], one = 1e9 * (seconds[COUNTS - 1] - seconds[0]) / pixels;
+        const double *seconds = lobes->seconds[i],
+                     one = 1e9 * (seconds[COUNTS - 1] - seconds[0]) / pixels;
         phong = i ? phong : one;
         printf("%-10s", surfaces[i].name);
         for (int k = 0; k < COUNTS; k++)
@@ -105,8 +117,10 @@ bool bench_lobes(const Bench *bench)
     for (int round = 0; round < ROUNDS && fine && bench->timed; round++)
         for (int i = 0; i < SURFACES; i++)
             for (int k = 0; k < COUNTS; k++)
-                lobes.seconds[i][k] = fmin(lobes.seconds[i][k], light_seconds(&square, &lobes.scenes[i][k]));
-    printf("\nsurfaces: a wall, point lights; milliseconds of the pass light on a GPU, else of the processor, a frame; "
+                lobes.seconds[i][k] =
+                    fmin(lobes.seconds[i][k], light_seconds(&square, &lobes.scenes[i][k]));
+    printf("\nsurfaces: a wall, point lights; milliseconds of the pass light on a GPU, else of the "
+           "processor, a frame; "
            "nanoseconds a pixel and light\n%-10s",
            "lights");
     for (int k = 0; k < COUNTS; k++)

@@ -48,7 +48,8 @@ static bool measure_whole(const Bench *bench, const Whole *whole, WholeTimes *ti
 }
 
 /* "" where it does not run. */
-static const char *pass_time(const Bench *bench, const RenderPassTime *pass, char text[BENCH_NUMBER])
+static const char *pass_time(const Bench *bench, const RenderPassTime *pass,
+                             char text[BENCH_NUMBER])
 {
     if (pass->seconds == 0)
         return "";
@@ -61,7 +62,8 @@ static void put_pass(const Bench *bench, const WholeTimes *times, int pass)
     for (int k = 0; k < WHOLES; k++) {
         printf(" %18s", pass_time(bench, &times[k].passes[pass], (char[BENCH_NUMBER]){0}));
         bench_csv(bench, wholes[k].name, times->passes[pass].name, "seconds",
-                bench->timed && times[k].passes[pass].seconds > 0 ? times[k].passes[pass].seconds : NAN);
+                  bench->timed && times[k].passes[pass].seconds > 0 ? times[k].passes[pass].seconds
+                                                                    : NAN);
     }
     putchar('\n');
 }
@@ -84,7 +86,8 @@ bool bench_passes(const Bench *bench)
         bytes[k] = times[k].bytes;
         fragment_bytes[k] = times[k].fragment_bytes;
     }
-    printf("\npasses: solids, a plane, a sky, a spot and the sun with shadows, ReinhardDevlin; milliseconds, and "
+    printf("\npasses: solids, a plane, a sky, a spot and the sun with shadows, ReinhardDevlin; "
+           "milliseconds, and "
            "bytes\n%-10s",
            "pass");
     for (int k = 0; k < WHOLES; k++)
@@ -113,7 +116,8 @@ static double seconds_of(const RenderPassTime *passes, int count, const char *co
 static bool measure_layers(const Bench *bench, int layers, const char *way)
 {
     enum { SIDE = 256, SIDE_OF_GPU = 1024 };
-    static const char *const parts[][2] = {{"lists", NULL}, {"blend", NULL}, {"peel", NULL}, {"lists", "blend"}};
+    static const char *const parts[][2] = {
+        {"lists", NULL}, {"blend", NULL}, {"peel", NULL}, {"lists", "blend"}};
     Bench square = *bench;
     RenderPassTime passes[RENDER_PASSES_MOST];
     Arena arena = {0};
@@ -125,18 +129,21 @@ static bool measure_layers(const Bench *bench, int layers, const char *way)
     snprintf(row, sizeof row, "%d layers, %s", layers, way);
     bench_show(row);
     scenes_panes(&text, layers);
-    const bool fine = bench_scene_open(&square, &text, &(RenderOptions){.view = "light", .transparency = way}, &scene);
+    const bool fine = bench_scene_open(
+        &square, &text, &(RenderOptions){.view = "light", .transparency = way}, &scene);
     if (fine && bench->timed) {
         const int count = bench_scene_passes(&square, &scene, passes);
         for (int i = 0; i < 4; i++) {
-            nanoseconds[i] = 1e9 * seconds_of(passes, count, parts[i]) / layers / square.width / square.height;
+            nanoseconds[i] =
+                1e9 * seconds_of(passes, count, parts[i]) / layers / square.width / square.height;
             nanoseconds[i] = nanoseconds[i] > 0 ? nanoseconds[i] : NAN;
         }
     }
     bench_show("");
     if (fine)
-        printf("%-22s %10s %10s %10s %14s\n", row, NUMBER(3, nanoseconds[0]), NUMBER(3, nanoseconds[1]),
-               NUMBER(3, nanoseconds[2]), NUMBER(3, isnan(nanoseconds[2]) ? nanoseconds[3] : nanoseconds[2]));
+        printf("%-22s %10s %10s %10s %14s\n", row, NUMBER(3, nanoseconds[0]),
+               NUMBER(3, nanoseconds[1]), NUMBER(3, nanoseconds[2]),
+               NUMBER(3, isnan(nanoseconds[2]) ? nanoseconds[3] : nanoseconds[2]));
     for (int i = 0; i < 3; i++)
         bench_csv(bench, "fragments", row, parts[i][0], 1e-9 * nanoseconds[i]);
     bench_scene_close(&scene);
@@ -149,9 +156,9 @@ bool bench_fragments(const Bench *bench)
     static const int layers[] = {1, 2, 4, 10, 40};
     static const char *const ways[] = {"lists", "peeling"};
     bool fine = true;
-    printf(
-        "\nfragments: panes over all pixels, one lamp; nanoseconds a transparent fragment\n%-22s %10s %10s %10s %14s\n",
-        "", "lists", "blend", "peel", "a fragment");
+    printf("\nfragments: panes over all pixels, one lamp; nanoseconds a transparent "
+           "fragment\n%-22s %10s %10s %10s %14s\n",
+           "", "lists", "blend", "peel", "a fragment");
     for (size_t i = 0; fine && i < sizeof layers / sizeof *layers; i++)
         for (int k = 0; fine && k < 2; k++)
             fine = measure_layers(bench, layers[i], ways[k]);

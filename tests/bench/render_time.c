@@ -19,13 +19,15 @@ static RenderOptions options_of(const Bench *bench, const RenderOptions *options
 }
 
 /* Opens it, and draws a first frame. */
-static bool open_render(const Bench *bench, const RenderOptions *options, const Scene *scene, Render **made)
+static bool open_render(const Bench *bench, const RenderOptions *options, const Scene *scene,
+                        Render **made)
 {
     *made = render_open(bench->gl, options);
     return (*made && render_scene(*made, scene) && render_frame(*made)) || said(bench->gl->error);
 }
 
-bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made)
+bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options,
+                      BenchScene *made)
 {
     const RenderOptions with = options_of(bench, options);
     *made = (BenchScene){0};
@@ -64,7 +66,8 @@ void bench_scene_close(BenchScene *scene)
 
 static bool draws(const BenchScene *scene, BenchWay way)
 {
-    return way == BENCH_WAY_deferred || (way == BENCH_WAY_bounded ? scene->bounded != NULL : scene->forward != NULL);
+    return way == BENCH_WAY_deferred ||
+           (way == BENCH_WAY_bounded ? scene->bounded != NULL : scene->forward != NULL);
 }
 
 /* Seconds of a frame, of so many that are finished together. */
@@ -101,7 +104,8 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
     bench->gl->Finish();
     for (int way = 0; way < BENCH_WAYS; way++)
         if (draws(scene, way))
-            frames[way] = frames_of(bench, scene, way); /* the first frame was drawn when the scene was opened */
+            /* the first frame was drawn when the scene was opened */
+            frames[way] = frames_of(bench, scene, way);
     for (; count < MOST_FRAMES && (count < FEWEST_FRAMES || bench_now() < end); count++)
         for (int way = 0; way < BENCH_WAYS; way++)
             if (draws(scene, way))
@@ -111,12 +115,14 @@ bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BE
     return gl_check(bench->gl, "drawing frames") || said(bench->gl->error);
 }
 
-int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime least[RENDER_PASSES_MOST])
+int bench_scene_passes(const Bench *bench, BenchScene *scene,
+                       RenderPassTime least[RENDER_PASSES_MOST])
 {
     const double end = bench_now() + bench->seconds;
     RenderPassTime times[RENDER_PASSES_MOST];
     const int count = render_time_passes(scene->render, least);
-    for (int frames = 1; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end); frames++) {
+    for (int frames = 1; frames < MOST_FRAMES && (frames < FEWEST_FRAMES || bench_now() < end);
+         frames++) {
         render_time_passes(scene->render, times);
         for (int i = 0; i < count; i++)
             least[i].seconds = fmin(least[i].seconds, times[i].seconds);
@@ -124,7 +130,8 @@ int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime lea
     return count;
 }
 
-void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure, double value)
+void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure,
+               double value)
 {
     if (bench->csv && !isnan(value))
         fprintf(bench->csv, "%s,%s,%s,%.9g\n", table, row, measure, value);
@@ -145,13 +152,16 @@ static int count_apart(const float *a, const float *b, int pixels, double bound)
     for (int i = 0; i < pixels; i++) {
         double most = 0;
         for (int lane = 4 * i; lane < 4 * i + 3; lane++)
-            most = fmax(most, isnan(a[lane]) || isnan(b[lane]) ? INFINITY : fabs(fmin(a[lane], 1) - fmin(b[lane], 1)));
+            most = fmax(most, isnan(a[lane]) || isnan(b[lane])
+                                  ? INFINITY
+                                  : fabs(fmin(a[lane], 1) - fmin(b[lane], 1)));
         apart += most > bound;
     }
     return apart;
 }
 
-static double apart_from_forward(const Bench *bench, const BenchScene *scene, Render *render, double bound)
+static double apart_from_forward(const Bench *bench, const BenchScene *scene, Render *render,
+                                 double bound)
 {
     const int pixels = bench->width * bench->height;
     float *rgba[2];
@@ -169,6 +179,7 @@ static double apart_from_forward(const Bench *bench, const BenchScene *scene, Re
 double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound)
 {
     const double apart = apart_from_forward(bench, scene, scene->render, bound);
-    const double bounded = scene->bounded ? apart_from_forward(bench, scene, scene->bounded, bound) : 0;
+    const double bounded =
+        scene->bounded ? apart_from_forward(bench, scene, scene->bounded, bound) : 0;
     return isnan(bounded) || bounded > apart ? bounded : apart;
 }

@@ -30,18 +30,23 @@ typedef struct {
     double median, least; /* seconds of a frame */
 } BenchTimes;
 
-/* False: said on standard error. Close in any case. `options` are those of the renderer but for size and choices. */
-bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options, BenchScene *made);
+/* False: said on standard error. Close in any case. `options` are those of the renderer but for
+ * size and choices. */
+bool bench_scene_open(const Bench *bench, const Text *text, const RenderOptions *options,
+                      BenchScene *made);
 bool bench_scene_open_bounded(const Bench *bench, const RenderOptions *options, BenchScene *made);
 bool bench_scene_open_forward(const Bench *bench, BenchScene *made);
 void bench_scene_close(BenchScene *scene);
 /* Frames of all that draw it, in turns, each finished; NAN of the others. */
 bool bench_scene_time(const Bench *bench, BenchScene *scene, BenchTimes times[BENCH_WAYS]);
 /* The least seconds that each pass takes; how many passes there are. */
-int bench_scene_passes(const Bench *bench, BenchScene *scene, RenderPassTime least[RENDER_PASSES_MOST]);
-/* The share of pixels at which the light, cut at 1, of one renderer's picture and of the forward renderer's is apart by more than `bound`; where there
- * are two, of the one that is worse. NAN: they are black, or could not be read. */
+int bench_scene_passes(const Bench *bench, BenchScene *scene,
+                       RenderPassTime least[RENDER_PASSES_MOST]);
+/* The share of pixels at which the light, cut at 1, of one renderer's picture and of the forward
+ * renderer's is apart by more than `bound`; where there are two, of the one that is worse. NAN:
+ * they are black, or could not be read. */
 double bench_scene_apart(const Bench *bench, BenchScene *scene, double bound);
 /* A line of the CSV, where there is one, of what was measured. */
-void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure, double value);
+void bench_csv(const Bench *bench, const char *table, const char *row, const char *measure,
+               double value);
 #endif

@@ -1,5 +1,6 @@
-/* matbench shadows: every way in which a light casts shadows, by how far their ends are from where they should be, and by what a frame takes. What should be
- * is what exact shadows are, which tests compare with rays of Embree: so it runs where there is none. */
+/* matbench shadows: every way in which a light casts shadows, by how far their ends are from where
+ * they should be, and by what a frame takes. What should be is what exact shadows are, which tests
+ * compare with rays of Embree: so it runs where there is none. */
 #include "matbench.h"
 #include "shadows.h"
 #include "shadows_error.h"
@@ -12,13 +13,15 @@
 
 /* -- errors */
 
-static bool measure_receiver(const Shadows *s, ShadowsScene which, double errors[SHADOWS_METHODS_MOST])
+static bool measure_receiver(const Shadows *s, ShadowsScene which,
+                             double errors[SHADOWS_METHODS_MOST])
 {
     enum { EDGE = 512 };
     const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->map_size};
     ShadowsPlace place;
     ShadowsPicture picture = {0};
-    bool fine = shadows_open(which, &s->mesh, &s->compile, &place) && shadows_picture_open(&target, &place, &picture);
+    bool fine = shadows_open(which, &s->mesh, &s->compile, &place) &&
+                shadows_picture_open(&target, &place, &picture);
     bench_show(shadows_receivers[which]);
     for (int i = 1; fine && i < s->method_count; i++) {
         ShadowsError error = {0};
@@ -42,7 +45,8 @@ static bool measure_errors(const Shadows *s)
     for (int i = 0; i < SHADOWS_RECEIVERS; i++)
         if (!measure_receiver(s, (ShadowsScene)i, errors[i]))
             return false;
-    printf("\nerrors: mean distance of shadows' ends from the true ones, in texels of a map of %d x %d\n%-19s",
+    printf("\nerrors: mean distance of shadows' ends from the true ones, in texels of a map of %d "
+           "x %d\n%-19s",
            s->map_size, s->map_size, "shadows on");
     for (int i = 0; i < SHADOWS_RECEIVERS; i++)
         printf(" %11s", shadows_receivers[i]);
@@ -63,7 +67,8 @@ static bool measure_errors(const Shadows *s)
 static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MOST])
 {
     const ShadowsTime none = times[0], pcf = times[s->pcf];
-    printf("\ntimes: least milliseconds of a frame, and what shadows take more than none, over what PCF 3x3 takes "
+    printf("\ntimes: least milliseconds of a frame, and what shadows take more than none, over "
+           "what PCF 3x3 takes "
            "more\n%-19s %11s %11s %11s %11s\n",
            "shadows", "still", "/ PCF", "moving", "/ PCF");
     for (int method = 0; method < s->method_count; method++) {
@@ -94,10 +99,14 @@ static bool measure_times(const Shadows *s)
 static const struct {
     const char *name;
     bool (*measure)(const Shadows *s);
-} tables[] = {{"errors", measure_errors}, {"steps", shadows_steps},       {"times", measure_times},
-              {"paths", shadows_paths},   {"polygons", shadows_polygons}, {"claims", shadows_claims},
+} tables[] = {{"errors", measure_errors},     {"steps", shadows_steps},
+              {"times", measure_times},       {"paths", shadows_paths},
+              {"polygons", shadows_polygons}, {"claims", shadows_claims},
               {"table1", shadows_table1}};
-enum { TABLES = sizeof tables / sizeof *tables, TABLE_1 = 1 << (TABLES - 1) /* only if it is named */ };
+enum {
+    TABLES = sizeof tables / sizeof *tables,
+    TABLE_1 = 1 << (TABLES - 1) /* only if it is named */
+};
 
 const char *bench_shadows_table(const void *user, int i)
 {
@@ -123,13 +132,15 @@ static bool open_mesh(const BenchOptions *options, Shape *made)
 {
     char error[4096];
     if (!options->mesh)
-        return shadows_ball(options->triangles ? options->triangles : 8000, made) || fputs("matbench: out of memory\n", stderr) < 0;
+        return shadows_ball(options->triangles ? options->triangles : 8000, made) ||
+               fputs("matbench: out of memory\n", stderr) < 0;
     char *known = meshes_path(options->mesh);
     const bool fine = model_read(known ? known : options->mesh, made, error, sizeof error);
     if (!fine)
         fprintf(stderr, "matbench: %s%s\n", error,
-                strpbrk(options->mesh, "./") ? ""
-                                               : "; sh tests/meshes/fetch.sh BUILD_FOLDER fetches those with a name");
+                strpbrk(options->mesh, "./")
+                    ? ""
+                    : "; sh tests/meshes/fetch.sh BUILD_FOLDER fetches those with a name");
     free(known);
     return fine;
 }

@@ -15,8 +15,8 @@ typedef struct {
     int method_count, pcf;
 } Shadows;
 
-/* A list of methods, and the least seconds that a frame takes by each: of a scene that stands still; of light that moves, so that all is drawn anew. NAN
- * where nothing is timed. */
+/* A list of methods, and the least seconds that a frame takes by each: of a scene that stands
+ * still; of light that moves, so that all is drawn anew. NAN where nothing is timed. */
 typedef struct {
     const ShadowsMethod *methods;
     int count, map_size;
@@ -30,8 +30,8 @@ typedef struct {
 /* False: said on standard error. */
 bool shadows_time(const Shadows *s, const ShadowsTiming *timing, ShadowsTime *times);
 
-/* Tables; false: said. Paths of data by sizes of maps; the thesis' table of polygons and its charts; pixels that flicker while
- * the light moves. */
+/* Tables; false: said. Paths of data by sizes of maps; the thesis' table of polygons and its
+ * charts; pixels that flicker while the light moves. */
 bool shadows_paths(const Shadows *s);
 bool shadows_polygons(const Shadows *s);
 /* Prints table 1 of the thesis (Möck 2006), frames a second, beside ours. --quick omits rows of

@@ -11,13 +11,15 @@ static bool said(const char *why) { return fprintf(stderr, "matbench: %s\n", why
 
 /* -- pictures */
 
-const ShadowsMethod shadows_truth = {{"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false,
-                                     WORD_Path_auto};
-static const ShadowsMethod usual = {{"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false,
-                                    WORD_Path_auto};
+const ShadowsMethod shadows_truth = {
+    {"exact", "default"}, WORD_Shadows_exact, 1, WORD_Volume_perfect, false, WORD_Path_auto};
+static const ShadowsMethod usual = {
+    {"map", "default"}, WORD_Shadows_map, 1, WORD_Volume_perfect, false, WORD_Path_auto};
 
-/* A view of the scene, four floats a pixel, from malloc; NULL: said. What the light sees first goes to *view, or NULL. */
-static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMethod *method, ShadowView *seen)
+/* A view of the scene, four floats a pixel, from malloc; NULL: said. What the light sees first goes
+ * to *view, or NULL. */
+static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMethod *method,
+                   ShadowView *seen)
 {
     const RenderOptions options = {.compile = p->target.compile,
                                    .view = view,
@@ -27,8 +29,8 @@ static float *draw(const ShadowsPicture *p, const char *view, const ShadowsMetho
     shadows_use(p->scene, method ? method : &usual, p->target.map_size);
     Render *render = render_open(p->target.gl, &options);
     float *rgba = malloc(4 * sizeof *rgba * (size_t)p->target.edge * (size_t)p->target.edge);
-    const bool done =
-        render && rgba && render_scene(render, p->scene) && render_frame(render) && render_read(render, rgba);
+    const bool done = render && rgba && render_scene(render, p->scene) && render_frame(render) &&
+                      render_read(render, rgba);
     if (done && seen)
         *seen = render->shadows->views.views[0];
     render_close(render);
@@ -66,8 +68,9 @@ static void place_pixel(const ShadowsPicture *p, const ShadowView *view, int pix
         double lane = view->rows[row][3];
         for (int i = 0; i < 3; i++)
             lane +=
-                view->rows[row][i] * (camera->position[i] + camera->half * (x * camera->right[i] + y * camera->up[i]) -
-                                      (1 - depth) * camera->depth * camera->back[i]);
+                view->rows[row][i] *
+                (camera->position[i] + camera->half * (x * camera->right[i] + y * camera->up[i]) -
+                 (1 - depth) * camera->depth * camera->back[i]);
         p->places[pixel][row] = lane * p->target.map_size / 2;
     }
 }
@@ -75,7 +78,8 @@ static void place_pixel(const ShadowsPicture *p, const ShadowView *view, int pix
 static bool place_pixels(ShadowsPicture *p)
 {
     ShadowView view;
-    float *depths = draw(p, "depth", &usual, NULL), *unused = depths ? draw(p, "light", &usual, &view) : NULL;
+    float *depths = draw(p, "depth", &usual, NULL),
+          *unused = depths ? draw(p, "light", &usual, &view) : NULL;
     p->places = malloc(sizeof *p->places * (size_t)p->target.edge * (size_t)p->target.edge);
     for (int i = 0; unused && p->places && i < p->target.edge * p->target.edge; i++)
         place_pixel(p, &view, i, (double)depths[4 * i]);
@@ -92,7 +96,8 @@ static Boundary boundary_of(const ShadowsPicture *p)
     return (Boundary){p->target.edge, (const double(*)[2])p->places, p->light, p->truth, apart};
 }
 
-bool shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method, int map_size, ShadowsError *error)
+bool shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method, int map_size,
+                           ShadowsError *error)
 {
     const Boundary boundary = boundary_of(p);
     ShadowsPicture other = *p; /* of another map; places stay in texels of this one */
@@ -102,12 +107,14 @@ bool shadows_picture_error(const ShadowsPicture *p, const ShadowsMethod *method,
         return false;
     Boundary drawn = boundary;
     drawn.truth = shares;
-    *error = (ShadowsError){boundary_area(&boundary, shares) / p->length, boundary_length(&drawn) / p->length};
+    *error = (ShadowsError){boundary_area(&boundary, shares) / p->length,
+                            boundary_length(&drawn) / p->length};
     free(shares);
     return true;
 }
 
-bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place, ShadowsPicture *made)
+bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place,
+                          ShadowsPicture *made)
 {
     *made = (ShadowsPicture){.target = *target, .scene = place->scene};
     made->light = draw_lane(made, NULL);

@@ -12,20 +12,24 @@ typedef struct {
     int edge, map_size; /* of pictures, in pixels; of maps, in texels */
 } ShadowsTarget;
 
-/* A picture of which each pixel knows its place in the map, and whether light arrives there: by exact shadows. */
+/* A picture of which each pixel knows its place in the map, and whether light arrives there: by
+ * exact shadows. */
 typedef struct {
     ShadowsTarget target;
     Scene *scene;
     double (*places)[2]; /* texels */
-    float *light;        /* without shadows; 0 where nothing is, or what faces away from the light */
-    float *truth;        /* shares of that: 0 or 1 */
-    double length;       /* of the boundary between them, in texels */
+    /* without shadows; 0 where nothing is, or what faces away from the light */
+    float *light;
+    float *truth;  /* shares of that: 0 or 1 */
+    double length; /* of the boundary between them, in texels */
 } ShadowsPicture;
 
 /* False: said on standard error. */
-bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place, ShadowsPicture *made);
-/* The mean distance of ends from the true ones: the area of points that are lit and should not be, or the other way round, over the true end's length. And
- * how long they are, over that: stairs are longer than the line they follow. A point to which half of the light comes, or more, is lit. */
+bool shadows_picture_open(const ShadowsTarget *target, const ShadowsPlace *place,
+                          ShadowsPicture *made);
+/* The mean distance of ends from the true ones: the area of points that are lit and should not be,
+ * or the other way round, over the true end's length. And how long they are, over that: stairs are
+ * longer than the line they follow. A point to which half of the light comes, or more, is lit. */
 typedef struct {
     double distance, length;
 } ShadowsError;

@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const shadows_receivers[SHADOWS_RECEIVERS] = {"plane", "itself", "second", "overlapping"};
+const char *const shadows_receivers[SHADOWS_RECEIVERS] = {"plane", "itself", "second",
+                                                          "overlapping"};
 
 /* -- methods */
 
@@ -17,7 +18,12 @@ static const ShadowsMethod known[] = {
     {{"hybrid", "plain"}, WORD_Shadows_hybrid, 1, WORD_Volume_plain, false, WORD_Path_auto},
     {{"hybrid", "blurred"}, WORD_Shadows_hybrid, 1, WORD_Volume_blurred, false, WORD_Path_auto},
     {{"hybrid", "perfect"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, false, WORD_Path_auto},
-    {{"hybrid", "silhouette"}, WORD_Shadows_hybrid, 1, WORD_Volume_silhouette, false, WORD_Path_auto},
+    {{"hybrid", "silhouette"},
+     WORD_Shadows_hybrid,
+     1,
+     WORD_Volume_silhouette,
+     false,
+     WORD_Path_auto},
     {{"hybrid", "stretched"}, WORD_Shadows_hybrid, 1, WORD_Volume_perfect, true, WORD_Path_auto},
 };
 enum { KNOWN = sizeof known / sizeof *known, PCF = 3 };
@@ -32,8 +38,12 @@ int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MOST], int *pcf)
         while (row < KNOWN && known[row].shadows != (Word)word)
             row++;
         if (row == KNOWN && scene_shadows_name((Word)word))
-            methods[count++] = (ShadowsMethod){
-                {scene_shadows_name((Word)word), "default"}, (Word)word, 1, WORD_Volume_perfect, false, WORD_Path_auto};
+            methods[count++] = (ShadowsMethod){{scene_shadows_name((Word)word), "default"},
+                                               (Word)word,
+                                               1,
+                                               WORD_Volume_perfect,
+                                               false,
+                                               WORD_Path_auto};
     }
     return count;
 }
@@ -50,7 +60,8 @@ void shadows_use(Scene *scene, const ShadowsMethod *method, int map_size)
 
 /* -- the mesh */
 
-/* r = 0.8 + f, f = 0.15 sin 6x sin 6y sin 6z of the direction (x, y, z); the normal goes with r times it, less the gradient of f along the ball. */
+/* r = 0.8 + f, f = 0.15 sin 6x sin 6y sin 6z of the direction (x, y, z); the normal goes with r
+ * times it, less the gradient of f along the ball. */
 static void bump(ShapeVertex *vertex)
 {
     const double high = .15, often = 6;
@@ -86,9 +97,10 @@ bool shadows_ball(int triangles, Shape *made)
 
 /* -- documents */
 
-/* Light goes along (0.6, 0.25, -1) / 1.193; the camera looks along it, or, at the caster itself, 40 degrees beside it. */
-#define HEAD                                                                                                           \
-    "image: { width: 512, height: 512 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"                         \
+/* Light goes along (0.6, 0.25, -1) / 1.193; the camera looks along it, or, at the caster itself, 40
+ * degrees beside it. */
+#define HEAD                                                                                       \
+    "image: { width: 512, height: 512 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"     \
     "lights: [{ light: Directional, direction: [.6, .25, -1] }]\n"
 #define CASTER(place) "- { object: Sphere, material: m, transform: { translation: [" place "] } }\n"
 #define PLANE         "- { object: Plane, material: m }\n"
@@ -97,29 +109,34 @@ static const struct {
     const char *text;
     int casters;
 } documents[SHADOWS_SCENES] = {
-    [SHADOWS_plane] = {HEAD
-                       "camera: { camera: Orthographic, position: [.9, .375, 1.5], target: [1.8, .75, 0], size: 2.4 }\n"
-                       "objects:\n" CASTER("0, 0, 3") PLANE,
+    [SHADOWS_plane] = {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.5], target: "
+                            "[1.8, .75, 0], size: 2.4 }\n"
+                            "objects:\n" CASTER("0, 0, 3") PLANE,
                        1},
-    [SHADOWS_itself] = {HEAD "camera: { camera: Orthographic, position: [-2, 2, 4], target: [0, 0, 0], size: 2.2 }\n"
-                             "objects:\n" CASTER("0, 0, 0"),
-                        1},
-    [SHADOWS_second] =
+    [SHADOWS_itself] =
         {HEAD
-         "camera: { camera: Orthographic, position: [.9, .375, -1.5], target: [1.8, .75, -3], size: 2.4 }\n"
-         "objects:\n" CASTER(
-             "0, 0, 0") "- { object: Sphere, radius: 1.3, material: m, transform: { translation: [1.8, .75, -3] } }\n",
+         "camera: { camera: Orthographic, position: [-2, 2, 4], target: [0, 0, 0], size: 2.2 }\n"
+         "objects:\n" CASTER("0, 0, 0"),
          1},
-    [SHADOWS_overlapping] =
-        {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.5], target: [1.8, .75, 0], size: 4 }\n"
-              "objects:\n" CASTER("-.5, -.4, 3") CASTER("-1, 0, 5") PLANE,
-         2},
-    [SHADOWS_frame] = {HEAD "camera: { camera: Perspective, position: [2, -5, 4], target: [.3, 0, .4], angle: 40 }\n"
-                            "objects:\n" CASTER("0, 0, 1.2") PLANE,
-                       1},
+    [SHADOWS_second] = {HEAD "camera: { camera: Orthographic, position: [.9, .375, -1.5], target: "
+                             "[1.8, .75, -3], size: 2.4 }\n"
+                             "objects:\n" CASTER(
+                                 "0, 0, 0") "- { object: Sphere, radius: 1.3, material: m, "
+                                            "transform: { translation: [1.8, .75, -3] } }\n",
+                        1},
+    [SHADOWS_overlapping] = {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.5], "
+                                  "target: [1.8, .75, 0], size: 4 }\n"
+                                  "objects:\n" CASTER("-.5, -.4, 3") CASTER("-1, 0, 5") PLANE,
+                             2},
+    [SHADOWS_frame] =
+        {HEAD
+         "camera: { camera: Perspective, position: [2, -5, 4], target: [.3, 0, .4], angle: 40 }\n"
+         "objects:\n" CASTER("0, 0, 1.2") PLANE,
+         1},
 };
 
-bool shadows_open(ShadowsScene which, const Shape *mesh, const MatcOptions *compile, ShadowsPlace *made)
+bool shadows_open(ShadowsScene which, const Shape *mesh, const MatcOptions *compile,
+                  ShadowsPlace *made)
 {
     const char *text = documents[which].text;
     *made = (ShadowsPlace){0};

@@ -1,9 +1,11 @@
-/* What matbench shadows draws: casters of one mesh, in sunlight, before different receivers, and the methods that a light has. */
+/* What matbench shadows draws: casters of one mesh, in sunlight, before different receivers, and
+ * the methods that a light has. */
 #ifndef SHADOWS_SCENE_H
 #define SHADOWS_SCENE_H
 #include "runtime/render/render.h"
 
-/* Where ends of shadows are looked at. All is seen from between the casters and the receiver, along the light but for SHADOWS_itself. */
+/* Where ends of shadows are looked at. All is seen from between the casters and the receiver, along
+ * the light but for SHADOWS_itself. */
 typedef enum {
     SHADOWS_plane,       /* an infinite plane, which is in no map */
     SHADOWS_itself,      /* the caster */
@@ -25,13 +27,14 @@ typedef struct {
     Word path;
 } ShadowsMethod;
 enum { SHADOWS_METHODS_MOST = 24 };
-/* Those of the list Shadows and the volumes of hybrid ones; a word that this file does not know has its own name. The first casts none; *pcf is
- * what times are compared with. How many. */
+/* Those of the list Shadows and the volumes of hybrid ones; a word that this file does not know has
+ * its own name. The first casts none; *pcf is what times are compared with. How many. */
 int shadows_methods(ShadowsMethod methods[SHADOWS_METHODS_MOST], int *pcf);
 /* The scene's light casts its shadows so. */
 void shadows_use(Scene *scene, const ShadowsMethod *method, int map_size);
 
-/* A ball with bumps of about so many triangles, at most 1 from the origin. False: memory ran out. */
+/* A ball with bumps of about so many triangles, at most 1 from the origin. False: memory ran
+ * out. */
 bool shadows_ball(int triangles, Shape *made);
 
 typedef struct {
@@ -40,7 +43,9 @@ typedef struct {
     SceneMesh mesh; /* borrowed */
 } ShadowsPlace;
 
-/* False: said on standard error. The mesh, which lies within 1 from the origin, is there until the end. */
-bool shadows_open(ShadowsScene which, const Shape *mesh, const MatcOptions *compile, ShadowsPlace *made);
+/* False: said on standard error. The mesh, which lies within 1 from the origin, is there until the
+ * end. */
+bool shadows_open(ShadowsScene which, const Shape *mesh, const MatcOptions *compile,
+                  ShadowsPlace *made);
 void shadows_close(ShadowsPlace *place);
 #endif

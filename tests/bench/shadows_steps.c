@@ -1,4 +1,5 @@
-/* Steps of a moving light: pixels that turn from lit to dark and back, or the other way round, and should not (tests/frame/flicker.h). */
+/* Steps of a moving light: pixels that turn from lit to dark and back, or the other way round, and
+ * should not (tests/frame/flicker.h). */
 #include "shadows.h"
 #include "shadows_error.h"
 #include "matbench.h"
@@ -57,8 +58,10 @@ static void turn(double direction[3])
     direction[1] = sin(angle) * x + cos(angle) * y;
 }
 
-/* Every pixel of a scene by one method; the light is where it was afterwards. False: said on standard error; *made is empty then. */
-static bool walk(const ShadowsTarget *target, const ShadowsPlace *place, const ShadowsMethod *method, Flicker *made)
+/* Every pixel of a scene by one method; the light is where it was afterwards. False: said on
+ * standard error; *made is empty then. */
+static bool walk(const ShadowsTarget *target, const ShadowsPlace *place,
+                 const ShadowsMethod *method, Flicker *made)
 {
     Walk walks = {.scene = place->scene};
     double *const direction = walks.scene->lights[0].direction;
@@ -82,12 +85,14 @@ static bool walk(const ShadowsTarget *target, const ShadowsPlace *place, const S
 }
 
 /* Of each method, beside exact shadows. */
-static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MOST], long *turns)
+static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MOST],
+                  long *turns)
 {
     const ShadowsTarget target = {s->gl, &s->compile, EDGE, s->map_size};
     ShadowsPlace place;
     Flicker truth = {0};
-    bool fine = shadows_open(which, &s->mesh, &s->compile, &place) && walk(&target, &place, &shadows_truth, &truth);
+    bool fine = shadows_open(which, &s->mesh, &s->compile, &place) &&
+                walk(&target, &place, &shadows_truth, &truth);
     *turns = fine ? flicker_turns(&truth) : 0;
     for (int i = 1; fine && i < s->method_count; i++) {
         Flicker made;
@@ -119,7 +124,8 @@ bool shadows_steps(const Shadows *s)
             return false;
         rows[i] = flickers[i];
     }
-    printf("\nsteps: pixels that turned from lit to dark and back, or the other way round, and should not have, in %d "
+    printf("\nsteps: pixels that turned from lit to dark and back, or the other way round, and "
+           "should not have, in %d "
            "steps of the light\n%-19s",
            STEPS, "shadows on");
     for (int i = 0; i < SHADOWS_RECEIVERS; i++)

@@ -1,4 +1,5 @@
-/* Frames by several methods in turns, each by a renderer and a scene of its own, as a scene's light has one method. */
+/* Frames by several methods in turns, each by a renderer and a scene of its own, as a scene's light
+ * has one method. */
 #include "shadows.h"
 #include "matbench.h"
 #include <math.h>
@@ -15,12 +16,14 @@ static bool open_timed(const Shadows *s, const ShadowsTiming *timing, int method
 {
     const int usual[2] = {s->gl->hardware ? 1920 : 480, s->gl->hardware ? 1080 : 270};
     const int *size = timing->size[0] ? timing->size : usual;
-    const RenderOptions options = {.compile = &s->compile, .view = "light", .width = size[0], .height = size[1]};
+    const RenderOptions options = {
+        .compile = &s->compile, .view = "light", .width = size[0], .height = size[1]};
     if (!shadows_open(SHADOWS_frame, timing->mesh, &s->compile, &timed->place))
         return false;
     shadows_use(timed->place.scene, &timing->methods[method], timing->map_size);
     timed->render = render_open(s->gl, &options);
-    return (timed->render && render_scene(timed->render, timed->place.scene) && render_frame(timed->render)) ||
+    return (timed->render && render_scene(timed->render, timed->place.scene) &&
+            render_frame(timed->render)) ||
            fprintf(stderr, "matbench: %s\n", s->gl->error) < 0;
 }
 
@@ -46,7 +49,8 @@ static int frames_of(const Shadows *s, Timed *timed, bool moving)
     return 2 + 2 * (int)(least / (2 * fmax(one, 1e-5)));
 }
 
-static void time_all(const Shadows *s, const ShadowsTiming *timing, Timed *timed, bool moving, double *least)
+static void time_all(const Shadows *s, const ShadowsTiming *timing, Timed *timed, bool moving,
+                     double *least)
 {
     const double end = bench_now() + timing->seconds;
     int *frames = calloc((size_t)timing->count, sizeof *frames);
@@ -54,7 +58,8 @@ static void time_all(const Shadows *s, const ShadowsTiming *timing, Timed *timed
         frames[i] = frames_of(s, &timed[i], moving);
         least[i] = INFINITY;
     }
-    for (int round = 0; frames && round < MOST_ROUNDS && (round < FEWEST_ROUNDS || bench_now() < end); round++)
+    for (int round = 0;
+         frames && round < MOST_ROUNDS && (round < FEWEST_ROUNDS || bench_now() < end); round++)
         for (int i = 0; i < timing->count; i++)
             least[i] = fmin(least[i], draw(s, &timed[i], moving, frames[i]));
     free(frames);

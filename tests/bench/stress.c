@@ -1,4 +1,5 @@
-/* matbench stress: any number of random documents, each tried in every way. A fault is shrunk to a small document. */
+/* matbench stress: any number of random documents, each tried in every way. A fault is shrunk to a
+ * small document. */
 #include "matbench.h"
 #include "tests/stress/modes.h"
 #include "tests/stress/stress.h"
@@ -7,8 +8,10 @@
 #include <unistd.h>
 
 static const char help[] =
-    "usage: matbench stress [--count=N] [--seed=S] [--first=N] [--threads=N] [--points=N] [--faults=N]\n"
-    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--mode=M] [--trees=relief] [--aa=box and other choices "
+    "usage: matbench stress [--count=N] [--seed=S] [--first=N] [--threads=N] [--points=N] "
+    "[--faults=N]\n"
+    "    [--validate-every=N] [--draw-every=N] [--folder=path] [--mode=M] [--trees=relief] "
+    "[--aa=box and other choices "
     "of matc]\n\n"
     "  --count           documents (1000)\n"
     "  --first           number of the first of them (0)\n"
@@ -85,13 +88,14 @@ int bench_stress(const BenchOptions *given)
     double start = bench_now();
     int faults = stress_run(&options, &n);
     double seconds = bench_now() - start;
-    printf("%ld trees of %ld maps and materials, seed %llu, %.0f s, %.0f a second, %d faults\n", n.trees, n.nodes,
-           (unsigned long long)options.seed, seconds, (double)n.trees / seconds, faults);
-    printf("%ld values of IR in double, %ld spreads; %ld points left the range of values\n", n.values, n.spreads,
-           n.beyond);
+    printf("%ld trees of %ld maps and materials, seed %llu, %.0f s, %.0f a second, %d faults\n",
+           n.trees, n.nodes, (unsigned long long)options.seed, seconds, (double)n.trees / seconds,
+           faults);
+    printf("%ld values of IR in double, %ld spreads; %ld points left the range of values\n",
+           n.values, n.spreads, n.beyond);
     if (n.slopes)
         printf("%ld slots at points where exact derivatives are known\n", n.slopes);
-    printf("%ld programs validated, %ld drawn, %ld of %ld drawn values within the bound itself\n", n.validated,
-           n.programs, n.judged, n.drawn_values);
+    printf("%ld programs validated, %ld drawn, %ld of %ld drawn values within the bound itself\n",
+           n.validated, n.programs, n.judged, n.drawn_values);
     return faults != 0;
 }

@@ -1,6 +1,7 @@
-/* matbench surfaces: the four most common kinds of Principled in `compact`: how far each slot is from the oracle's, which is in double, after it was packed, drawn
- * and read back, beside what its bits promise; then what packing takes of instructions and time to compile. A test, too: no slot may be off by more than is
- * promised, beyond what floats make of the formulas. */
+/* matbench surfaces: the four most common kinds of Principled in `compact`: how far each slot is
+ * from the oracle's, which is in double, after it was packed, drawn and read back, beside what its
+ * bits promise; then what packing takes of instructions and time to compile. A test, too: no slot
+ * may be off by more than is promised, beyond what floats make of the formulas. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
@@ -34,7 +35,8 @@ typedef struct {
 
 static size_t put_document(int which, char text[LONGEST_TEXT])
 {
-    return (size_t)snprintf(text, LONGEST_TEXT, "{ material: Principled, %s }\n", surfaces[which].parameters);
+    return (size_t)snprintf(text, LONGEST_TEXT, "{ material: Principled, %s }\n",
+                            surfaces[which].parameters);
 }
 
 /* u and v run through [0, 1], other pairs of them in each batch. */
@@ -83,17 +85,19 @@ static bool compare(Sweep *s, Material *material)
     return done;
 }
 
-static bool sweep(Sweep *s, const MatcDocument *document, MatcProgram *program, const MatcOptions *options)
+static bool sweep(Sweep *s, const MatcDocument *document, MatcProgram *program,
+                  const MatcOptions *options)
 {
     Material material;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         s->worst[slot] = -1;
-    bool fine = meter_make_material(s->meter, program, &material) &&
-                meter_open_layout(s->meter, LAYOUT_compact, matc_output(program, MATC_UNPACK, NULL));
+    bool fine =
+        meter_make_material(s->meter, program, &material) &&
+        meter_open_layout(s->meter, LAYOUT_compact, matc_output(program, MATC_UNPACK, NULL));
     for (int batch = 0; batch < BATCHES && fine; batch++) {
         set_points(s, batch);
-        fine =
-            evaluate_material(document, 0, options, (SurfacePoints){s->at, POINTS}, s->want) && compare(s, &material);
+        fine = evaluate_material(document, 0, options, (SurfacePoints){s->at, POINTS}, s->want) &&
+               compare(s, &material);
     }
     material_delete(&material);
     return fine;
@@ -107,8 +111,8 @@ static bool put_slot(const Sweep *s, int which, const FieldRow *field, Slot slot
     const bool degrees = encoding_table[field->encoding].unit == UNIT_degrees;
     layout_put_encoding(&stored, field);
     describe_error(&promised, field);
-    printf("%-8s %-16s %-15s %5d   %-14s %8.2g\n", surfaces[which].name, slot_table[slot].name, stored.at,
-           field_size(field), promised.at, s->worst[slot]);
+    printf("%-8s %-16s %-15s %5d   %-14s %8.2g\n", surfaces[which].name, slot_table[slot].name,
+           stored.at, field_size(field), promised.at, s->worst[slot]);
     arena_free(&arena);
     return s->worst[slot] <= field_error(field) + (degrees ? FLOAT_DEGREES : FLOAT_SLACK);
 }
@@ -138,10 +142,11 @@ static bool measure(Sweep *s, int which)
     MatcProgram *program = variant_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     bool fine = program && sweep(s, document, program, &options);
     if (!fine)
-        fprintf(stderr, "matbench: %s: %s%s\n", surfaces[which].name, matc_diagnostics(document, MATC_TEXT),
-                s->meter->error);
+        fprintf(stderr, "matbench: %s: %s%s\n", surfaces[which].name,
+                matc_diagnostics(document, MATC_TEXT), s->meter->error);
     else if (!put_slots(s, which, &layout_table[LAYOUT_compact].cases[matc_case(program)])) {
-        fprintf(stderr, "matbench: %s: a slot is off by more than is promised, or not stored\n", surfaces[which].name);
+        fprintf(stderr, "matbench: %s: a slot is off by more than is promised, or not stored\n",
+                surfaces[which].name);
         fine = false;
     }
     matc_program_free(program);
@@ -163,7 +168,8 @@ static void put_cost(int which, bool timed)
         const int count = bench_count(surfaces[which].name, text, size, layouts[i]);
         printf(" %13s", NUMBER(0, count < 0 ? NAN : count));
         options.validate = options.check = false;
-        printf(" %13s", NUMBER(1, 1e6 * bench_compile_least(text, size, &options, timed ? RUNS : 0)));
+        printf(" %13s",
+               NUMBER(1, 1e6 * bench_compile_least(text, size, &options, timed ? RUNS : 0)));
     }
     putchar('\n');
 }
@@ -177,7 +183,8 @@ int bench_surfaces(const BenchOptions *options)
         abort();
     s->meter = meter_open(GL_KIND_osmesa, error, sizeof error);
     bool fine = s->meter && layout_bytes(&layout_table[LAYOUT_compact]) == KEPT_BYTES;
-    printf("%d bytes a pixel, %d points\n", layout_bytes(&layout_table[LAYOUT_compact]), BATCHES * POINTS);
+    printf("%d bytes a pixel, %d points\n", layout_bytes(&layout_table[LAYOUT_compact]),
+           BATCHES * POINTS);
     printf("surface  slot             stored as        bits   error at most  greatest\n");
     for (int i = 0; i < SURFACES && s->meter; i++)
         fine &= measure(s, i);

@@ -11,8 +11,8 @@
 #include <string.h>
 
 enum {
-    SIDE = 512,   /* width and height of the thesis' pictures */
-    WARM = 5,     /* warm-up frames, as in the thesis */
+    SIDE = 512,    /* width and height of the thesis' pictures */
+    WARM = 5,      /* warm-up frames, as in the thesis */
     FRAMES = 1000, /* measured frames, as in the thesis; fewer if they are slow */
     FEWEST = 3,
     QUICK_OBJECTS = 2401, /* maximum row of --quick and --untimed */
@@ -20,7 +20,7 @@ enum {
     QUICK_LIGHTS = 128,
     MOST_ROWS = 12
 };
-#define NONE NAN /* no number in the thesis, or nothing measured here */
+#define NONE        NAN /* no number in the thesis, or nothing measured here */
 #define MS(seconds) NUMBER(3, 1e3 * (seconds))
 
 typedef struct {
@@ -55,7 +55,8 @@ static double draw_frame(const Thesis *t, BenchScene *scene, int first_moving, i
 
 /* Opens a scene, times its frames and leaves it open. first_moving: index of the first moving
  * object, or -1. */
-static bool time_scene(const Thesis *t, const Text *text, int first_moving, BenchScene *scene, FrameTimes *times)
+static bool time_scene(const Thesis *t, const Text *text, int first_moving, BenchScene *scene,
+                       FrameTimes *times)
 {
     const RenderOptions options = {.edges = RENDER_EDGES_none};
     double sum = 0;
@@ -76,7 +77,8 @@ static bool time_scene(const Thesis *t, const Text *text, int first_moving, Benc
         times->most = fmax(times->most, seconds);
     }
     times->mean = sum / count;
-    return gl_check(t->bench.gl, "drawing frames") || fprintf(stderr, "matbench: %s\n", t->bench.gl->error) < 0;
+    return gl_check(t->bench.gl, "drawing frames") ||
+           fprintf(stderr, "matbench: %s\n", t->bench.gl->error) < 0;
 }
 
 /* -- table 5.2: scenes */
@@ -98,7 +100,8 @@ static const struct {
 static bool measure_nodes(const Thesis *t)
 {
     bool fine = true;
-    printf("\ntable 5.2, scenes: generated here, with as many objects as there are nodes there; milliseconds a frame\n"
+    printf("\ntable 5.2, scenes: generated here, with as many objects as there are nodes there; "
+           "milliseconds a frame\n"
            "%-13s %6s %8s %8s %8s %8s   %9s %9s %9s\n",
            "scene", "nodes", "A", "B", "old-A", "old-B", "here", "least", "most");
     for (size_t i = 0; fine && i < sizeof nodes / sizeof *nodes; i++) {
@@ -112,9 +115,10 @@ static bool measure_nodes(const Thesis *t)
         fine = time_scene(t, &text, nodes[i].moving ? 0 : rotor, &scene, &times);
         bench_show("");
         if (fine)
-            printf("%-13s %6d %8s %8s %8s %8s : %9s %9s %9s\n", nodes[i].name, scene.scene->object_count,
-                   NUMBER(2, nodes[i].a), NUMBER(2, nodes[i].b), NUMBER(2, nodes[i].older_a), NUMBER(2, nodes[i].older_b),
-                   MS(times.mean), MS(times.least), MS(times.most));
+            printf("%-13s %6d %8s %8s %8s %8s : %9s %9s %9s\n", nodes[i].name,
+                   scene.scene->object_count, NUMBER(2, nodes[i].a), NUMBER(2, nodes[i].b),
+                   NUMBER(2, nodes[i].older_a), NUMBER(2, nodes[i].older_b), MS(times.mean),
+                   MS(times.least), MS(times.most));
         fflush(stdout);
         bench_scene_close(&scene);
         arena_free(&arena);
@@ -132,14 +136,15 @@ typedef struct {
 typedef struct {
     const char *name, *what;
     void (*write)(Text *out, int count);
-    int quick; /* maximum count of --quick */
+    int quick;    /* maximum count of --quick */
     bool forward; /* a forward renderer draws the scene, too */
     SeriesRow rows[MOST_ROWS];
 } Series;
 
 static const Series series[] = {
     {"bush",
-     "table 5.3, a bush of twigs and leaves; the numbers of objects between the first and the last are ours",
+     "table 5.3, a bush of twigs and leaves; the numbers of objects between the first and the last "
+     "are ours",
      scenes_objects,
      QUICK_OBJECTS,
      true,
@@ -152,7 +157,8 @@ static const Series series[] = {
       {7512, 110, 152, 207},
       {23474, 314, 446, 619}}},
     {"checkers",
-     "table 5.4, checkers of different materials on 2,000 parallelograms; there B takes about 2 s at 1,000, the older view "
+     "table 5.4, checkers of different materials on 2,000 parallelograms; there B takes about 2 s "
+     "at 1,000, the older view "
      "87 to 89 ms on A, and runs out of memory beyond 80 (B: 40)",
      scenes_materials,
      QUICK_CHECKERS,
@@ -165,7 +171,8 @@ static const Series series[] = {
       {1000, 115, 2000, NONE},
       {2000, 162, NONE, NONE}}},
     {"lights",
-     "table 5.5, lamps without shadows over a black plane, a sphere below each; there a ray tracer takes 21.1 to 26 s",
+     "table 5.5, lamps without shadows over a black plane, a sphere below each; there a ray tracer "
+     "takes 21.1 to 26 s",
      thesis_lights,
      QUICK_LIGHTS,
      false,
@@ -203,11 +210,14 @@ static bool time_forward(const Thesis *t, BenchScene *scene, double *mean)
     return true;
 }
 
-static void put_series_row(const SeriesRow *row, const SeriesRow *first, const double here[2], const double begin[2])
+static void put_series_row(const SeriesRow *row, const SeriesRow *first, const double here[2],
+                           const double begin[2])
 {
-    printf("%9d %8s %8s %8s : %9s %9s   %8s %8s %8s : %9s %9s\n", row->count, NUMBER(2, row->a), NUMBER(2, row->b),
-           NUMBER(2, row->older_a), MS(here[0]), MS(here[1]), NUMBER(2, row->a / first->a), NUMBER(2, row->b / first->b),
-           NUMBER(2, row->older_a / first->older_a), NUMBER(2, here[0] / begin[0]), NUMBER(2, here[1] / begin[1]));
+    printf("%9d %8s %8s %8s : %9s %9s   %8s %8s %8s : %9s %9s\n", row->count, NUMBER(2, row->a),
+           NUMBER(2, row->b), NUMBER(2, row->older_a), MS(here[0]), MS(here[1]),
+           NUMBER(2, row->a / first->a), NUMBER(2, row->b / first->b),
+           NUMBER(2, row->older_a / first->older_a), NUMBER(2, here[0] / begin[0]),
+           NUMBER(2, here[1] / begin[1]));
     fflush(stdout);
 }
 
@@ -221,7 +231,8 @@ static bool measure_row(const Thesis *t, const Series *of, const SeriesRow *row,
     snprintf(what, sizeof what, "%d %s", row->count, of->name);
     bench_show(what);
     of->write(&text, row->count);
-    const bool fine = time_scene(t, &text, -1, &scene, &times) && (!of->forward || time_forward(t, &scene, &here[1]));
+    const bool fine = time_scene(t, &text, -1, &scene, &times) &&
+                      (!of->forward || time_forward(t, &scene, &here[1]));
     here[0] = times.mean;
     bench_show("");
     bench_scene_close(&scene);
@@ -233,8 +244,10 @@ static bool measure_series(const Thesis *t, const Series *of)
 {
     double begin[2] = {NONE, NONE};
     bool fine = true;
-    printf("\n%s; milliseconds a frame, and over the first row\n%9s %8s %8s %8s   %9s %9s   %8s %8s %8s   %9s %9s\n",
-           of->what, of->name, "A", "B", "old-A", "here", "forward", "A/first", "B/first", "old/first", "/first", "/first");
+    printf("\n%s; milliseconds a frame, and over the first row\n%9s %8s %8s %8s   %9s %9s   %8s "
+           "%8s %8s   %9s %9s\n",
+           of->what, of->name, "A", "B", "old-A", "here", "forward", "A/first", "B/first",
+           "old/first", "/first", "/first");
     for (int i = 0; fine && i < MOST_ROWS && of->rows[i].count; i++) {
         double here[2] = {NONE, NONE};
         if (!t->quick || of->rows[i].count <= of->quick)
@@ -253,7 +266,8 @@ static bool measure_lights(const Thesis *t) { return measure_series(t, &series[2
 /* -- table 5.6: stages of a frame */
 
 typedef enum { DRAW, PEEL, LIGHT, SKY, TONE, TOOLS, SHOW, STAGES } Stage;
-static const char *const stage_names[STAGES] = {"draw", "peel", "light", "sky", "tone", "tools", "show"};
+static const char *const stage_names[STAGES] = {"draw", "peel",  "light", "sky",
+                                                "tone", "tools", "show"};
 
 /* The stage of the thesis whose work a pass does. All passes without a row belong to `light`. */
 static const struct {
@@ -270,8 +284,14 @@ static const struct {
     {"bush", 7784, {106, NONE, 1.33, 3.78, 2.38, .38, .8}, {143, NONE, .68, 1.49, .74, .16, .3}},
     {"City", 2573, {19.3, 5.77, 2.15, .77, 2.25, 2.34, .78}, {5.24, 2.61, 2.22, .24, .55, .25, .2}},
     {"Boids", 307, {4.36, NONE, .84, 1.29, 2.25, .39, .79}, {2.81, NONE, .32, .42, .75, .11, .29}},
-    {"helicopter", 223, {3.31, NONE, 4.16, 8.92, 2.43, .32, .8}, {2.06, NONE, 3.35, 3.33, .7, .12, .28}},
-    {"spheres", 4000, {88.5, NONE, 1.37, 1.32, 2.29, .38, .78}, {52.7, NONE, .64, .43, .76, .16, .29}},
+    {"helicopter",
+     223,
+     {3.31, NONE, 4.16, 8.92, 2.43, .32, .8},
+     {2.06, NONE, 3.35, 3.33, .7, .12, .28}},
+    {"spheres",
+     4000,
+     {88.5, NONE, 1.37, 1.32, 2.29, .38, .78},
+     {52.7, NONE, .64, .43, .76, .16, .29}},
     {"FSPM", 479, {261, NONE, 2.14, .39, 2.1, .4, .7}, {16.8, NONE, 2.44, .14, .55, .13, .2}},
     {"lights", 128, {5.74, NONE, 1.82, .5, 2.49, .34, .83}, {1.4, NONE, .61, .13, .54, .13, .19}},
 };
@@ -314,7 +334,8 @@ static bool measure_frame(const Thesis *t, int row, double seconds[STAGES])
     RenderPassTime passes[RENDER_PASSES_MOST];
     bench_show(frames[row].name);
     write_frame(&text, row);
-    const bool fine = bench_scene_open(&t->bench, &text, &(RenderOptions){.edges = RENDER_EDGES_none}, &scene);
+    const bool fine =
+        bench_scene_open(&t->bench, &text, &(RenderOptions){.edges = RENDER_EDGES_none}, &scene);
     const int count = fine && t->bench.timed ? bench_scene_passes(&t->bench, &scene, passes) : 0;
     for (int i = 0; i < STAGES; i++)
         seconds[i] = NONE;
@@ -344,7 +365,9 @@ static void put_stages(const char *name, const char *who, const double milliseco
 static bool measure_stages(const Thesis *t)
 {
     bool fine = true;
-    printf("\ntable 5.6, stages of a frame: milliseconds, and drawing's share of them in percent\n%-11s %-5s", "scene", "");
+    printf("\ntable 5.6, stages of a frame: milliseconds, and drawing's share of them in "
+           "percent\n%-11s %-5s",
+           "scene", "");
     for (int i = 0; i < STAGES; i++)
         printf(" %8s", stage_names[i]);
     printf(" %8s\n", "draw/all");
@@ -401,7 +424,8 @@ int bench_thesis(const BenchOptions *options)
     if (fine && options->timed)
         printf("%s, ", t.bench.gl->renderer);
     if (fine)
-        printf("%d x %d pixels; there, A is a GeForce 8600M GT, B a Radeon HD 3870 X2, of 2007\n", SIDE, SIDE);
+        printf("%d x %d pixels; there, A is a GeForce 8600M GT, B a Radeon HD 3870 X2, of 2007\n",
+               SIDE, SIDE);
     if (!options->timed) /* nothing is timed, so a small picture will do */
         t.bench.width = t.bench.height = 64;
     for (int i = 0; fine && i < TABLES; i++)

@@ -6,7 +6,13 @@
 /* Scenes of the thesis that are models of GroIMP's own. A generated scene replaces each. It has as
  * many objects as the thesis states nodes, and the kinds of materials and lights that the thesis
  * describes. */
-typedef enum { THESIS_city, THESIS_plants, THESIS_boids, THESIS_helicopter, THESIS_SCENES } ThesisScene;
+typedef enum {
+    THESIS_city,
+    THESIS_plants,
+    THESIS_boids,
+    THESIS_helicopter,
+    THESIS_SCENES
+} ThesisScene;
 
 /* Writes the document of a generated scene. object_count includes the ground. */
 void thesis_scene(Text *out, ThesisScene scene, int object_count);

@@ -1,11 +1,14 @@
-/* Prints the polynomials of runtime/surface/surface_anisotropic.glsl, and how far they are from the integrals that they are fitted to: of GGX whose widths are
- * a along a direction and b across it, what facets lose and the fifth root of what grazes.
+/* Prints the polynomials of runtime/surface/surface_anisotropic.glsl, and how far they are from the
+ * integrals that they are fitted to: of GGX whose widths are a along a direction and b across it,
+ * what facets lose and the fifth root of what grazes.
  *
  *     build/tests/fit_anisotropy          # half a minute
  *
- * Seen from an azimuth, what is lost depends on the angle and the widths along the view and across it, nearly alone. With 2 r^4 = a^2 + b^2 and
- * k = (a^2 - b^2) / (a^2 + b^2), the first is r^2 g, g^2 = 1 + k (v.x^2 - v.y^2), v the direction to the eye, x along: a polynomial in a number x of the angle, in g and in p, r^2 or r;
- * and of lower degrees, times 1 - k^2, the rest. A line is four numbers, of powers of g from 0 on; lines go by powers of p, and these by powers of x. */
+ * Seen from an azimuth, what is lost depends on the angle and the widths along the view and across
+ * it, nearly alone. With 2 r^4 = a^2 + b^2 and k = (a^2 - b^2) / (a^2 + b^2), the first is r^2 g,
+ * g^2 = 1 + k (v.x^2 - v.y^2), v the direction to the eye, x along: a polynomial in a number x of
+ * the angle, in g and in p, r^2 or r; and of lower degrees, times 1 - k^2, the rest. A line is four
+ * numbers, of powers of g from 0 on; lines go by powers of p, and these by powers of x. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -36,21 +39,25 @@ typedef struct {
     double terms[TERMS];
 } Fit;
 
-/* By facets that are visible (Heitz 2018), at the middles of rings and turns: what facets lose, and of the rest what Schlick's (1 - cosine)^5 has. */
+/* By facets that are visible (Heitz 2018), at the middles of rings and turns: what facets lose, and
+ * of the rest what Schlick's (1 - cosine)^5 has. */
 static void integrate(const double eye[3], const double widths[2], double found[2])
 {
     enum { SIDES = 48 };
-    const double size = sqrt(pow(widths[0] * eye[0], 2) + pow(widths[1] * eye[1], 2) + eye[2] * eye[2]);
-    const double w[3] = {widths[0] * eye[0] / size, widths[1] * eye[1] / size, eye[2] / size}, flat = hypot(w[0], w[1]);
+    const double size =
+        sqrt(pow(widths[0] * eye[0], 2) + pow(widths[1] * eye[1], 2) + eye[2] * eye[2]);
+    const double w[3] = {widths[0] * eye[0] / size, widths[1] * eye[1] / size, eye[2] / size},
+                 flat = hypot(w[0], w[1]);
     const double t[2] = {flat > 1e-8 ? -w[1] / flat : 1, flat > 1e-8 ? w[0] / flat : 0};
     const double b[3] = {-w[2] * t[1], w[2] * t[0], w[0] * t[1] - w[1] * t[0]};
     double all = 0, grazing = 0;
     for (int i = 0; i < SIDES * SIDES; i++) {
-        const double r = sqrt((i / SIDES + .5) / SIDES), turn = 2 * PI * (i % SIDES + .5) / SIDES, x = r * cos(turn),
-                     k = .5 + .5 * w[2];
-        const double y = (1 - k) * sqrt(fmax(1 - x * x, 0)) + k * r * sin(turn), z = sqrt(fmax(1 - x * x - y * y, 0));
-        double h[3] = {widths[0] * (x * t[0] + y * b[0] + z * w[0]), widths[1] * (x * t[1] + y * b[1] + z * w[1]),
-                       fmax(y * b[2] + z * w[2], 0)};
+        const double r = sqrt((i / SIDES + .5) / SIDES), turn = 2 * PI * (i % SIDES + .5) / SIDES,
+                     x = r * cos(turn), k = .5 + .5 * w[2];
+        const double y = (1 - k) * sqrt(fmax(1 - x * x, 0)) + k * r * sin(turn),
+                     z = sqrt(fmax(1 - x * x - y * y, 0));
+        double h[3] = {widths[0] * (x * t[0] + y * b[0] + z * w[0]),
+                       widths[1] * (x * t[1] + y * b[1] + z * w[1]), fmax(y * b[2] + z * w[2], 0)};
         const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]);
         const double facing = (h[0] * eye[0] + h[1] * eye[1] + h[2] * eye[2]) / length;
         double l[3];
@@ -58,8 +65,10 @@ static void integrate(const double eye[3], const double widths[2], double found[
             l[lane] = 2 * facing * h[lane] / length - eye[lane];
         if (l[2] <= 0 || facing <= 0)
             continue;
-        const double light = sqrt(pow(widths[0] * l[0], 2) + pow(widths[1] * l[1], 2) + l[2] * l[2]);
-        const double share = l[2] * (eye[2] + size) / (eye[2] * light + l[2] * size) / (SIDES * SIDES);
+        const double light =
+            sqrt(pow(widths[0] * l[0], 2) + pow(widths[1] * l[1], 2) + l[2] * l[2]);
+        const double share =
+            l[2] * (eye[2] + size) / (eye[2] * light + l[2] * size) / (SIDES * SIDES);
         all += share;
         grazing += share * pow(1 - facing, 5);
     }
@@ -69,12 +78,15 @@ static void integrate(const double eye[3], const double widths[2], double found[
 
 static void fill_terms(const Sample *s, bool of_grazing, double terms[TERMS])
 {
-    const double alpha = s->rough * s->rough, along = alpha * s->width, p = of_grazing ? s->rough : alpha;
-    const double x = of_grazing ? sqrt(s->cosine + .5 * along) : s->cosine * (1 + along) / (s->cosine + along);
+    const double alpha = s->rough * s->rough, along = alpha * s->width,
+                 p = of_grazing ? s->rough : alpha;
+    const double x =
+        of_grazing ? sqrt(s->cosine + .5 * along) : s->cosine * (1 + along) / (s->cosine + along);
     for (int i = 0; i < TERMS; i++) {
-        const int own = i < MAIN ? i : i - MAIN, roughs = i < MAIN ? ROUGHS : REST_ROUGHS, line = own / WIDTHS;
-        terms[i] = (i < MAIN ? 1 : 1 - s->ratio * s->ratio) * pow(s->width, own % WIDTHS) * pow(p, line % roughs) *
-                   pow(x, line / roughs);
+        const int own = i < MAIN ? i : i - MAIN, roughs = i < MAIN ? ROUGHS : REST_ROUGHS,
+                  line = own / WIDTHS;
+        terms[i] = (i < MAIN ? 1 : 1 - s->ratio * s->ratio) * pow(s->width, own % WIDTHS) *
+                   pow(p, line % roughs) * pow(x, line / roughs);
     }
 }
 
@@ -122,16 +134,20 @@ static void add_samples(Fit *fit)
     static const double across[RATIOS] = {.01, .16, .33, .58, 1}; /* b / a */
     for (int i = 0; i < ROUGHNESSES * RATIOS * AZIMUTHS * COSINES; i++) {
         const int at = i / COSINES / AZIMUTHS;
-        const double rough = .0316227766 + .9683772234 * (at / RATIOS) / (ROUGHNESSES - 1), b = across[at % RATIOS];
+        const double rough = .0316227766 + .9683772234 * (at / RATIOS) / (ROUGHNESSES - 1),
+                     b = across[at % RATIOS];
         const double turn = PI / 2 * (i / COSINES % AZIMUTHS) / (AZIMUTHS - 1),
                      cosine = pow((i % COSINES + .7) / (COSINES - .3), 2);
-        const double sine = sqrt(1 - cosine * cosine), eye[3] = {sine * cos(turn), sine * sin(turn), cosine};
-        const double ratio = (1 - b * b) / (1 + b * b), wide = rough * rough * sqrt(2 / (1 + b * b));
+        const double sine = sqrt(1 - cosine * cosine),
+                     eye[3] = {sine * cos(turn), sine * sin(turn), cosine};
+        const double ratio = (1 - b * b) / (1 + b * b),
+                     wide = rough * rough * sqrt(2 / (1 + b * b));
         double found[2];
         integrate(eye, (const double[]){wide, b * wide}, found);
         Sample *s = &fit->samples[fit->count++];
-        *s = (Sample){rough,    ratio, sqrt(1 + ratio * (eye[0] * eye[0] - eye[1] * eye[1])), cosine, found[0],
-                      found[1], 1};
+        *s = (Sample){rough,  ratio,    sqrt(1 + ratio * (eye[0] * eye[0] - eye[1] * eye[1])),
+                      cosine, found[0], found[1],
+                      1};
     }
 }
 
@@ -155,8 +171,8 @@ static void run(Fit *fit, const char *name)
     }
     printf("%s: within %.4f, and %.4f for cosines from 0.03 on\n", name, worst, of_some);
     for (int k = 0; k < TERMS; k += WIDTHS)
-        printf("%svec4(%.7g, %.7g, %.7g, %.7g)\n", k == MAIN ? "times 1 - k^2:\n" : "", fit->terms[k],
-               fit->terms[k + 1], fit->terms[k + 2], fit->terms[k + 3]);
+        printf("%svec4(%.7g, %.7g, %.7g, %.7g)\n", k == MAIN ? "times 1 - k^2:\n" : "",
+               fit->terms[k], fit->terms[k + 1], fit->terms[k + 2], fit->terms[k + 3]);
 }
 
 int main(void)

@@ -1,12 +1,16 @@
-/* Prints the polynomials of areaFacets() in runtime/surface/surface_facets.glsl: linearly transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by
- * roughness and the eye's angle, and how far they are from those that were found.
+/* Prints the polynomials of areaFacets() in runtime/surface/surface_facets.glsl: linearly
+ * transformed cosines that stand for GGX (Heitz, Dupuy, Hill and Neubelt 2016), by roughness and
+ * the eye's angle, and how far they are from those that were found.
  *
  *     build/tests/fit_area          # a minute
  *
- * A direction o with density cosine / pi goes to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0 1), of unit length: Z is the lobe's mean direction, X lies with it in the plane
- * of normal and eye. m11, m22 and m13 make the square of the difference to the lobe least, over directions that either gives. With a = roughness^2, c the eye's cosine and
- * d the angle from Z to the mirrored direction, m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are polynomials in the roughness and in
- * x = c (1 + a) / (c + a). A line is these four numbers; lines go by powers of the roughness, and these by powers of x. */
+ * A direction o with density cosine / pi goes to M o, M = [X Y Z] (m11 0 m13; 0 m22 0; 0 0 1), of
+ * unit length: Z is the lobe's mean direction, X lies with it in the plane of normal and eye. m11,
+ * m22 and m13 make the square of the difference to the lobe least, over directions that either
+ * gives. With a = roughness^2, c the eye's cosine and d the angle from Z to the mirrored direction,
+ * m11 / a, m22 / (a (c + a)), m13 / a and d / a change little, and are polynomials in the roughness
+ * and in x = c (1 + a) / (c + a). A line is these four numbers; lines go by powers of the
+ * roughness, and these by powers of x. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -14,7 +18,15 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { PARTS = 4, ANGLES = 6, ROUGHS = 6, TERMS = ANGLES * ROUGHS, ROUGHNESSES = 21, COSINES = 17, SIDES = 32 };
+enum {
+    PARTS = 4,
+    ANGLES = 6,
+    ROUGHS = 6,
+    TERMS = ANGLES * ROUGHS,
+    ROUGHNESSES = 21,
+    COSINES = 17,
+    SIDES = 32
+};
 
 typedef struct {
     double alpha, eye[3], albedo, mean[3]; /* mean: Z */
@@ -29,15 +41,16 @@ static double lambda(double alpha, double cosine)
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-/* Of a direction: what the lobe has there, all being 1, and the density by which facets are chosen; 0 below the horizon. */
+/* Of a direction: what the lobe has there, all being 1, and the density by which facets are chosen;
+ * 0 below the horizon. */
 static double lobe(const Facets *f, const double l[3], double *density)
 {
     *density = 0;
     if (l[2] <= 0)
         return 0;
     double h[3] = {f->eye[0] + l[0], f->eye[1] + l[1], f->eye[2] + l[2]};
-    const double size = dot(h, h), high = h[2] * h[2] / size, across = (h[0] * h[0] + h[1] * h[1]) / size,
-                 a2 = f->alpha * f->alpha;
+    const double size = dot(h, h), high = h[2] * h[2] / size,
+                 across = (h[0] * h[0] + h[1] * h[1]) / size, a2 = f->alpha * f->alpha;
     const double width = a2 * high + across, own = lambda(f->alpha, f->eye[2]),
                  d = a2 / (PI * width * width) / (4 * f->eye[2]);
     *density = d / (1 + own);
@@ -47,11 +60,13 @@ static double lobe(const Facets *f, const double l[3], double *density)
 /* The mirrored direction by a visible facet (Heitz 2018), of two numbers in (0, 1). */
 static void choose(const Facets *f, const double u[2], double l[3])
 {
-    const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]), w[2] = {x / size, f->eye[2] / size};
+    const double x = f->alpha * f->eye[0], size = hypot(x, f->eye[2]),
+                 w[2] = {x / size, f->eye[2] / size};
     const double r = sqrt(u[0]), t = r * cos(2 * PI * u[1]), k = .5 + .5 * w[1];
     const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(2 * PI * u[1]),
                  up = sqrt(fmax(1 - t * t - s * s, 0));
-    double h[3] = {f->alpha * (s * -w[1] + up * w[0]), f->alpha * t, fmax(s * w[0] + up * w[1], 1e-9)};
+    double h[3] = {f->alpha * (s * -w[1] + up * w[0]), f->alpha * t,
+                   fmax(s * w[0] + up * w[1], 1e-9)};
     const double length = sqrt(dot(h, h)), facing = dot(h, f->eye) / length;
     for (int i = 0; i < 3; i++)
         l[i] = 2 * facing * h[i] / length - f->eye[i];
@@ -60,7 +75,8 @@ static void choose(const Facets *f, const double u[2], double l[3])
 static void place(double alpha, double cosine, Facets *f)
 {
     enum { MANY = 64 };
-    *f = (Facets){.alpha = alpha, .eye = {sqrt(fmax(1 - cosine * cosine, 0)), 0, cosine}, .albedo = 1};
+    *f = (Facets){
+        .alpha = alpha, .eye = {sqrt(fmax(1 - cosine * cosine, 0)), 0, cosine}, .albedo = 1};
     double sum = 0, mean[3] = {0};
     for (int i = 0; i < MANY * MANY; i++) {
         double l[3], density;
@@ -93,7 +109,8 @@ static double difference(const Facets *f, const double m[3])
         const double u[2] = {(i / 2 / SIDES + .5) / SIDES, (i / 2 % SIDES + .5) / SIDES};
         double l[3], density;
         if (i % 2) {
-            const double r = sqrt(u[0]), z = sqrt(1 - u[0]), x = m[0] * r * cos(2 * PI * u[1]) + m[2] * z,
+            const double r = sqrt(u[0]), z = sqrt(1 - u[0]),
+                         x = m[0] * r * cos(2 * PI * u[1]) + m[2] * z,
                          y = m[1] * r * sin(2 * PI * u[1]);
             const double length = sqrt(x * x + y * y + z * z);
             l[0] = (x * f->mean[2] + z * f->mean[0]) / length, l[1] = y / length,
@@ -131,7 +148,8 @@ static void descend(const Facets *f, double step, double m[3])
             for (int k = 0; k < 3; k++)
                 others[k] += i == worst ? 0 : corner[i][k] / 3;
         for (int k = 0; k < 3; k++)
-            tried[k] = 2 * others[k] - corner[worst][k], far[k] = 3 * others[k] - 2 * corner[worst][k];
+            tried[k] = 2 * others[k] - corner[worst][k],
+            far[k] = 3 * others[k] - 2 * corner[worst][k];
         double at = difference(f, tried);
         const double farther = at < value[best] ? difference(f, far) : INFINITY;
         if (farther < at)
@@ -162,10 +180,12 @@ static int find_samples(Sample *samples)
     double first[3] = {1, 1, 0};
     int count = 0;
     for (int i = ROUGHNESSES - 1; i >= 0; i--) {
-        const double rough = .0316227766 + .9683772234 * i / (ROUGHNESSES - 1), alpha = rough * rough;
+        const double rough = .0316227766 + .9683772234 * i / (ROUGHNESSES - 1),
+                     alpha = rough * rough;
         double m[3];
         for (int j = 0; j < COSINES; j++) {
-            const double t = (double)j / (COSINES - 1), cosine = j == COSINES - 1 ? .01 : 1 - .997 * t * t;
+            const double t = (double)j / (COSINES - 1),
+                         cosine = j == COSINES - 1 ? .01 : 1 - .997 * t * t;
             Facets f;
             place(alpha, cosine, &f);
             if (j == 0) { /* alike all around */
@@ -182,7 +202,10 @@ static int find_samples(Sample *samples)
             }
             const double off = acos(cosine) - atan2(-f.mean[0], f.mean[2]);
             samples[count++] =
-                (Sample){rough, cosine, {m[0] / alpha, m[1] / alpha / (cosine + alpha), m[2] / alpha, off / alpha}, 1};
+                (Sample){rough,
+                         cosine,
+                         {m[0] / alpha, m[1] / alpha / (cosine + alpha), m[2] / alpha, off / alpha},
+                         1};
         }
     }
     return count;
@@ -239,10 +262,13 @@ int main(void)
                 samples[i].weight *= .7 + error_of(&samples[i], part, solution[part]) / .05;
         }
         for (int i = 0; i < count; i++)
-            worst = fmax(worst, samples[i].cosine < .02 ? 0 : error_of(&samples[i], part, solution[part]));
-        printf("%s: within %.3f\n", (const char *[]){"m11 / a", "m22 / (a (c + a))", "m13 / a", "d / a"}[part], worst);
+            worst = fmax(worst,
+                         samples[i].cosine < .02 ? 0 : error_of(&samples[i], part, solution[part]));
+        printf("%s: within %.3f\n",
+               (const char *[]){"m11 / a", "m22 / (a (c + a))", "m13 / a", "d / a"}[part], worst);
     }
     for (int k = 0; k < TERMS; k++)
-        printf("vec4(%.6g, %.6g, %.6g, %.6g)\n", solution[0][k], solution[1][k], solution[2][k], solution[3][k]);
+        printf("vec4(%.6g, %.6g, %.6g, %.6g)\n", solution[0][k], solution[1][k], solution[2][k],
+               solution[3][k]);
     return 0;
 }

@@ -1,13 +1,17 @@
-/* Prints the polynomials of runtime/surface/surface_facets.glsl that a rough diffuse base asks for, and how far each is from its integral. With S the sine,
+/* Prints the polynomials of runtime/surface/surface_facets.glsl that a rough diffuse base asks for,
+ * and how far each is from its integral. With S the sine,
  *
- *     G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of S(c') (1 / max(c, c') - 1) (1 - c')^k 2 c' dc'
+ *     G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of S(c') (1 / max(c, c') - 1) (1 -
+ *     c')^k 2 c' dc'
  *
- * is what Fujii's lobe has beyond an even one, in the mean over azimuths, of light that comes in by (1 - c')^k; k is 0 for all of it, 1 for what fuzz
- * takes, nearly, 5 for what Schlick's formula does. J(i, k) is the mean of (1 - c)^i G(c, k) over all directions.
+ * is what Fujii's lobe has beyond an even one, in the mean over azimuths, of light that comes in by
+ * (1 - c')^k; k is 0 for all of it, 1 for what fuzz takes, nearly, 5 for what Schlick's formula
+ * does. J(i, k) is the mean of (1 - c)^i G(c, k) over all directions.
  *
  *     build/tests/fit_diffuse
  *
- * G(1, k) is 0, so that a polynomial in 1 - c has no first term; it is made by least squares, weighed anew where it is off most. */
+ * G(1, k) is 0, so that a polynomial in 1 - c has no first term; it is made by least squares,
+ * weighed anew where it is off most. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -16,7 +20,8 @@
 enum { TERMS = 4, ANGLES = 400, STEPS = 2000, ROUNDS = 100, KINDS = 3 };
 static const int power_of[KINDS] = {0, 1, 5};
 
-/* By the middles of steps in the angle above the horizon, whose sine c' is, from one end to the other. */
+/* By the middles of steps in the angle above the horizon, whose sine c' is, from one end to the
+ * other. */
 static double part(double from, double to, double cosine, int power)
 {
     double sum = 0;
@@ -44,7 +49,9 @@ static void fit(int power)
         for (int i = 0; i < ANGLES; i++)
             for (int a = 0; a < TERMS; a++)
                 for (int b = 0; b <= TERMS; b++)
-                    rows[a * (TERMS + 1) + b] += weight[i] * pow(1 - i / (ANGLES - 1.), a + 1) * (b < TERMS ? pow(1 - i / (ANGLES - 1.), b + 1) : value[i]);
+                    rows[a * (TERMS + 1) + b] +=
+                        weight[i] * pow(1 - i / (ANGLES - 1.), a + 1) *
+                        (b < TERMS ? pow(1 - i / (ANGLES - 1.), b + 1) : value[i]);
         solve_equations(rows, TERMS);
         for (int k = 0; k < TERMS; k++)
             terms[k] = rows[k * (TERMS + 1) + TERMS];

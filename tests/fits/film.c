@@ -1,10 +1,12 @@
-/* Prints the numbers of runtime/surface/surface_film.glsl: how lanes of linear sRGB respond to light whose strength is cos(2 pi way / wavelength), as sums of
- * terms exp(-narrow way^2) cos(turn way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and Shirley (2013) have it; a lane's response is
- * 1 for way 0.
+/* Prints the numbers of runtime/surface/surface_film.glsl: how lanes of linear sRGB respond to
+ * light whose strength is cos(2 pi way / wavelength), as sums of terms exp(-narrow way^2) cos(turn
+ * way), way in micrometres. The CIE's observer of 1931 is as Wyman, Sloan and Shirley (2013) have
+ * it; a lane's response is 1 for way 0.
  *
  *     build/tests/fit_film          # some seconds
  *
- * The terms' turns and widths are moved, one after the other, while that makes the sum of squares less; their weights follow by least squares. */
+ * The terms' turns and widths are moved, one after the other, while that makes the sum of squares
+ * less; their weights follow by least squares. */
 #include "tests/fits/solve.h"
 #include "tests/fits/observer.h"
 #include <math.h>
@@ -19,7 +21,10 @@ typedef struct {
 
 static double way_at(int i) { return FARTHEST * i / (WAYS - 1); }
 
-static double term(const Fit *f, int k, double way) { return exp(-f->narrow[k] * way * way) * cos(f->turn[k] * way); }
+static double term(const Fit *f, int k, double way)
+{
+    return exp(-f->narrow[k] * way * way) * cos(f->turn[k] * way);
+}
 
 static void weigh(Fit *f, double (*want)[3])
 {
@@ -30,7 +35,8 @@ static void weigh(Fit *f, double (*want)[3])
             const double weight = i ? 1 : 1e4; /* white is white */
             for (int a = 0; a < TERMS; a++) {
                 for (int b = 0; b < TERMS; b++)
-                    rows[a * (TERMS + 1) + b] += weight * term(f, a, way_at(i)) * term(f, b, way_at(i));
+                    rows[a * (TERMS + 1) + b] +=
+                        weight * term(f, a, way_at(i)) * term(f, b, way_at(i));
                 rows[a * (TERMS + 1) + TERMS] += weight * term(f, a, way_at(i)) * want[i][lane];
             }
         }
@@ -94,7 +100,8 @@ int main(void)
             worst = fmax(worst, fabs(sum));
         }
     for (int k = 0; k < TERMS; k++)
-        printf("turn %.6g narrow %.6g weights %.6g %.6g %.6g\n", best.turn[k], best.narrow[k], best.weight[0][k], best.weight[1][k], best.weight[2][k]);
+        printf("turn %.6g narrow %.6g weights %.6g %.6g %.6g\n", best.turn[k], best.narrow[k],
+               best.weight[0][k], best.weight[1][k], best.weight[2][k]);
     printf("within %.4f, root of the mean square %.5f\n", worst, sqrt(best.square / (3 * WAYS)));
     return 0;
 }

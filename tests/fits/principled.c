@@ -1,9 +1,11 @@
-/* Prints the polynomials of runtime/surface/surface_facets.glsl, and how far each is from the integrals that it is fitted to: what facets lose and what
- * grazes, by glossOf(); what a white rough mirror lacks below a coat and below fuzz, by coatSpread() and fuzzSpread().
+/* Prints the polynomials of runtime/surface/surface_facets.glsl, and how far each is from the
+ * integrals that it is fitted to: what facets lose and what grazes, by glossOf(); what a white
+ * rough mirror lacks below a coat and below fuzz, by coatSpread() and fuzzSpread().
  *
  *     build/tests/fit_principled          # some seconds
  *
- * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial, weighed anew where they are off most. */
+ * A row is a power of x, a column one of r. Fits are least squares of `scale` times the polynomial,
+ * weighed anew where they are off most. */
 #include "tests/fits/solve.h"
 #include "tests/vectors.h"
 #include <math.h>
@@ -25,7 +27,10 @@ typedef struct {
     double ridge, keep; /* of a weight, at each step */
 } Fit;
 
-static double term(int k, const Sample *s) { return pow(s->r, k % DEGREES) * pow(s->x, k / DEGREES); }
+static double term(int k, const Sample *s)
+{
+    return pow(s->r, k % DEGREES) * pow(s->x, k / DEGREES);
+}
 
 static double polynomial(const Fit *fit, const Sample *s)
 {
@@ -37,7 +42,8 @@ static double polynomial(const Fit *fit, const Sample *s)
 
 static double error_of(const Fit *fit, const Sample *s)
 {
-    return s->share * fabs(pow(fmax(polynomial(fit, s), s->power > 1 ? 0 : -1), s->power) - pow(s->value, s->power));
+    return s->share * fabs(pow(fmax(polynomial(fit, s), s->power > 1 ? 0 : -1), s->power) -
+                           pow(s->value, s->power));
 }
 
 static void solve(Fit *fit)
@@ -67,11 +73,13 @@ static void run(Fit *fit, const char *name, int steps, double raise)
         solve(fit);
         for (int i = 0; i < fit->count; i++)
             if (fit->samples[i].allowed > 0)
-                fit->samples[i].weight *= fit->keep + error_of(fit, &fit->samples[i]) / fit->samples[i].allowed;
+                fit->samples[i].weight *=
+                    fit->keep + error_of(fit, &fit->samples[i]) / fit->samples[i].allowed;
     }
     for (int i = 0; i < fit->count; i++)
         worst = fit->samples[i].allowed > 0 ? fmax(worst, error_of(fit, &fit->samples[i])) : worst;
-    fit->terms[0] += raise; /* below what white lacks, most is lost where a dielectric grazes: its side is erred on */
+    /* below what white lacks, most is lost where a dielectric grazes: its side is erred on */
+    fit->terms[0] += raise;
     printf("%s: within %.4f\n", name, worst);
     for (int k = 0; k < TERMS; k++)
         printf("%.9g%s", fit->terms[k], k % DEGREES == DEGREES - 1 ? "\n" : ", ");
@@ -81,7 +89,8 @@ static void run(Fit *fit, const char *name, int steps, double raise)
 
 enum { MOST_RAYS = 96 * 64 };
 typedef struct {
-    double light[MOST_RAYS], share[MOST_RAYS]; /* cosines, and what comes from there of all that is sent */
+    /* cosines, and what comes from there of all that is sent */
+    double light[MOST_RAYS], share[MOST_RAYS];
     int count;
     double all, grazing; /* the sum, and of it by Schlick's (1 - cosine)^5 */
 } Rays;
@@ -89,19 +98,26 @@ typedef struct {
 /* By facets that are visible (Heitz 2018), at the middles of rings and turns. */
 static void find_rays(double cosine, double alpha, const int sides[2], Rays *rays)
 {
-    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine), wx = alpha * vx / size, wz = cosine / size;
+    const double vx = sqrt(fmax(1 - cosine * cosine, 0)), size = hypot(alpha * vx, cosine),
+                 wx = alpha * vx / size, wz = cosine / size;
     const double eye = sqrt(alpha * alpha + (1 - alpha * alpha) * cosine * cosine);
     rays->count = 0, rays->all = rays->grazing = 0;
     for (int i = 0; i < sides[0] * sides[1]; i++) {
-        const double r = sqrt((i / sides[1] + .5) / sides[0]), turn = 2 * PI * (i % sides[1] + .5) / sides[1], t = r * cos(turn), k = .5 + .5 * wz;
-        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn), up = sqrt(fmax(1 - t * t - s * s, 0));
+        const double r = sqrt((i / sides[1] + .5) / sides[0]),
+                     turn = 2 * PI * (i % sides[1] + .5) / sides[1], t = r * cos(turn),
+                     k = .5 + .5 * wz;
+        const double s = (1 - k) * sqrt(fmax(1 - t * t, 0)) + k * r * sin(turn),
+                     up = sqrt(fmax(1 - t * t - s * s, 0));
         const double h[3] = {alpha * (s * -wz + up * wx), alpha * t, fmax(s * wx + up * wz, 0)};
-        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]), facing = (vx * h[0] + cosine * h[2]) / length, l = 2 * facing * h[2] / length - cosine;
+        const double length = sqrt(h[0] * h[0] + h[1] * h[1] + h[2] * h[2]),
+                     facing = (vx * h[0] + cosine * h[2]) / length,
+                     l = 2 * facing * h[2] / length - cosine;
         if (l <= 0 || facing <= 0)
             continue;
         const double light = sqrt(alpha * alpha + (1 - alpha * alpha) * l * l);
         rays->light[rays->count] = l;
-        rays->share[rays->count] = l * (cosine + eye) / (cosine * light + l * eye) / (sides[0] * sides[1]);
+        rays->share[rays->count] =
+            l * (cosine + eye) / (cosine * light + l * eye) / (sides[0] * sides[1]);
         rays->all += rays->share[rays->count];
         rays->grazing += rays->share[rays->count++] * pow(1 - facing, 5);
     }
@@ -114,13 +130,22 @@ static void fit_albedos(void)
     static Rays rays;
     for (int i = 0; i < ROUGH; i++)
         for (int k = 0; k < ANGLES; k++) {
-            const double rough = .0316227766 + (1 - .0316227766) * i / (ROUGH - 1), alpha = rough * rough, cosine = pow((k + .7) / (ANGLES - .3), 2);
+            const double rough = .0316227766 + (1 - .0316227766) * i / (ROUGH - 1),
+                         alpha = rough * rough, cosine = pow((k + .7) / (ANGLES - .3), 2);
             find_rays(cosine, alpha, (const int[]){96, 64}, &rays);
             const double lost = 1 - rays.all, root = pow(rays.grazing / rays.all, .2);
-            loss.samples[loss.count++] =
-                (Sample){alpha, cosine * (1 + alpha) / (cosine + alpha), lost, 1, 1, .01 + .02 * fmin(lost, .5), 1, 1};
-            grazing.samples[grazing.count++] =
-                (Sample){rough, sqrt(cosine + .5 * alpha), root, 1, 5 * pow(root, 4) * rays.all + .02, .02, rays.all, 5};
+            loss.samples[loss.count++] = (Sample){alpha, cosine * (1 + alpha) / (cosine + alpha),
+                                                  lost,  1,
+                                                  1,     .01 + .02 * fmin(lost, .5),
+                                                  1,     1};
+            grazing.samples[grazing.count++] = (Sample){rough,
+                                                        sqrt(cosine + .5 * alpha),
+                                                        root,
+                                                        1,
+                                                        5 * pow(root, 4) * rays.all + .02,
+                                                        .02,
+                                                        rays.all,
+                                                        5};
         }
     run(&loss, "what facets lose, r alpha, x cosine (1 + alpha) / (cosine + alpha)", 8, 0);
     run(&grazing, "the fifth root of what grazes, r roughness, x sqrt(cosine + alpha / 2)", 8, 0);
@@ -130,7 +155,8 @@ static void fit_albedos(void)
 
 enum { STEPS = 40, LAYERS = 6, BASES = 20 };
 typedef struct {
-    double through[STEPS], mean, share; /* at cosines ((i + 1/2) / STEPS)^2; how much of the polynomial it is */
+    /* at cosines ((i + 1/2) / STEPS)^2; how much of the polynomial it is */
+    double through[STEPS], mean, share;
 } Layer;
 
 static double cosine_of(int i) { return pow((i + .5) / STEPS, 2); }
@@ -167,7 +193,8 @@ static void make_coat(double rough, Layer *layer)
 
 static double fibres(double rough, double eye, double l, double turn)
 {
-    const double vx = sqrt(1 - eye * eye), lx = sqrt(1 - l * l), x = vx + lx * cos(turn), y = lx * sin(turn);
+    const double vx = sqrt(1 - eye * eye), lx = sqrt(1 - l * l), x = vx + lx * cos(turn),
+                 y = lx * sin(turn);
     const double sine = sqrt((x * x + y * y) / (x * x + y * y + (eye + l) * (eye + l)));
     return l * (2 + 1 / rough) * pow(sine, 1 / rough) / 2 / (4 * (l + eye - l * eye));
 }
@@ -179,7 +206,8 @@ static void make_fuzz(double rough, Layer *layer)
         double sum = 0;
         for (int k = 0; k < SIDES * SIDES; k++) {
             const double t = (k / SIDES + .5) / SIDES;
-            sum += fibres(rough, cosine_of(i), t * t, PI * (k % SIDES + .5) / SIDES) * 4 * t / SIDES / SIDES;
+            sum += fibres(rough, cosine_of(i), t * t, PI * (k % SIDES + .5) / SIDES) * 4 * t /
+                   SIDES / SIDES;
         }
         layer->through[i] = fmax(1 - sum, .004);
     }
@@ -207,13 +235,21 @@ static void add_base(double rough, const Layer *layers, Fit *fit)
             find_rays(cosine_of(i), rough * rough, (const int[]){48, 48}, &rays);
             for (int k = 0; k < rays.count; k++)
                 sum += rays.share[k] * between(veils, rays.light[k]);
-            fit->samples[fit->count++] = (Sample){rough, sqrt(cosine_of(i)), layers[layer].through[i] * rays.all - veils[i] * sum,
-                                                  layers[layer].share, cosine_of(i) < .1 ? .3 : 1, cosine_of(i) < .08 ? 0 : .008, 1, 1};
+            fit->samples[fit->count++] =
+                (Sample){rough,
+                         sqrt(cosine_of(i)),
+                         layers[layer].through[i] * rays.all - veils[i] * sum,
+                         layers[layer].share,
+                         cosine_of(i) < .1 ? .3 : 1,
+                         cosine_of(i) < .08 ? 0 : .008,
+                         1,
+                         1};
         }
     }
 }
 
-static void fit_layer(const char *name, void (*make)(double, Layer *), const double *roughnesses, int steps, double raise)
+static void fit_layer(const char *name, void (*make)(double, Layer *), const double *roughnesses,
+                      int steps, double raise)
 {
     static Fit fit;
     Layer layers[LAYERS];
@@ -228,7 +264,9 @@ static void fit_layer(const char *name, void (*make)(double, Layer *), const dou
 int main(void)
 {
     fit_albedos();
-    fit_layer("below a coat, r the base's roughness, x the root of the cosine", make_coat, (const double[]){.0316, .15, .3, .45, .6, 1}, 2, .0015);
-    fit_layer("below fuzz, the same", make_fuzz, (const double[]){.2, .3, .4, .55, .75, 1}, 3, .003);
+    fit_layer("below a coat, r the base's roughness, x the root of the cosine", make_coat,
+              (const double[]){.0316, .15, .3, .45, .6, 1}, 2, .0015);
+    fit_layer("below fuzz, the same", make_fuzz, (const double[]){.2, .3, .4, .55, .75, 1}, 3,
+              .003);
     return 0;
 }

@@ -11,33 +11,39 @@ enum { EDGE = BISECTION_BODY_EDGE };
 const char bisection_body_materials[] =
     "materials:\n"
     "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2,\n"
-    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"
+    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, "
+    "noiseRatio: 0.5 } }\n"
     "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"
     "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n";
 const char *const bisection_bodies[BISECTION_BODIES] = {
-    "- { object: Parallelogram, u: [6,0,0], v: [1,5,.5], material: rock, transform: { translation: [-3,-2,0] } }\n",
+    "- { object: Parallelogram, u: [6,0,0], v: [1,5,.5], material: rock, transform: { translation: "
+    "[-3,-2,0] } }\n",
     "- { object: Sphere, radius: 0.9, material: rock, detail: 8 }\n",
-    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
+    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, "
+    "0.1] } }\n",
     "- { object: Sphere, radius: 0.9, material: tiles, detail: 12 }\n",
-    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { translation: [0, 0, -0.5], "
+    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { "
+    "translation: [0, 0, -0.5], "
     "rotation: [2, 0, 0], scale: [1, 1.2, 0.8] } }\n",
 };
 
-Scene *bisection_body_scene(const char *how, const char *object, const MatcOptions *options, MatcDocument **document)
+Scene *bisection_body_scene(const char *how, const char *object, const MatcOptions *options,
+                            MatcDocument **document)
 {
     char text[4000];
-    snprintf(
-        text, sizeof text,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n%s"
-        "displacement: { method: bisection, %s }\nlights: [{ light: Directional, direction: [1,.6,-1] }]\nobjects:\n%s",
-        EDGE, EDGE, bisection_body_materials, how, object);
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, "
+             "2], angle: 40 }\n%s"
+             "displacement: { method: bisection, %s }\nlights: [{ light: Directional, direction: "
+             "[1,.6,-1] }]\nobjects:\n%s",
+             EDGE, EDGE, bisection_body_materials, how, object);
     return frame_scene(text, options, document);
 }
 
 void bisection_body_look(SceneCamera *camera, int view, int views, double distance)
 {
-    const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view, r = sqrt(1 - z * z),
-                 way[3] = {r * cos(turn), r * sin(turn), z};
+    const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
+                 r = sqrt(1 - z * z), way[3] = {r * cos(turn), r * sin(turn), z};
     for (int i = 0; i < 3; i++)
         camera->position[i] = distance * way[i];
     assert_true(scene_camera_aim(camera) == SCENE_AIM_fine);
@@ -80,7 +86,8 @@ int bisection_bodies_open(void **state)
     if (!with->store || !displaced_there(with->gl, WORD_Displacing_bisection))
         return -1;
     for (int i = 0; i < 2; i++)
-        with->kept[i] = bisection_body_begin(with, "pixels: 1, triangles: 1000", bisection_bodies[2 + i]);
+        with->kept[i] =
+            bisection_body_begin(with, "pixels: 1, triangles: 1000", bisection_bodies[2 + i]);
     *state = with;
     return 0;
 }
@@ -102,7 +109,10 @@ static int by_value(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-void bisection_body_sort(uint64_t *leaves, int count) { qsort(leaves, (size_t)count, sizeof *leaves, by_value); }
+void bisection_body_sort(uint64_t *leaves, int count)
+{
+    qsort(leaves, (size_t)count, sizeof *leaves, by_value);
+}
 
 uint64_t *bisection_body_leaves(BisectionBody *b, int *count)
 {
@@ -124,7 +134,8 @@ int bisection_body_others(const uint64_t *a, int a_count, const uint64_t *b, int
     while (i < a_count || k < b_count) {
         const bool has_a = i < a_count, has_b = k < b_count;
         count += !(has_a && has_b && a[i] == b[k]);
-        const bool take_a = has_a && (!has_b || a[i] <= b[k]), take_b = has_b && (!has_a || b[k] <= a[i]);
+        const bool take_a = has_a && (!has_b || a[i] <= b[k]),
+                   take_b = has_b && (!has_a || b[k] <= a[i]);
         i += take_a;
         k += take_b;
     }

@@ -1,4 +1,5 @@
-/* Bodies that compute stages bisect, for tests: one context and its programs for all of a test's, and triangles as sorted numbers. */
+/* Bodies that compute stages bisect, for tests: one context and its programs for all of a test's,
+ * and triangles as sorted numbers. */
 #ifndef TESTS_BISECTION_BODY_H
 #define TESTS_BISECTION_BODY_H
 #include "runtime/displace/displaced_bisection.h"
@@ -7,7 +8,8 @@
 enum { BISECTION_BODY_EDGE = 64 /* pixels of a picture's side */, BISECTION_BODIES = 5 };
 extern const char bisection_body_materials[];
 extern const char
-    *const bisection_bodies[BISECTION_BODIES]; /* a sheet, a ball, a box, a ball with jumps, a cone that is scaled */
+    /* a sheet, a ball, a box, a ball with jumps, a cone that is scaled */
+    *const bisection_bodies[BISECTION_BODIES];
 
 typedef struct {
     GlContext *gl;
@@ -30,9 +32,11 @@ typedef struct {
 /* Of a group of tests; *state is BisectionBodies. */
 int bisection_bodies_open(void **state);
 int bisection_bodies_close(void **state);
-Scene *bisection_body_scene(const char *how, const char *object, const MatcOptions *options, MatcDocument **document);
+Scene *bisection_body_scene(const char *how, const char *object, const MatcOptions *options,
+                            MatcDocument **document);
 /* What fails ends the test. */
-BisectionBody bisection_body_begin(const BisectionBodies *with, const char *how, const char *object);
+BisectionBody bisection_body_begin(const BisectionBodies *with, const char *how,
+                                   const char *object);
 void bisection_body_end(BisectionBody *b);
 /* It has seen nothing before. */
 void bisection_body_fresh(BisectionBody *b);

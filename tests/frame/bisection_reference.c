@@ -1,4 +1,5 @@
-/* A mesh that is bisected as bisect.glsl says, without what a driver does for it: scene_bisection.c splits, points go where matc_move has them, numbers are doubles. */
+/* A mesh that is bisected as bisect.glsl says, without what a driver does for it: scene_bisection.c
+ * splits, points go where matc_move has them, numbers are doubles. */
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/bisection_seen.h"
 #include "runtime/scene/scene_bisection.h"
@@ -15,10 +16,12 @@ typedef struct {
     Shape shape;
     SceneMatrix inverse;
     SceneBisection b;
-    double *own; /* deviation of each triangle, or of a triangle that it was in, whichever is less */
-    double (*ranges)
-        [2]
-        [3]; /* how far points move along the axes of the world, in steps of 1/127.5 of what is the most; by bases, and by numbers of triangles */
+    /* deviation of each triangle, or of a triangle that it was in, whichever is less */
+    double *own;
+    double (*ranges)[2]
+                    /* how far points move along the axes of the world, in steps of 1/127.5 of what
+                     * is the most; by bases, and by numbers of triangles */
+                    [3];
     int *first; /* by base: the corner that is its a */
     int even, coarse, ranged;
     bool closed;
@@ -85,7 +88,8 @@ static double part_deviates(const Reference *r, const Triangle *t, double (*insi
     for (int i = 0; i < 6; i++)
         edge[i / 3][i % 3] = p[1 + i / 3][i % 3] - p[0][i % 3];
     for (int i = 0; i < 3; i++) {
-        normal[i] = edge[0][(i + 1) % 3] * edge[1][(i + 2) % 3] - edge[0][(i + 2) % 3] * edge[1][(i + 1) % 3];
+        normal[i] = edge[0][(i + 1) % 3] * edge[1][(i + 2) % 3] -
+                    edge[0][(i + 2) % 3] * edge[1][(i + 1) % 3];
         square += normal[i] * normal[i];
     }
     for (int i = 0; i < 4; i++) {
@@ -152,7 +156,8 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
         for (int i = 0; i <= STEPS; i++)
             for (int k = 0; k <= STEPS - i; k++, count++)
                 for (int lane = 0; lane < 3; lane++)
-                    at[count][lane] = (w[0][lane] * i + w[1][lane] * k + w[2][lane] * (STEPS - i - k)) / STEPS;
+                    at[count][lane] =
+                        (w[0][lane] * i + w[1][lane] * k + w[2][lane] * (STEPS - i - k)) / STEPS;
         move(r, base, count, at, to);
         for (int lane = 0; lane < 3; lane++) {
             range[0][lane] = INFINITY;
@@ -161,7 +166,8 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
                 double from = r->patches->world_from_local.m[12 + lane];
                 for (int k = 0; k < 9; k++)
                     from += at[i][k / 3] * r->patches->world_from_local.m[4 * (k % 3) + lane] *
-                            (double)r->shape.vertices[r->shape.indices[3 * base + k / 3]].position[k % 3];
+                            (double)r->shape.vertices[r->shape.indices[3 * base + k / 3]]
+                                .position[k % 3];
                 const double step = (to[i][lane] - from) / fmax(reach_of(r, lane), 1e-30) * 127.5;
                 range[0][lane] = fmin(range[0][lane], fmax(floor(step + 127.5) - 127.5, -127.5));
                 range[1][lane] = fmax(range[1][lane], fmin(ceil(step + 127.5) - 127.5, 127.5));
@@ -185,14 +191,15 @@ static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
     }
 }
 
-/* A triangle's number: where it lies, by which halves lead there. From the middle of its weights, whatever order its corners have. */
+/* A triangle's number: where it lies, by which halves lead there. From the middle of its weights,
+ * whatever order its corners have. */
 static uint64_t leaf_of(const SceneBisectionTriangle *t, int first)
 {
     int64_t w[3];
     uint64_t number = 1;
     for (int i = 0; i < 3; i++)
-        w[i] =
-            (int64_t)t->weights[0][(first + i) % 3] + t->weights[1][(first + i) % 3] + t->weights[2][(first + i) % 3];
+        w[i] = (int64_t)t->weights[0][(first + i) % 3] + t->weights[1][(first + i) % 3] +
+               t->weights[2][(first + i) % 3];
     for (int depth = 0; depth < t->depth; depth++) {
         const int64_t x = w[0], y = w[1], z = w[2];
         const bool second = y > x;
@@ -204,7 +211,8 @@ static uint64_t leaf_of(const SceneBisectionTriangle *t, int first)
     return (uint64_t)t->base << 32 | number;
 }
 
-/* Pixels of a unit, as near as the triangle's box comes, or its shadow needs it; an eighth where it is not seen. */
+/* Pixels of a unit, as near as the triangle's box comes, or its shadow needs it; an eighth where it
+ * is not seen. */
 static double pixels_of(const Reference *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
@@ -224,7 +232,8 @@ static double pixels_of(const Reference *r, uint32_t triangle)
                 const double share = (double)t->weights[corner][k] / SCENE_BISECTION_PARTS;
                 for (int lane = 0; lane < 3; lane++) {
                     at[corner][i] += share * m[4 * lane + i] * (double)v->position[lane];
-                    normal[corner][i] += share * r->inverse.m[4 * i + lane] * (double)v->normal[lane];
+                    normal[corner][i] +=
+                        share * r->inverse.m[4 * i + lane] * (double)v->normal[lane];
                 }
             }
         }
@@ -272,7 +281,9 @@ uint64_t *bisection_reference(const BisectionReference *of, int *count)
     Reference r = {.scene = of->scene,
                    .patches = patches,
                    .options = of->options,
-                   .shape = {.vertices = patches->rows, .vertex_count = patches->row_count, .index_count = 3 * bases},
+                   .shape = {.vertices = patches->rows,
+                             .vertex_count = patches->row_count,
+                             .index_count = 3 * bases},
                    .own = malloc(16 * (size_t)patches->triangles * sizeof *r.own),
                    .even = even < 0 ? 0 : even,
                    .coarse = even > 6 ? even - 6 : 0,
@@ -280,7 +291,8 @@ uint64_t *bisection_reference(const BisectionReference *of, int *count)
     r.shape.indices = malloc((size_t)r.shape.index_count * sizeof *r.shape.indices);
     for (int i = 0; i < 3 * bases; i++)
         r.shape.indices[i] = patches->at[i / 3].own[i % 3];
-    assert_true(scene_matrix_invert(&patches->world_from_local, &r.inverse) && scene_bisection_begin(&r.shape, &r.b));
+    assert_true(scene_matrix_invert(&patches->world_from_local, &r.inverse) &&
+                scene_bisection_begin(&r.shape, &r.b));
     r.b.divided = divided;
     r.b.user = &r;
     int *first = r.first = malloc((size_t)bases * sizeof *first);
@@ -289,7 +301,8 @@ uint64_t *bisection_reference(const BisectionReference *of, int *count)
     for (int i = 0; i < bases; i++) {
         double w[3][3];
         for (int k = 0; k < 9; k++)
-            w[k / 3][k % 3] = (double)r.b.triangles[i].weights[k / 3][k % 3] / SCENE_BISECTION_PARTS;
+            w[k / 3][k % 3] =
+                (double)r.b.triangles[i].weights[k / 3][k % 3] / SCENE_BISECTION_PARTS;
         find_range(&r, i, 1, w);
         first[i] = r.b.triangles[i].weights[0][1] ? 1 : r.b.triangles[i].weights[0][2] ? 2 : 0;
         r.own[i] = deviation(&r, (uint32_t)i);

@@ -19,7 +19,8 @@ typedef struct {
     double from[3], way[3], last, grows[3];
 } Line;
 
-/* The same from what is between the eye and a light, by thirds, which leave out the worse: the distance has one minimum there. */
+/* The same from what is between the eye and a light, by thirds, which leave out the worse: the
+ * distance has one minimum there. */
 static double line_far(const Line *line, const BisectionBox *box)
 {
     double begin = 0, last = line->last, far[2] = {0};
@@ -50,7 +51,8 @@ static double room_at(const SceneCamera *c, int side, const double way[3])
     return !side ? depth : c->half * depth - (side % 2 ? across : -across);
 }
 
-/* Three normals look away from all of the box, which is seen by these ways, by more than 37 degrees. */
+/* Three normals look away from all of the box, which is seen by these ways, by more than 37
+ * degrees. */
 static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
 {
     double far = 0, least = INFINITY;
@@ -74,7 +76,9 @@ static void light_box(const SceneLight *light, double low[3], double high[3])
     }
 }
 
-/* No point of the box throws a shadow into view: from each corner of what shines, each of its corners', near and as far as can be told, is beyond one side; or all of it is turned away from the light. */
+/* No point of the box throws a shadow into view: from each corner of what shines, each of its
+ * corners', near and as far as can be told, is beyond one side; or all of it is turned away from
+ * the light. */
 static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const BisectionBox *box)
 {
     int beyond[5] = {0};
@@ -84,7 +88,8 @@ static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const B
         double *ray = rays[i], to[2][3];
         for (int k = 0; k < 3; k++) {
             const double at = i >> k & 1 ? box->high[k] : box->low[k];
-            ray[k] = light->kind == SCENE_Directional ? light->direction[k] : at - shines[i >> (k + 3) & 1][k];
+            ray[k] = light->kind == SCENE_Directional ? light->direction[k]
+                                                      : at - shines[i >> (k + 3) & 1][k];
             to[0][k] = at - c->position[k];
             to[1][k] = to[0][k] + 1e6 * ray[k];
         }
@@ -108,7 +113,8 @@ static double shadow_far(const Scene *scene, const SceneLight *light, const Bise
     light_box(light, shines[0], shines[1]);
     for (int i = 0; i < 3; i++) {
         line.from[i] = c->position[i];
-        line.way[i] = far ? -light->direction[i] : (shines[0][i] + shines[1][i]) / 2 - c->position[i];
+        line.way[i] =
+            far ? -light->direction[i] : (shines[0][i] + shines[1][i]) / 2 - c->position[i];
         line.grows[i] = far ? 0 : (shines[1][i] - shines[0][i]) / 2;
     }
     return fmax(line_far(&line, box), c->near);

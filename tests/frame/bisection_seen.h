@@ -11,6 +11,7 @@ typedef struct {
     bool closed;
 } BisectionBox;
 
-/* As far as it counts: its distance, eight times that where it is not seen, or less for its shadow's sake. */
+/* As far as it counts: its distance, eight times that where it is not seen, or less for its
+ * shadow's sake. */
 double bisection_seen_far(const Scene *scene, const BisectionBox *box);
 #endif

@@ -4,12 +4,14 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Corners of the square of pixels to the right and above: they lie on one surface, in the light but for shadows. */
+/* Corners of the square of pixels to the right and above: they lie on one surface, in the light but
+ * for shadows. */
 static bool is_whole(const Boundary *b, int first)
 {
     for (int i = 0; i < 4; i++) {
         const int pixel = first + i / 2 * b->edge + i % 2;
-        const double x = b->places[pixel][0] - b->places[first][0], y = b->places[pixel][1] - b->places[first][1];
+        const double x = b->places[pixel][0] - b->places[first][0],
+                     y = b->places[pixel][1] - b->places[first][1];
         if (!(b->light[pixel] > 0) || !(hypot(x, y) <= b->widest))
             return false;
     }
@@ -24,7 +26,8 @@ static double area_of(const double (*low)[2], const double (*high)[2])
     return fabs(rising[0] * falling[1] - rising[1] * falling[0]) / 2;
 }
 
-/* Between the middles of edges whose ends differ: one segment, or two where opposite corners are alike. */
+/* Between the middles of edges whose ends differ: one segment, or two where opposite corners are
+ * alike. */
 static double crossing_of(const Boundary *b, int first)
 {
     const int corners[5] = {first, first + 1, first + b->edge + 1, first + b->edge, first};
@@ -33,7 +36,8 @@ static double crossing_of(const Boundary *b, int first)
     for (int i = 0; i < 4; i++)
         if ((b->truth[corners[i]] < .5f) != (b->truth[corners[i + 1]] < .5f)) {
             for (int lane = 0; lane < 2; lane++)
-                middles[count][lane] = (b->places[corners[i]][lane] + b->places[corners[i + 1]][lane]) / 2;
+                middles[count][lane] =
+                    (b->places[corners[i]][lane] + b->places[corners[i + 1]][lane]) / 2;
             count++;
         }
     for (int i = 0; i < count; i += 2)
@@ -41,8 +45,9 @@ static double crossing_of(const Boundary *b, int first)
     return length;
 }
 
-/* Segments go along pixels and their diagonals: a line at the angle a to the pixels, from 0 to 45 degrees, is cos a + (sqrt 2 - 1) sin a times as long
- * so, in the mean over all angles 8 (sqrt 2 - 1) / pi. */
+/* Segments go along pixels and their diagonals: a line at the angle a to the pixels, from 0 to 45
+ * degrees, is cos a + (sqrt 2 - 1) sin a times as long so, in the mean over all angles 8 (sqrt 2 -
+ * 1) / pi. */
 double boundary_length(const Boundary *b)
 {
     double sum = 0;

@@ -3,17 +3,21 @@
 #define MATC_FRAME_BOUNDARY_H
 #include <stdbool.h>
 
-/* Square pictures, whose pixels know their places in a plane: what is there is measured in its units. */
+/* Square pictures, whose pixels know their places in a plane: what is there is measured in its
+ * units. */
 typedef struct {
     int edge; /* pixels */
     const double (*places)[2];
-    const float *light; /* that would arrive if there were no shadows; where it is not above 0, nothing is measured */
+    /* that would arrive if there were no shadows; where it is not above 0, nothing is measured */
+    const float *light;
     const float *truth; /* the share of it that arrives: below 1/2 is in the shadow */
-    double widest;      /* between pixels beside each other; what is further apart is two surfaces */
+    /* between pixels beside each other; what is further apart is two surfaces */
+    double widest;
 } Boundary;
 
 /* Of the end of the truth's shadow, within 3 % for ends that run in all directions. */
 double boundary_length(const Boundary *boundary);
-/* Of points that are in the shadow by these shares and not by the truth, or the other way round: over the length, the mean distance of their ends. */
+/* Of points that are in the shadow by these shares and not by the truth, or the other way round:
+ * over the length, the mean distance of their ends. */
 double boundary_area(const Boundary *boundary, const float *shares);
 #endif

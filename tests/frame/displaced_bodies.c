@@ -9,28 +9,38 @@
 enum { SQUARE = 3 };
 
 static const char materials[] =
-    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2, displacementBound: 0.3, "
+    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 0.2, "
+    "displacementBound: 0.3, "
     "displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"
-    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1, displacement: { map: "
+    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1, "
+    "displacement: { map: "
     "Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"
-    "  still: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 1e-6, displacement: { map: Gradient, "
+    "  still: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: 1e-6, "
+    "displacement: { map: Gradient, "
     "direction: [3, 5, 2], waveForm: Sin } }\n"
-    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: "
+    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, "
+    "input: { map: "
     "Gradient, direction: [2, 3, 1], waveForm: Sin },\n"
-    "    blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } }\n";
+    "    blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] }] } "
+    "}\n";
 static const char *const bodies[DISPLACED_BODIES] = {
-    "{ object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }",
+    "{ object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] "
+    "} }",
     "{ object: Sphere, radius: 0.9, material: tiles, detail: 12 }",
-    "{ object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, "
+    "{ object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { "
+    "translation: [0, 0, "
     "-0.6] } }",
-    "{ object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: rock, transform: { translation: [-1, -1, 0] } }",
+    "{ object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: rock, transform: { "
+    "translation: [-1, -1, 0] } }",
     "{ object: Box, size: [2, 2, 2], material: still }"};
 
-Scene *displaced_body(int body, const char *how, const MatcOptions *options, MatcDocument **document)
+Scene *displaced_body(int body, const char *how, const MatcOptions *options,
+                      MatcDocument **document)
 {
     char text[4000];
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, "
+             "2], angle: 40 "
              "}\nmaterials:\n%s"
              "displacement: { %s }\nlights: []\nobjects:\n- %s\n",
              DISPLACED_EDGE, DISPLACED_EDGE, materials, how, bodies[body]);
@@ -39,10 +49,12 @@ Scene *displaced_body(int body, const char *how, const MatcOptions *options, Mat
 
 Scene *displaced_drawn(GlContext *gl, int body, const char *how, MatcDocument **document)
 {
-    const MatcOptions options = frame_exact_options(); /* an edge is drawn with coverage: so its triangles come back */
+    /* an edge is drawn with coverage: so its triangles come back */
+    const MatcOptions options = frame_exact_options();
     Scene *scene = displaced_body(body, how, &options, document);
-    free(frame_floats(gl, scene,
-                      &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    free(frame_floats(
+        gl, scene,
+        &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
     return scene;
 }
 
@@ -50,8 +62,9 @@ static void look_from(Scene *scene, int body, int view)
 {
     const int views = DISPLACED_VIEWS;
     const bool above = body == SQUARE;
-    const double z = above ? .5 + .4 * view / views : 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
-                 r = sqrt(1 - z * z), distance = 1.7, way[3] = {r * cos(turn), r * sin(turn), z};
+    const double z = above ? .5 + .4 * view / views : 1 - (2 * view + 1.) / views,
+                 turn = 2.399963229728653 * view, r = sqrt(1 - z * z), distance = 1.7,
+                 way[3] = {r * cos(turn), r * sin(turn), z};
     for (int i = 0; i < 3; i++)
         scene->camera.position[i] = distance * way[i];
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
@@ -90,7 +103,10 @@ double displaced_nearest(const Shape *shape, const float position[3], const floa
     return least;
 }
 
-static bool shown(const float *light, int x, int y) { return light[4 * (y * DISPLACED_EDGE + x)] > .1f; }
+static bool shown(const float *light, int x, int y)
+{
+    return light[4 * (y * DISPLACED_EDGE + x)] > .1f;
+}
 
 /* Two pixels from its outline, which coarse triangles have elsewhere. */
 int displaced_holes(const float *light, const float *whole, long *within)
@@ -110,7 +126,8 @@ int displaced_holes(const float *light, const float *whole, long *within)
 
 int displaced_holes_of(GlContext *gl, const int bodies[2], const char *how, long *within)
 {
-    static float light[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS], whole[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS];
+    static float light[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS],
+        whole[DISPLACED_VIEWS * DISPLACED_VIEW_FLOATS];
     int count = 0;
     for (int body = 0; body < 2; body++) {
         displaced_draw_views(gl, bodies[body], "method: mesh, level: 40", whole);

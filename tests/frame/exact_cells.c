@@ -42,7 +42,8 @@ long exact_cell_of(const uint32_t *head, const double at[3])
     const double x = turned[0] / turned[2], y = turned[1] / turned[2];
     if (turned[2] <= 0 || fabs(x) >= 1 || fabs(y) >= 1)
         return -1;
-    return (face * size + (long)((y * .5 + .5) * (double)size)) * size + (long)((x * .5 + .5) * (double)size);
+    return (face * size + (long)((y * .5 + .5) * (double)size)) * size +
+           (long)((x * .5 + .5) * (double)size);
 }
 
 /* Keeps what has lane <= to z; with sign -1: lane >= -to z. */
@@ -82,7 +83,8 @@ ExactPolygon exact_cell_polygon(const uint32_t *head, ExactCorners *corners, int
         const float *c = (*corners)[corner];
         place_of(head, (double[]){c[0], c[1], c[2]}, place);
         for (int k = 0; k < 3; k++)
-            polygon.at[corner][k] = head[EXACT_LISTS_VIEWS] == 6 ? place[(face / 2 + 1 + k) % 3] : place[k];
+            polygon.at[corner][k] =
+                head[EXACT_LISTS_VIEWS] == 6 ? place[(face / 2 + 1 + k) % 3] : place[k];
         if (face % 2)
             polygon.at[corner][2] = -polygon.at[corner][2];
     }

@@ -1,4 +1,5 @@
-/* Cells of what a light with exact shadows sees, by the words of its head alone: for tests of the lists. */
+/* Cells of what a light with exact shadows sees, by the words of its head alone: for tests of the
+ * lists. */
 #ifndef MATC_EXACT_CELLS_H
 #define MATC_EXACT_CELLS_H
 #include "runtime/exact/exact_lists.h"
@@ -13,6 +14,7 @@ float exact_cell_number(const uint32_t *head, int word);
 /* The cell of a point; -1: the light does not see it. */
 long exact_cell_of(const uint32_t *head, const double at[3]);
 ExactPolygon exact_cell_polygon(const uint32_t *head, ExactCorners *corners, int face);
-/* Whether a cell, wider by so much of its width on all sides, has any of a polygon, which is clipped by its sides. */
+/* Whether a cell, wider by so much of its width on all sides, has any of a polygon, which is
+ * clipped by its sides. */
 bool exact_cell_has(const uint32_t *head, const ExactPolygon *of, const int cell[2], double wider);
 #endif

@@ -1,7 +1,9 @@
-/* What pixels do while a light moves by small steps. An end of a shadow that passes over a pixel turns it once, from lit to dark or back, a step sooner or
- * later than it should; a pixel that turns and turns back, and should not, flickers.
+/* What pixels do while a light moves by small steps. An end of a shadow that passes over a pixel
+ * turns it once, from lit to dark or back, a step sooner or later than it should; a pixel that
+ * turns and turns back, and should not, flickers.
  *
- *     lit, dark, lit, dark while it should be lit, lit, dark, dark: it turns three times in place of once, and has flickered once */
+ *     lit, dark, lit, dark while it should be lit, lit, dark, dark: it turns three times in place
+ *     of once, and has flickered once */
 #ifndef MATC_FLICKER_H
 #define MATC_FLICKER_H
 #include <stdbool.h>
@@ -14,7 +16,8 @@ typedef struct {
 
 /* False: memory ran out; *made is empty then. */
 bool flicker_open(int pixels, Flicker *made);
-/* A step: of each pixel, the share of the light that arrives, of which half is lit; below 0: nothing could arrive there. */
+/* A step: of each pixel, the share of the light that arrives, of which half is lit; below 0:
+ * nothing could arrive there. */
 void flicker_add(Flicker *flicker, const float *shares);
 /* The same, of four floats a pixel: the first with shadows over the first without. */
 void flicker_add_pictures(Flicker *flicker, const float *with, const float *without);

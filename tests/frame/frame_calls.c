@@ -3,12 +3,12 @@
 
 FrameCalls frame_calls;
 
-#define COUNTED(name, parameters, arguments, counts)                                                                   \
-    static void(*original_##name) parameters;                                                                          \
-    static void count_##name parameters                                                                                \
-    {                                                                                                                  \
-        counts;                                                                                                        \
-        original_##name arguments;                                                                                     \
+#define COUNTED(name, parameters, arguments, counts)                                               \
+    static void(*original_##name) parameters;                                                      \
+    static void count_##name parameters                                                            \
+    {                                                                                              \
+        counts;                                                                                    \
+        original_##name arguments;                                                                 \
     }
 COUNTED(GenBuffers, (GLsizei a, GLuint *b), (a, b), frame_calls.made++)
 COUNTED(GenTextures, (GLsizei a, GLuint *b), (a, b), frame_calls.made++)
@@ -22,11 +22,13 @@ COUNTED(BufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, const void *d), (a, 
 COUNTED(TexStorage2D, (GLenum a, GLsizei b, GLenum c, GLsizei d, GLsizei e), (a, b, c, d, e),
         frame_calls.texels += (long)d * e)
 COUNTED(TexImage2D,
-        (GLenum a, GLint b, GLint c, GLsizei d, GLsizei e, GLint f, GLenum g, GLenum h, const void *i),
+        (GLenum a, GLint b, GLint c, GLsizei d, GLsizei e, GLint f, GLenum g, GLenum h,
+         const void *i),
         (a, b, c, d, e, f, g, h, i), frame_calls.texels += (long)d * e)
 COUNTED(UseProgram, (GLuint a), (a), frame_calls.programs++)
-COUNTED(DrawElementsInstancedBaseInstance, (GLenum a, GLsizei b, GLenum c, const void *d, GLsizei e, GLuint f),
-        (a, b, c, d, e, f), frame_calls.drawn++)
+COUNTED(DrawElementsInstancedBaseInstance,
+        (GLenum a, GLsizei b, GLenum c, const void *d, GLsizei e, GLuint f), (a, b, c, d, e, f),
+        frame_calls.drawn++)
 
 void frame_count_calls(GlContext *gl)
 {

@@ -3,6 +3,8 @@
 #define MATC_FRAME_CASES_H
 #include "runtime/draw/screen_pass.h"
 
-/* Runs the text over width x height pixels of RGBA32F, whose sampler `cases` reads the texture; rgba has what it wrote. Fails the test where it cannot. */
-void frame_cases(GlContext *gl, const ScreenPassText *text, const TextureSpec *cases, const int size[2], float *rgba);
+/* Runs the text over width x height pixels of RGBA32F, whose sampler `cases` reads the texture;
+ * rgba has what it wrote. Fails the test where it cannot. */
+void frame_cases(GlContext *gl, const ScreenPassText *text, const TextureSpec *cases,
+                 const int size[2], float *rgba);
 #endif

@@ -15,7 +15,8 @@ float *frame_change_next(Render *render)
     return rgba;
 }
 
-void frame_change_assert(GlContext *gl, const RenderOptions *how, Render *changed, const Scene *scene)
+void frame_change_assert(GlContext *gl, const RenderOptions *how, Render *changed,
+                         const Scene *scene)
 {
     Render *fresh = render_open(gl, how);
     assert_true(fresh && render_scene(fresh, scene));
@@ -27,7 +28,8 @@ void frame_change_assert(GlContext *gl, const RenderOptions *how, Render *change
     free(b);
 }
 
-void frame_change_moves(GlContext *gl, const RenderOptions *how, Scene *scene, const FrameMoves *moves)
+void frame_change_moves(GlContext *gl, const RenderOptions *how, Scene *scene,
+                        const FrameMoves *moves)
 {
     Render *render = render_open(gl, how);
     frame_count_calls(gl);

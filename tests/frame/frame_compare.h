@@ -24,7 +24,8 @@ static inline void add_sample(Spread *spread, const Sample *sample, const float 
     if (sample->edge || sample->nothing)
         return;
     for (int lane = 0; lane < 3; lane++) {
-        greatest = fmax(greatest, isnan(rgba[lane]) ? INFINITY : fabs(rgba[lane] - sample->light[lane]));
+        greatest =
+            fmax(greatest, isnan(rgba[lane]) ? INFINITY : fabs(rgba[lane] - sample->light[lane]));
         bright = fmax(bright, sample->light[lane]);
     }
     spread->differences[spread->count++] = greatest;
@@ -37,20 +38,23 @@ static inline bool is_close(const char *name, double median, Spread *spread)
     qsort(spread->differences, (size_t)spread->count, sizeof *spread->differences, ascending);
     const double middle = spread->differences[spread->count / 2];
     const double most = spread->differences[(int)(spread->count * .999)];
-    print_message("%-14s %5d pixels, median %.2g, 99.9 %% within %.2g\n", name, spread->count, middle, most);
+    print_message("%-14s %5d pixels, median %.2g, 99.9 %% within %.2g\n", name, spread->count,
+                  middle, most);
     assert_true(spread->count > 900);
     assert_true(spread->lit > spread->count * 2 / 3); /* black would prove nothing */
     return middle <= median && most <= 1e-4;
 }
 
 /* A fifth of a picture's pixels. */
-static inline void compare(const Scene *scene, const MatcOptions *options, const float *rgba, Spread *spread)
+static inline void compare(const Scene *scene, const MatcOptions *options, const float *rgba,
+                           Spread *spread)
 {
     enum { STEP = 5 };
     Tracer tracer = reference_open(scene);
     spread->count = spread->lit = 0;
     for (int i = 0; i < scene->width * scene->height; i += STEP) {
-        const Sample sample = reference_sample(&tracer, i % scene->width, i / scene->width, options);
+        const Sample sample =
+            reference_sample(&tracer, i % scene->width, i / scene->width, options);
         add_sample(spread, &sample, rgba + 4 * (size_t)i);
     }
     reference_close(&tracer);

@@ -23,15 +23,16 @@ MatcOptions frame_exact_options(void)
 
 MatcOptions frame_float_options(MatcLayout **layout)
 {
-    static const char text[] = "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\n"
-                               "fields:\n"
-                               "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
-                               "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
-                               "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
-                               "- { slot: diffuseTransparency, encoding: full }\n"
-                               "- { slot: transparency, encoding: full }\n"
-                               "- { slot: transparencyShininess, encoding: full }\n"
-                               "- { slot: interpolatedTransparency, encoding: full }\n";
+    static const char text[] =
+        "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\n"
+        "fields:\n"
+        "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
+        "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
+        "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
+        "- { slot: diffuseTransparency, encoding: full }\n"
+        "- { slot: transparency, encoding: full }\n"
+        "- { slot: transparencyShininess, encoding: full }\n"
+        "- { slot: interpolatedTransparency, encoding: full }\n";
     MatcOptions options = frame_exact_options();
     options.layout = NULL;
     *layout = matc_layout_read("floats.yaml", text, sizeof text - 1, &options);
@@ -71,7 +72,8 @@ float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene)
 {
     if (!render || !render_scene(render, scene) || !render_frame(render))
         end(gl->error);
-    float *rgba = calloc((size_t)render_tile_width(render) * (size_t)render_tile_height(render), 4 * sizeof *rgba);
+    float *rgba = calloc((size_t)render_tile_width(render) * (size_t)render_tile_height(render),
+                         4 * sizeof *rgba);
     if (!rgba || !render_read(render, rgba))
         end(gl->error);
     return rgba;
@@ -88,7 +90,8 @@ float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *opti
 /* Puts a tile that begins at a pixel into a picture. */
 static void put_tile(const Render *render, const float *tile, const int at[2], float *picture)
 {
-    const int width = render_width(render), height = render_height(render), tile_width = render_tile_width(render);
+    const int width = render_width(render), height = render_height(render),
+              tile_width = render_tile_width(render);
     const int columns = width - at[0] < tile_width ? width - at[0] : tile_width;
     for (int row = 0; row < render_tile_height(render) && at[1] + row < height; row++)
         memcpy(picture + 4 * ((size_t)(at[1] + row) * (size_t)width + (size_t)at[0]),
@@ -101,7 +104,8 @@ float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *optio
     if (!render || !render_scene(render, scene))
         end(gl->error);
     const int width = render_tile_width(render), height = render_tile_height(render);
-    float *picture = calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *picture);
+    float *picture =
+        calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *picture);
     float *tile = calloc((size_t)width * (size_t)height, 4 * sizeof *tile);
     for (int y = (render_height(render) - 1) / height * height; y >= 0; y -= height)
         for (int x = (render_width(render) - 1) / width * width; x >= 0; x -= width) {

@@ -5,14 +5,16 @@
 
 /* The layout `integer`, exact powers, no averages over pixels: references have points. */
 MatcOptions frame_exact_options(void);
-/* Every number as it is: what is then off is what the passes are. The layout goes behind all that is drawn with it. */
+/* Every number as it is: what is then off is what the passes are. The layout goes behind all that
+ * is drawn with it. */
 MatcOptions frame_float_options(MatcLayout **layout);
 Scene *frame_scene(const char *text, const MatcOptions *options, MatcDocument **document);
 GlContext *frame_context(void);
 GlContext *frame_context_of(GlKind kind);
 /* The kind that a test's last argument names, as in `build/tests/test_x egl`; else OSMesa. */
 GlKind frame_kind(int count, char **arguments);
-/* Floats of a view, from malloc; by a renderer that has drawn other scenes: what these have in common is not compiled again. */
+/* Floats of a view, from malloc; by a renderer that has drawn other scenes: what these have in
+ * common is not compiled again. */
 float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene);
 /* By one of its own. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);

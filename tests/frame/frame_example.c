@@ -18,7 +18,8 @@ char *frame_example_text(const char *name)
     return text;
 }
 
-Scene *frame_example_of(const char *name, const char *text, const FrameExample *how, MatcDocument **document)
+Scene *frame_example_of(const char *name, const char *text, const FrameExample *how,
+                        MatcDocument **document)
 {
     char path[256];
     Scene *scene = NULL;
@@ -33,7 +34,8 @@ Scene *frame_example_of(const char *name, const char *text, const FrameExample *
     return scene;
 }
 
-Scene *frame_example(const char *name, int width, const MatcOptions *options, MatcDocument **document)
+Scene *frame_example(const char *name, int width, const MatcOptions *options,
+                     MatcDocument **document)
 {
     char *text = frame_example_text(name);
     Scene *scene = frame_example_of(name, text, &(FrameExample){width, options}, document);

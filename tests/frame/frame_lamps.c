@@ -28,7 +28,9 @@ char *frame_lamps_text(const FrameLamps *c, int width, int height)
     for (int i = 0; i < c->count; i++) {
         const double x = chance(&state), y = chance(&state), z = chance(&state);
         const double red = chance(&state), green = chance(&state), blue = chance(&state);
-        const char *const kind = strcmp(c->kind, FRAME_LAMPS_BOTH) != 0 ? c->kind : i % 3 ? "Point" : "Spot";
+        const char *const kind = strcmp(c->kind, FRAME_LAMPS_BOTH) != 0 ? c->kind
+                                 : i % 3                                ? "Point"
+                                                                        : "Spot";
         APPEND("- { light: %s, intensity: %.6f, color: [%.3f, %.3f, %.3f], shadows: false", kind,
                c->sum / c->count * (i == 0 ? c->bright : 1), red, green, blue);
         if (strcmp(kind, "Directional") != 0)
@@ -48,15 +50,18 @@ char *frame_lamps_text(const FrameLamps *c, int width, int height)
 double frame_lamps_mapped(SceneKind tone, double x, double greatest)
 {
     const double knee = .7, over = x > knee ? (x - knee) / (1 - knee) : 0;
-    const double y = tone == SCENE_Filmic        ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)
-                     : tone == SCENE_Shoulder    ? fmin(x, knee) + (1 - knee) * over / (1 + over)
+    const double y = tone == SCENE_Filmic     ? x * (2.51 * x + .03) / (x * (2.43 * x + .59) + .14)
+                     : tone == SCENE_Shoulder ? fmin(x, knee) + (1 - knee) * over / (1 + over)
                      : tone == SCENE_Exponential ? x / greatest * (1 - exp(-greatest))
                      : tone == SCENE_Linear      ? x / greatest
                                                  : x;
     return y < 0 ? 0 : y > 1 ? 1 : y;
 }
 
-double frame_lamps_encoded(double y) { return y <= .0031308 ? 12.92 * y : 1.055 * pow(y, 1 / 2.4) - .055; }
+double frame_lamps_encoded(double y)
+{
+    return y <= .0031308 ? 12.92 * y : 1.055 * pow(y, 1 / 2.4) - .055;
+}
 
 double frame_lamps_shown(SceneKind tone, double exposure, double light)
 {

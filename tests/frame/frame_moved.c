@@ -18,7 +18,8 @@ static void end(const char *why)
 
 static int scalar(Mover *m, const char *text)
 {
-    return yaml_document_add_scalar(&m->document, NULL, (const yaml_char_t *)text, -1, YAML_PLAIN_SCALAR_STYLE);
+    return yaml_document_add_scalar(&m->document, NULL, (const yaml_char_t *)text, -1,
+                                    YAML_PLAIN_SCALAR_STYLE);
 }
 
 static int vector(Mover *m, const double v[3])
@@ -38,8 +39,11 @@ static yaml_node_pair_t *pair_of(Mover *m, int mapping, const char *key)
     yaml_node_t *node = yaml_document_get_node(&m->document, mapping);
     if (node->type != YAML_MAPPING_NODE)
         return NULL;
-    for (yaml_node_pair_t *pair = node->data.mapping.pairs.start; pair < node->data.mapping.pairs.top; pair++)
-        if (!strcmp((const char *)yaml_document_get_node(&m->document, pair->key)->data.scalar.value, key))
+    for (yaml_node_pair_t *pair = node->data.mapping.pairs.start;
+         pair < node->data.mapping.pairs.top; pair++)
+        if (!strcmp(
+                (const char *)yaml_document_get_node(&m->document, pair->key)->data.scalar.value,
+                key))
             return pair;
     return NULL;
 }
@@ -70,16 +74,18 @@ static void read_vector(Mover *m, int mapping, const char *key, double v[3])
 {
     const yaml_node_t *node = yaml_document_get_node(&m->document, value_of(m, mapping, key));
     for (int i = 0; node && i < 3; i++)
-        v[i] = strtod(node->type == YAML_SEQUENCE_NODE ? text_of(m, node->data.sequence.items.start[i])
-                                                       : (const char *)node->data.scalar.value,
-                      NULL);
+        v[i] =
+            strtod(node->type == YAML_SEQUENCE_NODE ? text_of(m, node->data.sequence.items.start[i])
+                                                    : (const char *)node->data.scalar.value,
+                   NULL);
 }
 
 static void turn(const FrameMove *move, double v[3])
 {
     for (int axis = 0; axis < 3; axis++) {
         const int a = (axis + 1) % 3, b = (axis + 2) % 3;
-        const double c = cos(move->rotation[axis]), s = sin(move->rotation[axis]), x = v[a], y = v[b];
+        const double c = cos(move->rotation[axis]), s = sin(move->rotation[axis]), x = v[a],
+                     y = v[b];
         v[a] = c * x - s * y;
         v[b] = s * x + c * y;
     }
@@ -107,19 +113,24 @@ static void move_camera(Mover *m, int root)
     move_vector(m, camera, "position", position, true);
     move_vector(m, camera, "target", target, true);
     move_vector(m, camera, "up", up, false);
-    const yaml_node_t *keys = yaml_document_get_node(&m->document, value_of(m, value_of(m, root, "motion"), "keys"));
-    for (int i = 0; keys && &keys->data.sequence.items.start[i] < keys->data.sequence.items.top; i++) {
+    const yaml_node_t *keys =
+        yaml_document_get_node(&m->document, value_of(m, value_of(m, root, "motion"), "keys"));
+    for (int i = 0; keys && &keys->data.sequence.items.start[i] < keys->data.sequence.items.top;
+         i++) {
         move_vector(m, keys->data.sequence.items.start[i], "position", position, true);
         move_vector(m, keys->data.sequence.items.start[i], "target", target, true);
-        keys = yaml_document_get_node(&m->document, value_of(m, value_of(m, root, "motion"), "keys"));
+        keys =
+            yaml_document_get_node(&m->document, value_of(m, value_of(m, root, "motion"), "keys"));
     }
 }
 
 static void move_light(Mover *m, int light)
 {
-    static const double zero[3], above[3] = {0, 0, 1}, down[3] = {0, 0, -1}, u[3] = {0, 1, 0}, v[3] = {1, 0, 0};
+    static const double zero[3], above[3] = {0, 0, 1}, down[3] = {0, 0, -1}, u[3] = {0, 1, 0},
+                                 v[3] = {1, 0, 0};
     const char *kind = text_of(m, value_of(m, light, "light"));
-    const bool area = !strcmp(kind, "Area"), spot = !strcmp(kind, "Spot"), far = !strcmp(kind, "Directional");
+    const bool area = !strcmp(kind, "Area"), spot = !strcmp(kind, "Spot"),
+               far = !strcmp(kind, "Directional");
     if (area || spot || !strcmp(kind, "Point"))
         move_vector(m, light, "position", area ? above : zero, true);
     if (spot || far)
@@ -172,7 +183,8 @@ static int item_of(Mover *m, int list, int i)
 
 static void move_all(Mover *m)
 {
-    const int root = 1, objects = value_of(m, root, "objects"), lights = value_of(m, root, "lights");
+    const int root = 1, objects = value_of(m, root, "objects"),
+              lights = value_of(m, root, "lights");
     move_camera(m, root);
     for (int i = 0; lights && item_of(m, lights, i); i++)
         move_light(m, item_of(m, lights, i));
@@ -182,7 +194,10 @@ static void move_all(Mover *m)
         wrap_objects(m, root, objects);
 }
 
-static int append(void *user, unsigned char *bytes, size_t size) { return fwrite(bytes, 1, size, user) == size; }
+static int append(void *user, unsigned char *bytes, size_t size)
+{
+    return fwrite(bytes, 1, size, user) == size;
+}
 
 char *frame_moved(const char *text, const FrameMove *move)
 {
@@ -201,7 +216,8 @@ char *frame_moved(const char *text, const FrameMove *move)
     yaml_emitter_set_output(&emitter, append, out);
     yaml_emitter_set_unicode(&emitter, 1);
     yaml_emitter_set_width(&emitter, -1);
-    if (!yaml_emitter_open(&emitter) || !yaml_emitter_dump(&emitter, &m.document) || !yaml_emitter_close(&emitter))
+    if (!yaml_emitter_open(&emitter) || !yaml_emitter_dump(&emitter, &m.document) ||
+        !yaml_emitter_close(&emitter))
         end(emitter.problem);
     yaml_emitter_delete(&emitter);
     yaml_parser_delete(&parser);

@@ -1,5 +1,6 @@
-/* A scene's text with everything somewhere else: objects in a group that moves them, camera, the keys of a
- * path, lights. The text alone is changed, by libyaml, so that it goes through all that reads scenes. */
+/* A scene's text with everything somewhere else: objects in a group that moves them, camera, the
+ * keys of a path, lights. The text alone is changed, by libyaml, so that it goes through all that
+ * reads scenes. */
 #ifndef MATC_FRAME_MOVED_H
 #define MATC_FRAME_MOVED_H
 #include <stdbool.h>

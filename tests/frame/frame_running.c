@@ -12,7 +12,8 @@ static void need(bool fine, const char *why)
     abort();
 }
 
-void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options, FrameRunning *made)
+void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options,
+                        FrameRunning *made)
 {
     RenderOptions all = *options;
     *made = (FrameRunning){.options = frame_exact_options()};
@@ -20,13 +21,15 @@ void frame_running_open(GlContext *gl, const char *text, const RenderOptions *op
     made->scene = frame_scene(text, &made->options, &made->document);
     made->render = render_open(gl, &all);
     need(made->render && render_scene(made->render, made->scene), gl->error);
-    made->rgba = calloc((size_t)render_width(made->render) * (size_t)render_height(made->render), 4 * sizeof *made->rgba);
+    made->rgba = calloc((size_t)render_width(made->render) * (size_t)render_height(made->render),
+                        4 * sizeof *made->rgba);
     need(made->rgba != NULL, "out of memory");
 }
 
 const float *frame_running_draw(FrameRunning *running)
 {
-    need(render_frame(running->render) && render_read(running->render, running->rgba), "a frame is not drawn");
+    need(render_frame(running->render) && render_read(running->render, running->rgba),
+         "a frame is not drawn");
     return running->rgba;
 }
 

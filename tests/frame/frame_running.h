@@ -1,4 +1,5 @@
-/* A scene and the renderer that draws it frame after frame, for tests of what changes between frames. */
+/* A scene and the renderer that draws it frame after frame, for tests of what changes between
+ * frames. */
 #ifndef MATC_FRAME_RUNNING_H
 #define MATC_FRAME_RUNNING_H
 #include "runtime/render/render.h"
@@ -12,7 +13,8 @@ typedef struct {
 } FrameRunning;
 
 /* Of a document, without a frame yet; `options` but for `compile`. What fails ends the test. */
-void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options, FrameRunning *made);
+void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options,
+                        FrameRunning *made);
 /* Draws a frame: its view, which is there until the next. */
 const float *frame_running_draw(FrameRunning *running);
 void frame_running_close(FrameRunning *running);

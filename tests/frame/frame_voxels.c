@@ -5,9 +5,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const char head[] =
-    "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, position: [2, -5, 3], target: [0, 0, .6] }\n"
-    "materials: { m: { material: Phong, diffuse: .6 } }\n";
+static const char head[] = "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, "
+                           "position: [2, -5, 3], target: [0, 0, .6] }\n"
+                           "materials: { m: { material: Phong, diffuse: .6 } }\n";
 
 bool frame_voxels_bit(const FrameVoxelsDrawn *d, const int at[3])
 {
@@ -26,8 +26,8 @@ uint32_t *frame_voxels_level(const FrameVoxelsDrawn *d, int level)
     for (int k = 0; k < voxels->layers; k++) {
         gl->BindFramebuffer(GL_FRAMEBUFFER, voxels->framebuffer);
         for (int i = 0; i < VOXELS_LAYERS_MOST; i++)
-            gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i, i ? 0 : voxels->map,
-                                        i ? 0 : level, i ? 0 : k);
+            gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0 + (GLenum)i,
+                                        i ? 0 : voxels->map, i ? 0 : level, i ? 0 : k);
         gl->ReadBuffer(GL_COLOR_ATTACHMENT0);
         gl->ReadPixels(0, 0, edge, edge, GL_RGBA_INTEGER, GL_UNSIGNED_INT, layer);
         for (int i = 0; i < edge * edge; i++)

@@ -11,7 +11,8 @@
 
 enum { EDGE = 512, TEXT = 4096, FRAMES = 15 };
 
-/* Of llvmpipe on two cores, which takes as many milliseconds for the thesis' march of openness: times are told as shares of that. */
+/* Of llvmpipe on two cores, which takes as many milliseconds for the thesis' march of openness:
+ * times are told as shares of that. */
 static const double march_milliseconds = 1700;
 
 typedef struct {
@@ -36,7 +37,8 @@ static double processor_seconds(void)
     return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
 }
 
-/* Passes over all pixels that a frame takes because of indirect light, in seconds; what is made once for a scene is not among them. */
+/* Passes over all pixels that a frame takes because of indirect light, in seconds; what is made
+ * once for a scene is not among them. */
 static double pass_time(Render *render)
 {
     static const char *const passes[] = {"rays", "history", "smooth", "spread"};
@@ -44,7 +46,8 @@ static double pass_time(Render *render)
     const double begin = processor_seconds();
     for (int i = 0; i < frame_pass_count(); i++)
         for (size_t pass = 0; pass < sizeof passes / sizeof *passes; pass++)
-            if (render->targets.plan.runs >> i & 1 && !strcmp(frame_pass(i)->plan.name, passes[pass]))
+            if (render->targets.plan.runs >> i & 1 &&
+                !strcmp(frame_pass(i)->plan.name, passes[pass]))
                 frame_pass(i)->draw(render);
     render->gl->Finish();
     return processor_seconds() - begin;
@@ -65,8 +68,10 @@ static void put_scene(const IndirectGoals *g, const Goal *goal, const char *keys
 {
     char body[INDIRECT_SCENES_TEXT];
     indirect_scenes_bunny(g->mesh ? g->mesh : "", g->lift, body);
-    snprintf(text, TEXT, "image: { width: %d, height: %d }\nindirect: { radius: %g, bounces: %d, %s }\n%s", EDGE, EDGE,
-             goal->radius, is_light(goal), keys, strstr(goal->name, "bunny") ? body : indirect_scenes_box);
+    snprintf(text, TEXT,
+             "image: { width: %d, height: %d }\nindirect: { radius: %g, bounces: %d, %s }\n%s",
+             EDGE, EDGE, goal->radius, is_light(goal), keys,
+             strstr(goal->name, "bunny") ? body : indirect_scenes_box);
 }
 
 typedef struct {
@@ -100,15 +105,18 @@ static bool put_row(Row *row, const char *keys)
     put_scene(row->goals, goal, keys, text);
     Scene *scene = frame_scene(text, &row->options, &document);
     if (!row->truth->count)
-        indirect_truth_find(scene, &(OpenRays){.across = goal->across, .radius = goal->radius, .bounces = 1},
-                            is_light(goal) ? &row->options : NULL, row->truth);
-    Render *render = render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = goal->view});
+        indirect_truth_find(
+            scene, &(OpenRays){.across = goal->across, .radius = goal->radius, .bounces = 1},
+            is_light(goal) ? &row->options : NULL, row->truth);
+    Render *render =
+        render_open(row->gl, &(RenderOptions){.compile = &row->options, .view = goal->view});
     float *rgba = frame_floats_by(row->gl, render, scene);
     const double off = indirect_truth_off(row->truth, rgba, is_light(goal)),
                  share = row->goals->timed ? share_of_time(render, row->march) : 0;
     if (row->goals->timed)
         snprintf(time, sizeof time, "%.3f", share);
-    const bool exact = off <= goal->off + 5e-4, fast = share * march_milliseconds <= goal->milliseconds;
+    const bool exact = off <= goal->off + 5e-4,
+               fast = share * march_milliseconds <= goal->milliseconds;
     printf("| %s | `%s` | %.4f | %.3f, %s | %s | %.3f%s |\n", goal->name, keys, off, goal->off,
            exact ? "reached" : "missed", time, goal->milliseconds / march_milliseconds,
            !row->goals->timed ? ""
@@ -123,11 +131,15 @@ static bool put_row(Row *row, const char *keys)
 
 bool indirect_goals_print(const IndirectGoals *g)
 {
-    Row row = {.goals = g, .options = frame_exact_options(), .gl = frame_context(), .truth = malloc(sizeof *row.truth)};
+    Row row = {.goals = g,
+               .options = frame_exact_options(),
+               .gl = frame_context(),
+               .truth = malloc(sizeof *row.truth)};
     open_march(&row);
     const int count = g->key_count ? g->key_count : (int)(sizeof usual / sizeof *usual);
     bool fine = row.truth != NULL;
-    printf("| | keys | off | at most | of the march's time | at most |\n| --- | --- | --- | --- | --- | --- |\n");
+    printf("| | keys | off | at most | of the march's time | at most |\n| --- | --- | --- | --- | "
+           "--- | --- |\n");
     for (size_t i = 0; row.truth && i < sizeof goals / sizeof *goals; i++) {
         row.goal = &goals[i];
         row.truth->count = 0;

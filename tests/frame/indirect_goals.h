@@ -1,11 +1,12 @@
-/* What openness and light from other surfaces are to reach, as rows: how far they are off many rays in double, what their passes take, and what the march of the thesis takes in the
- * same run. */
+/* What openness and light from other surfaces are to reach, as rows: how far they are off many rays
+ * in double, what their passes take, and what the march of the thesis takes in the same run. */
 #ifndef MATC_INDIRECT_GOALS_H
 #define MATC_INDIRECT_GOALS_H
 #include <stdbool.h>
 
 typedef struct {
-    const char *mesh, *lift; /* a bunny's file, y up, and how far it is above the ground; NULL: rows of the box alone */
+    /* a bunny's file, y up, and how far it is above the ground; NULL: rows of the box alone */
+    const char *mesh, *lift;
     const char *const *keys; /* of rows, instead of the goals' own */
     int key_count;
     bool timed;

@@ -2,7 +2,8 @@
 #include "tests/frame/indirect_truth.h"
 #include <math.h>
 
-void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOptions *options, IndirectTruth *truth)
+void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOptions *options,
+                         IndirectTruth *truth)
 {
     Tracer tracer = reference_open(scene);
     truth->count = 0;
@@ -40,7 +41,8 @@ double indirect_truth_off(const IndirectTruth *truth, const float *rgba, bool li
         for (int k = 0; k < 3; k++) {
             const float *is = rgba + 4 * truth->places[i].pixel;
             const Open *open = &truth->places[i].open;
-            const double off = light ? ((double)is[k] - open->light[k]) / truth->light : (double)is[0] - open->open;
+            const double off = light ? ((double)is[k] - open->light[k]) / truth->light
+                                     : (double)is[0] - open->open;
             sum += off * off / 3;
         }
     return sqrt(sum / truth->count);

@@ -28,11 +28,12 @@ typedef struct {
     double widths[2], along[3], across[3]; /* GGX widths along and across the tangent */
     double kept;                           /* coverage: 1 - the share of holes */
     LitTable fresnel[2];                   /* Fresnel term of a microfacet: dielectric, metal */
-    LitTable once[2], loss;                /* albedo of single scattering; 1 - it for a white mirror */
-    LitTable coat, fuzz;                   /* transmittance of these layers */
-    LitTable grain;                        /* albedo of single scattering by a rough diffuse base */
-    double again[2][3];                    /* multiple scattering, relative to a white mirror */
-    double base_mean[3], loss_mean;        /* means below the layers: 1 - specular albedo, loss */
+    /* albedo of single scattering; 1 - it for a white mirror */
+    LitTable once[2], loss;
+    LitTable coat, fuzz;            /* transmittance of these layers */
+    LitTable grain;                 /* albedo of single scattering by a rough diffuse base */
+    double again[2][3];             /* multiple scattering, relative to a white mirror */
+    double base_mean[3], loss_mean; /* means below the layers: 1 - specular albedo, loss */
 } LitReference;
 
 /* `eye` is the unit direction to the eye in the world; the normal is turned towards it. */

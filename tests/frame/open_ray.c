@@ -51,7 +51,8 @@ static double distance_along(const Tracer *tracer, const Ray *ray)
 }
 
 /* What a ray meets within the radius sends back along it. */
-static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays, const MatcOptions *options, double sum[3])
+static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays,
+                      const MatcOptions *options, double sum[3])
 {
     const Hit met = reference_hit(tracer, ray, 0);
     double light[3];
@@ -82,7 +83,8 @@ Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOp
     Ray ray;
     for (int i = 0; i < 3; i++) {
         n[i] = side * hit->normal[i];
-        ray.at[i] = hit->world[i] + (reference_dot(hit->facet, hit->normal) < 0 ? -side : side) * off * hit->facet[i];
+        ray.at[i] = hit->world[i] + (reference_dot(hit->facet, hit->normal) < 0 ? -side : side) *
+                                        off * hit->facet[i];
     }
     for (int k = 0; k < rays->across * rays->across; k++) {
         const double place[2] = {(k % rays->across + chance(&rays->state)) / rays->across,
@@ -90,7 +92,10 @@ Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOp
         direction(n, place, rays->uniform, ray.way);
         const double t = distance_along(tracer, &ray) / (isinf(rays->radius) ? 1 : rays->radius);
         const bool met = isinf(rays->radius) ? isfinite(t) : t <= 1;
-        open.open += (!met ? 1 : rays->power && isfinite(rays->radius) ? pow(t, rays->power) : 0) / count;
+        open.open += (!met                                    ? 1
+                      : rays->power && isfinite(rays->radius) ? pow(t, rays->power)
+                                                              : 0) /
+                     count;
         for (int i = 0; i < 3; i++)
             open.way[i] += met ? 0 : ray.way[i];
         if (met && options)

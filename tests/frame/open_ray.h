@@ -1,7 +1,9 @@
-/* How open a point is, and what other surfaces send to it, by many rays in double, for tests of indirect light: Embree finds what a ray meets, the light of
- * that is reference_light's. Nothing of the renderer has a part in it.
+/* How open a point is, and what other surfaces send to it, by many rays in double, for tests of
+ * indirect light: Embree finds what a ray meets, the light of that is reference_light's. Nothing of
+ * the renderer has a part in it.
  *
- *     a point on a floor, a wall as high as the point is far from it: the wall keeps off (1 - 1 / sqrt(2)) / 2 of the cosine, so that it is open by 0.854 */
+ *     a point on a floor, a wall as high as the point is far from it: the wall keeps off (1 - 1 /
+ *     sqrt(2)) / 2 of the cosine, so that it is open by 0.854 */
 #ifndef MATC_OPEN_RAY_H
 #define MATC_OPEN_RAY_H
 #include "tests/frame/reference_light.h"
@@ -19,10 +21,14 @@ typedef struct {
 typedef struct {
     double open; /* from 0 to 1 */
     double light
-        [3]; /* the mean of what rays meet: what a Lambertian surface's diffuse is times, as a light's intensity times a cosine is; 0 without options */
-    double way[3]; /* the mean direction of rays that meet nothing, of length 1; 0 where there are none */
+        /* the mean of what rays meet: what a Lambertian surface's diffuse is times, as a light's
+         * intensity times a cosine is; 0 without options */
+        [3];
+    /* the mean direction of rays that meet nothing, of length 1; 0 where there are none */
+    double way[3];
 } Open;
 
-/* Of a point that a ray met. `options` compile its material, and others'; NULL: light is not asked for. */
+/* Of a point that a ray met. `options` compile its material, and others'; NULL: light is not asked
+ * for. */
 Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOptions *options);
 #endif

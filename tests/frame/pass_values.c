@@ -7,7 +7,8 @@ void pass_values(GlContext *gl, const ScreenPassText *text, int side, float (*va
     Screen screen;
     ScreenPass pass;
     Framebuffer target;
-    const FramebufferSpec spec = {.width = side, .height = side, .color_count = 1, .color_format = GL_RGBA32F};
+    const FramebufferSpec spec = {
+        .width = side, .height = side, .color_count = 1, .color_format = GL_RGBA32F};
     if (!store || !screen_make(gl, &screen) || !framebuffer_make(gl, &spec, &target) ||
         !screen_pass_make(store, text, &pass))
         fail_msg("%s", gl->error);

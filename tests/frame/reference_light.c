@@ -30,7 +30,8 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
 {
     double square = 1, cosine;
     for (int i = 0; i < 3; i++)
-        l[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
+        l[i] =
+            light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
     if (light->kind != SCENE_Directional)
         square = reference_dot(l, l);
     reference_normalize(l);
@@ -44,13 +45,15 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
 /* What transparency leaves of diffuse and specular. */
 static double reference_kept(const SlotValues *slots, int lane)
 {
-    return slots->lane[SLOT_interpolatedTransparency][0] != 0 ? 1 - slots->lane[SLOT_transparency][lane] : 1;
+    return slots->lane[SLOT_interpolatedTransparency][0] != 0
+               ? 1 - slots->lane[SLOT_transparency][lane]
+               : 1;
 }
 
-/* Light of a parallelogram: what its radiance is times for each lane. What comes straight through has no cosine but its power's, and comes
- * from a parallelogram that is all behind the surface. */
-static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3], const SlotValues *slots,
-                           double shares[3])
+/* Light of a parallelogram: what its radiance is times for each lane. What comes straight through
+ * has no cosine but its power's, and comes from a parallelogram that is all behind the surface. */
+static void reference_area(const SceneLight *light, const Hit *hit, const double reflected[3],
+                           const SlotValues *slots, double shares[3])
 {
     AreaCase c = {.both_sides = light->both_sides}, behind, on;
     const double *n = slots->lane[SLOT_normal];
@@ -73,18 +76,21 @@ static void reference_area(const SceneLight *light, const Hit *hit, const double
     const double lobe = slots->lane[SLOT_specular][0] <= 0 ? 0
                         : c.exponent == floor(c.exponent)  ? area_moment(&c)
                                                            : area_integral(&c);
-    const double straight =
-        slots->lane[SLOT_transparency][0] <= 0 || area_lambert(&behind) <= 0 ? 0 : area_integral(&on);
+    const double straight = slots->lane[SLOT_transparency][0] <= 0 || area_lambert(&behind) <= 0
+                                ? 0
+                                : area_integral(&on);
     for (int i = 0; i < 3; i++)
-        shares[i] =
-            reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] * front + slots->lane[SLOT_specular][i] * lobe) +
-            slots->lane[SLOT_diffuseTransparency][i] * back + slots->lane[SLOT_transparency][i] * straight;
+        shares[i] = reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] * front +
+                                                slots->lane[SLOT_specular][i] * lobe) +
+                    slots->lane[SLOT_diffuseTransparency][i] * back +
+                    slots->lane[SLOT_transparency][i] * straight;
 }
 
 /* Light from all around: what a direction of that height meets, matt or as a mirror. */
 static double reference_around(const SceneLight *light, int lane, double z, bool mirror)
 {
-    const double s = fmin(fmax((z + .3) / .8, 0), 1), ground = mirror ? .6 * light->ground[lane] : light->ground[lane];
+    const double s = fmin(fmax((z + .3) / .8, 0), 1),
+                 ground = mirror ? .6 * light->ground[lane] : light->ground[lane];
     return ground + (light->light[lane] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
 }
 
@@ -95,15 +101,18 @@ static double reference_hemisphere(const SceneLight *light, const SlotValues *sl
     const double z = slots->lane[SLOT_normal][2], kept = reference_kept(slots, lane);
     return (kept * slots->lane[SLOT_diffuse][lane] + slots->lane[SLOT_ambient][lane]) *
                reference_around(light, lane, z, false) +
-           kept * slots->lane[SLOT_specular][lane] * reference_around(light, lane, reflected[2], true) +
+           kept * slots->lane[SLOT_specular][lane] *
+               reference_around(light, lane, reflected[2], true) +
            slots->lane[SLOT_diffuseTransparency][lane] * reference_around(light, lane, -z, false);
 }
 
-/* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are what transparency leaves of diffuse and
- * specular where it is interpolated. emissive, ambient L; (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and
- * t max(T.l, 0)^m L, where T is the way on and m the exponent of transparencyShininess: the greatest one is Dirac's, 0 the ray tracer's sum. */
-static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray, const SlotValues *slots,
-                            double sum[3])
+/* semantics.md 4.1, with a ratio of indices of 1: nothing is refracted, and r is 0. k_d and k_s are
+ * what transparency leaves of diffuse and specular where it is interpolated. emissive, ambient L;
+ * (k_d + k_s max(R.l, 0)^n) |n.l| L on the eye's side; on the other |n.l| k L, and t max(T.l, 0)^m
+ * L, where T is the way on and m the exponent of transparencyShininess: the greatest one is
+ * Dirac's, 0 the ray tracer's sum. */
+static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray,
+                            const SlotValues *slots, double sum[3])
 {
     const Scene *scene = tracer->scene;
     double view[3], n[3], reflected[3], l[3];
@@ -130,24 +139,29 @@ static void reference_shade(const Tracer *tracer, const Hit *hit, const Ray *ray
         }
         if (tracer->shares && light->kind != SCENE_Ambient)
             tracer->shares(tracer, light, hit, passes);
-        const double arrives = reference_arrives(light, hit->world, l), cosine = reference_dot(n, l);
-        const double lobe = pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
-        const double on = pow(fmax(reference_dot(view, l), 0), slots->lane[SLOT_transparencyShininess][0]);
+        const double arrives = reference_arrives(light, hit->world, l),
+                     cosine = reference_dot(n, l);
+        const double lobe =
+            pow(fmax(reference_dot(reflected, l), 0), slots->lane[SLOT_shininess][0]);
+        const double on =
+            pow(fmax(reference_dot(view, l), 0), slots->lane[SLOT_transparencyShininess][0]);
         for (int i = 0; i < 3; i++) {
             const double t = slots->lane[SLOT_transparency][i];
-            const double front =
-                reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] + slots->lane[SLOT_specular][i] * lobe);
+            const double front = reference_kept(slots, i) * (slots->lane[SLOT_diffuse][i] +
+                                                             slots->lane[SLOT_specular][i] * lobe);
             const double back = slots->lane[SLOT_diffuseTransparency][i] * fabs(cosine) + t * on;
             if (light->kind == SCENE_Ambient)
                 sum[i] += slots->lane[SLOT_ambient][i] * light->light[i];
             else
-                sum[i] += (cosine > 0 ? cosine * front : back) * light->light[i] * arrives * passes[i];
+                sum[i] +=
+                    (cosine > 0 ? cosine * front : back) * light->light[i] * arrives * passes[i];
         }
     }
 }
 
 /* A sky of light along the ray: diffuse and emissive of its material. */
-static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions *options, double sum[3])
+static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions *options,
+                          double sum[3])
 {
     SlotValues slots;
     Surface surface;
@@ -164,32 +178,36 @@ static void reference_sky(const Scene *scene, const Ray *ray, const MatcOptions 
 }
 
 /* A surface's light, [0], and the share of what is behind it that passes, [1]. */
-static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray, const MatcOptions *options,
-                            double layer[2][3])
+static void reference_layer(const Tracer *tracer, const Hit *hit, const Ray *ray,
+                            const MatcOptions *options, double layer[2][3])
 {
     SlotValues slots;
     const Scene *scene = tracer->scene;
     const SceneMaterial *material = &scene->materials[scene->objects[hit->object].material];
     const Surface surface = reference_surface(hit);
-    evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1}, &slots);
+    evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1},
+                      &slots);
     reference_shade(tracer, hit, ray, &slots, layer[0]);
     memcpy(layer[1], slots.lane[SLOT_transparency], sizeof layer[1]);
 }
 
-void reference_surface_light(const Tracer *tracer, const Hit *hit, const Ray *ray, const MatcOptions *options,
-                             double light[3])
+void reference_surface_light(const Tracer *tracer, const Hit *hit, const Ray *ray,
+                             const MatcOptions *options, double light[3])
 {
     double layer[2][3];
     reference_layer(tracer, hit, ray, options, layer);
     memcpy(light, layer[0], sizeof layer[0]);
 }
 
-void reference_surface_diffuse(const Tracer *tracer, const Hit *hit, const MatcOptions *options, double diffuse[3])
+void reference_surface_diffuse(const Tracer *tracer, const Hit *hit, const MatcOptions *options,
+                               double diffuse[3])
 {
     SlotValues slots;
-    const SceneMaterial *material = &tracer->scene->materials[tracer->scene->objects[hit->object].material];
+    const SceneMaterial *material =
+        &tracer->scene->materials[tracer->scene->objects[hit->object].material];
     const Surface surface = reference_surface(hit);
-    evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1}, &slots);
+    evaluate_material(material->document, material->index, options, (SurfacePoints){&surface, 1},
+                      &slots);
     for (int i = 0; i < 3; i++)
         diffuse[i] = reference_kept(&slots, i) * slots.lane[SLOT_diffuse][i];
 }

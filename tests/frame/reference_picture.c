@@ -11,9 +11,11 @@ bool reference_picture_read(const char *name, ReferencePicture *picture)
     matc_options_init(&options);
     options.pixels = true;
     const int size =
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: ImageMap, image: %s/tests/reference/%s.exr }\n",
+        snprintf(text, sizeof text,
+                 "material: Phong\ndiffuse: { map: ImageMap, image: %s/tests/reference/%s.exr }\n",
                  SOURCE_FOLDER, name);
-    *picture = (ReferencePicture){.document = matc_read("reference.yaml", text, (size_t)size, &options)};
+    *picture =
+        (ReferencePicture){.document = matc_read("reference.yaml", text, (size_t)size, &options)};
     const Graph *graph = picture->document->graph;
     if (!graph || graph->image_count != 1 || graph->images[0]->bits != 32)
         return false;

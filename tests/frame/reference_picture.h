@@ -1,4 +1,5 @@
-/* A picture that tests/reference/render.py wrote: linear light, and in alpha which pixels are compared. RGBA, the bottom row first. */
+/* A picture that tests/reference/render.py wrote: linear light, and in alpha which pixels are
+ * compared. RGBA, the bottom row first. */
 #ifndef MATC_REFERENCE_PICTURE_H
 #define MATC_REFERENCE_PICTURE_H
 #include "compiler/matc.h"
@@ -9,7 +10,8 @@ typedef struct {
     const float *rgba;
 } ReferencePicture;
 
-/* Of a folder and a name there: cycles/matt. False: it cannot be read, and the document's diagnostics say why. */
+/* Of a folder and a name there: cycles/matt. False: it cannot be read, and the document's
+ * diagnostics say why. */
 bool reference_picture_read(const char *name, ReferencePicture *picture);
 void reference_picture_free(ReferencePicture *picture);
 #endif

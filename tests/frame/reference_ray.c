@@ -7,7 +7,8 @@ Ray reference_ray(const Scene *scene, double x, double y)
 {
     const SceneCamera *c = &scene->camera;
     const double shorter = scene->width < scene->height ? scene->width : scene->height;
-    const double right = (2 * x - scene->width) / shorter * c->half, up = (2 * y - scene->height) / shorter * c->half;
+    const double right = (2 * x - scene->width) / shorter * c->half,
+                 up = (2 * y - scene->height) / shorter * c->half;
     Ray ray;
     for (int i = 0; i < 3; i++) {
         const double aside = right * c->right[i] + up * c->up[i];
@@ -18,7 +19,8 @@ Ray reference_ray(const Scene *scene, double x, double y)
     return ray;
 }
 
-/* Moeller and Trumbore: corner + s a + t b = at + d way, in the object's space. The triangle is known to be met. */
+/* Moeller and Trumbore: corner + s a + t b = at + d way, in the object's space. The triangle is
+ * known to be met. */
 static double reference_meets(const ShapeVertex *corner[3], const Ray *ray, double st[2])
 {
     double a[3], b[3], from[3], p[3], q[3];
@@ -35,16 +37,19 @@ static double reference_meets(const ShapeVertex *corner[3], const Ray *ray, doub
     return reference_dot(b, q) / determinant;
 }
 
-static double reference_mix(const ShapeVertex *corner[3], const double st[2], size_t offset, int lane)
+static double reference_mix(const ShapeVertex *corner[3], const double st[2], size_t offset,
+                            int lane)
 {
     float value[3];
     for (int k = 0; k < 3; k++)
-        memcpy(&value[k], (const char *)corner[k] + offset + (size_t)lane * sizeof(float), sizeof(float));
+        memcpy(&value[k], (const char *)corner[k] + offset + (size_t)lane * sizeof(float),
+               sizeof(float));
     return value[0] + st[0] * ((double)value[1] - value[0]) + st[1] * ((double)value[2] - value[0]);
 }
 
 /* Where the shape was before it was displaced. */
-static double reference_base(const Shape *shape, const ShapeVertex *corner[3], const double st[2], int lane)
+static double reference_base(const Shape *shape, const ShapeVertex *corner[3], const double st[2],
+                             int lane)
 {
     double value[3];
     for (int k = 0; k < 3; k++)
@@ -52,8 +57,11 @@ static double reference_base(const Shape *shape, const ShapeVertex *corner[3], c
     return value[0] + st[0] * (value[1] - value[0]) + st[1] * (value[2] - value[0]);
 }
 
-/* Along the triangle's sides a normal n changes by n_s and n_t, u and v by theirs: n_u = (n_s v_t - n_t v_s) / (u_s v_t - u_t v_s), n_v likewise. Its image has the slopes of a vector of length 1. */
-static void reference_bend(const SceneObject *object, const ShapeVertex *corner[3], const double normal[3], double slopes[2][3])
+/* Along the triangle's sides a normal n changes by n_s and n_t, u and v by theirs: n_u = (n_s v_t -
+ * n_t v_s) / (u_s v_t - u_t v_s), n_v likewise. Its image has the slopes of a vector of length
+ * 1. */
+static void reference_bend(const SceneObject *object, const ShapeVertex *corner[3],
+                           const double normal[3], double slopes[2][3])
 {
     double n[2][3], uv[2][2], whole[3];
     for (int side = 0; side < 2; side++) {
@@ -77,11 +85,13 @@ static void reference_bend(const SceneObject *object, const ShapeVertex *corner[
 }
 
 /* The same of a tangent, by whose offset in a vertex it is; its image is in the world. */
-static void reference_swing(const SceneObject *object, const ShapeVertex *corner[3], size_t tangent, double slopes[2][3])
+static void reference_swing(const SceneObject *object, const ShapeVertex *corner[3], size_t tangent,
+                            double slopes[2][3])
 {
     double t[2][3], uv[2][2];
     for (int side = 0; side < 2; side++) {
-        const float *here = (const float *)(const void *)((const char *)corner[side + 1] + tangent), *first = (const float *)(const void *)((const char *)corner[0] + tangent);
+        const float *here = (const float *)(const void *)((const char *)corner[side + 1] + tangent),
+                    *first = (const float *)(const void *)((const char *)corner[0] + tangent);
         for (int i = 0; i < 3; i++)
             t[side][i] = (double)here[i] - (double)first[i];
         for (int i = 0; i < 2; i++)
@@ -96,7 +106,8 @@ static void reference_swing(const SceneObject *object, const ShapeVertex *corner
     }
 }
 
-static void reference_fill(const SceneObject *object, const Shape *shape, const ShapeVertex *corner[3], const double st[2], Hit *hit)
+static void reference_fill(const SceneObject *object, const Shape *shape,
+                           const ShapeVertex *corner[3], const double st[2], Hit *hit)
 {
     double normal[3], position[3], (*tangent)[3] = hit->local_tangents;
     for (int i = 0; i < 3; i++) {
@@ -118,9 +129,10 @@ static void reference_fill(const SceneObject *object, const Shape *shape, const 
     reference_swing(object, corner, offsetof(ShapeVertex, tangentV), hit->tangent_slopes[1]);
 }
 
-/* The point on a triangle; `way` was not normalised, so that the distance is the same in both spaces. */
-static void reference_triangle(const SceneObject *object, const Shape *shape, unsigned triangle, const Ray *world,
-                               Hit *hit)
+/* The point on a triangle; `way` was not normalised, so that the distance is the same in both
+ * spaces. */
+static void reference_triangle(const SceneObject *object, const Shape *shape, unsigned triangle,
+                               const Ray *world, Hit *hit)
 {
     const ShapeVertex *corner[3];
     double st[2], a[3], b[3], face[3];
@@ -166,7 +178,8 @@ void reference_plane(const SceneObject *object, const Ray *world, double behind,
     memcpy(hit->facet, hit->normal, sizeof hit->facet);
 }
 
-bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far)
+bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3],
+                          double far)
 {
     struct RTCIntersectContext context;
     struct RTCRay ray = {.org_x = (float)from[0],
@@ -201,7 +214,8 @@ Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind)
     rtcIntersect1(tracer->traced, &context, &found);
     if (found.hit.geomID != RTC_INVALID_GEOMETRY_ID) {
         hit.object = (int)found.hit.geomID;
-        reference_triangle(&scene->objects[hit.object], &tracer->shapes[hit.object], found.hit.primID, ray, &hit);
+        reference_triangle(&scene->objects[hit.object], &tracer->shapes[hit.object],
+                           found.hit.primID, ray, &hit);
     }
     for (int i = 0; i < scene->object_count; i++) {
         const double before = hit.distance;
@@ -240,10 +254,11 @@ static void reference_add(const Tracer *tracer, int number)
     const SceneObject *object = &tracer->scene->objects[number];
     const Shape *shape = &tracer->shapes[number];
     RTCGeometry geometry = rtcNewGeometry(tracer->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    float *vertices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float),
-                                              (size_t)shape->vertex_count);
-    void *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t),
-                                            (size_t)shape->index_count / 3);
+    float *vertices =
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+                                3 * sizeof(float), (size_t)shape->vertex_count);
+    void *indices = rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                            3 * sizeof(uint32_t), (size_t)shape->index_count / 3);
     for (int i = 0; i < shape->vertex_count; i++) {
         const float *p = shape->vertices[i].position;
         double world[3];

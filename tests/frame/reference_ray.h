@@ -1,5 +1,6 @@
-/* What a pixel's ray meets, in double, for tests: Embree finds the triangle, the point on it is computed in double. It shares the triangles with
- * the renderer, and nothing else: no matrix, no shader. */
+/* What a pixel's ray meets, in double, for tests: Embree finds the triangle, the point on it is
+ * computed in double. It shares the triangles with the renderer, and nothing else: no matrix, no
+ * shader. */
 #ifndef MATC_REFERENCE_RAY_H
 #define MATC_REFERENCE_RAY_H
 #include "tests/frame/reference_space.h"
@@ -14,16 +15,20 @@ typedef struct {
     double distance; /* infinite: nothing */
     int object;
     double world[3], local[3], uv[2], normal[3], tangents[2][3];
-    double base[3], local_tangents[2][3]; /* where maps read: in the world where it was before it was displaced, as `local` is */
-    double normal_slopes[2][3]; /* how the normal changes by u and by v, as the triangle has it; 0 where its texture coordinates lie on a line */
+    /* where maps read: in the world where it was before it was displaced, as `local` is */
+    double base[3], local_tangents[2][3];
+    /* how the normal changes by u and by v, as the triangle has it; 0 where its texture coordinates
+     * lie on a line */
+    double normal_slopes[2][3];
     double tangent_slopes[2][2][3]; /* the same of dP/du (0) and dP/dv (1), by u (0) and by v (1) */
-    double facet[3]; /* the normal of the triangle, or of the plane */
+    double facet[3];                /* the normal of the triangle, or of the plane */
     bool front;
 } Hit;
 
 typedef struct Tracer Tracer;
 /* The share of a light that arrives where a ray met a surface. */
-typedef void (*ReferenceShares)(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3]);
+typedef void (*ReferenceShares)(const Tracer *tracer, const SceneLight *light, const Hit *hit,
+                                double shares[3]);
 
 /* What rays are traced in; geometry i is object i, but for planes, which have none. */
 struct Tracer {
@@ -42,9 +47,12 @@ Ray reference_ray(const Scene *scene, double x, double y);
 /* What is met behind a distance, as multiples of the ray's direction. */
 Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind);
 /* Something but a plane is met before a distance, in multiples of the direction. */
-bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3], double far);
-/* *hit becomes the plane z = 0 of the object's space, if that is met behind a distance and before *hit. */
+bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3],
+                          double far);
+/* *hit becomes the plane z = 0 of the object's space, if that is met behind a distance and before
+ * *hit. */
 void reference_plane(const SceneObject *object, const Ray *world, double behind, Hit *hit);
-/* Whether a pixel's neighbours meet something else, in any of the layers that its own ray met: other objects, or another face. */
+/* Whether a pixel's neighbours meet something else, in any of the layers that its own ray met:
+ * other objects, or another face. */
 bool reference_is_edge(const Tracer *tracer, int x, int y, const Hit *hits, int count);
 #endif

@@ -2,7 +2,10 @@
 #include <math.h>
 #include <string.h>
 
-double reference_dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+double reference_dot(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 void reference_cross(const double a[3], const double b[3], double out[3])
 {

@@ -1,4 +1,5 @@
-/* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at the point that its ray meets, in double. */
+/* A document with spheres where the casters stand, which become the mesh. Each pixel is judged at
+ * the point that its ray meets, in double. */
 #include "tests/frame/shadow_ends.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/frame.h"
@@ -8,12 +9,15 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-const char *const shadow_ends_receivers[SHADOW_ENDS_RECEIVERS] = {"plane", "itself", "second", "overlapping"};
+const char *const shadow_ends_receivers[SHADOW_ENDS_RECEIVERS] = {"plane", "itself", "second",
+                                                                  "overlapping"};
 
-/* Light goes along (0.6, 0.25, -1); it is looked along it, from behind the casters, but for "itself". */
-#define HEAD                                                                                                           \
-    "image: { width: 320, height: 320 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"                         \
-    "shadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [.6, .25, -1], shadows: %s }]\n"
+/* Light goes along (0.6, 0.25, -1); it is looked along it, from behind the casters, but for
+ * "itself". */
+#define HEAD                                                                                       \
+    "image: { width: 320, height: 320 }\nmaterials: { m: { material: Phong, diffuse: .8 } }\n"     \
+    "shadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [.6, .25, -1], "         \
+    "shadows: %s }]\n"
 #define CASTER(place) "- { object: Sphere, material: m, transform: { translation: [" place "] } }\n"
 #define PLANE         "- { object: Plane, material: m }\n"
 
@@ -21,29 +25,35 @@ static const struct {
     const char *text;
     int casters; /* the first objects */
 } documents[SHADOW_ENDS_RECEIVERS] = {
-    {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: 2.6 }\n"
+    {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: "
+          "2.6 }\n"
           "objects:\n" CASTER("0, 0, 3") PLANE,
      1},
-    {HEAD
-     "camera: { camera: Orthographic, position: [-2, 2, 4], target: [0, 0, 0], size: 2.4 }\nobjects:\n" CASTER("0, 0, "
-                                                                                                               "0"),
+    {HEAD "camera: { camera: Orthographic, position: [-2, 2, 4], target: [0, 0, 0], size: 2.4 "
+          "}\nobjects:\n" CASTER("0, 0, "
+                                 "0"),
      1},
-    {HEAD "camera: { camera: Orthographic, position: [.9, .375, -1.5], target: [1.8, .75, -3], size: 2.4 }\n"
-          "objects:\n" CASTER("0, 0, 0") "- { object: Sphere, radius: 1.3, material: m, transform: { translation: "
-                                         "[1.8, .75, -3] } }\n",
+    {HEAD "camera: { camera: Orthographic, position: [.9, .375, -1.5], target: [1.8, .75, -3], "
+          "size: 2.4 }\n"
+          "objects:\n" CASTER(
+              "0, 0, 0") "- { object: Sphere, radius: 1.3, material: m, transform: { translation: "
+                         "[1.8, .75, -3] } }\n",
      1},
-    {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: 3.4 }\n"
+    {HEAD "camera: { camera: Orthographic, position: [.9, .375, 1.2], target: [1.8, .75, 0], size: "
+          "3.4 }\n"
           "objects:\n" CASTER("-.5, -.4, 3") CASTER("-1, 0, 5") PLANE,
      2},
 };
 
-/* Of a picture: where the light has what is seen, in texels; 1 where that is judged; whether light reaches it. */
+/* Of a picture: where the light has what is seen, in texels; 1 where that is judged; whether light
+ * reaches it. */
 typedef struct {
     double (*places)[2];
     float *light, *truth;
 } Seen;
 
-static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, bool all, const Seen *seen)
+static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, bool all,
+                      const Seen *seen)
 {
     const Scene *scene = tracer->scene;
     const int wide = scene->width;
@@ -54,7 +64,8 @@ static void see_pixel(const Tracer *tracer, const ShadowView *view, int pixel, b
     if (seen->light[pixel] <= 0)
         return;
     for (int i = 0; i < 2; i++)
-        seen->places[pixel][i] = (reference_dot(view->rows[i], hit.world) + view->rows[i][3]) * scene->shadow_size / 2;
+        seen->places[pixel][i] =
+            (reference_dot(view->rows[i], hit.world) + view->rows[i][3]) * scene->shadow_size / 2;
     /* of a closed body what looks away is in its own shadow */
     seen->truth[pixel] = same && shadow_is_lit(tracer, &scene->lights[0], hit.world, hit.facet);
 }
@@ -68,7 +79,8 @@ static double distance_of(const Scene *scene, const ShadowView *view, const floa
     for (size_t i = 0; seen.places && seen.light && seen.truth && i < count; i++)
         if (shares[i] >= 0)
             see_pixel(&tracer, view, (int)i, all, &seen);
-    const Boundary boundary = {scene->width, (const double(*)[2])seen.places, seen.light, seen.truth, 8};
+    const Boundary boundary = {scene->width, (const double(*)[2])seen.places, seen.light,
+                               seen.truth, 8};
     const double length = boundary_length(&boundary), area = boundary_area(&boundary, shares);
     reference_close(&tracer);
     free(seen.places);
@@ -77,7 +89,8 @@ static double distance_of(const Scene *scene, const ShadowView *view, const floa
     return length > 100 ? area / length : INFINITY;
 }
 
-/* A view of the light as its map has it; exact shadows have none, and are judged in texels of what maps would have. */
+/* A view of the light as its map has it; exact shadows have none, and are judged in texels of what
+ * maps would have. */
 static ShadowView view_of(const ShadowPair *pair, Scene *scene)
 {
     const Word method = scene->lights[0].shadows;

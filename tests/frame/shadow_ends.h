@@ -1,4 +1,5 @@
-/* How far ends of shadows are off, by rays of Embree, on four receivers: casters of one mesh in sunlight, by maps of 256 x 256. */
+/* How far ends of shadows are off, by rays of Embree, on four receivers: casters of one mesh in
+ * sunlight, by maps of 256 x 256. */
 #ifndef MATC_SHADOW_ENDS_H
 #define MATC_SHADOW_ENDS_H
 #include "tests/frame/shadow_pair.h"
@@ -16,11 +17,13 @@ typedef struct {
     const Shape *mesh;  /* at most 1 from the origin */
     const char *method; /* of the list Shadows */
     ShadowEndsReceiver receiver;
-    bool all;    /* also points where the facet and the normal are on different sides of the light */
+    /* also points where the facet and the normal are on different sides of the light */
+    bool all;
     Word volume; /* of hybrid shadows, of the list Volume; 0: it is another method */
     int pixels;  /* the picture's edge; 0: 320, some two for each texel's edge, or less */
 } ShadowEnds;
 
-/* The area of points that are lit and should not be, or the other way round, over the length of the true ends: in texels. */
+/* The area of points that are lit and should not be, or the other way round, over the length of the
+ * true ends: in texels. */
 double shadow_ends_distance(const ShadowPair *pair, const ShadowEnds *ends);
 #endif

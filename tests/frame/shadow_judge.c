@@ -18,14 +18,16 @@ static void corners_of(const Tracer *tracer, int object, unsigned triangle, doub
     const Shape *shape = &tracer->shapes[object];
     for (unsigned i = 0; i < 3; i++) {
         const float *p = shape->vertices[shape->indices[3 * triangle + i]].position;
-        reference_image(&tracer->scene->objects[object].world_from_local, (double[]){p[0], p[1], p[2]}, 1, corners[i]);
+        reference_image(&tracer->scene->objects[object].world_from_local,
+                        (double[]){p[0], p[1], p[2]}, 1, corners[i]);
     }
 }
 
 ShadowJudge shadow_judge(const Tracer *tracer)
 {
     ShadowJudge judge = {.tracer = tracer};
-    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY}, corners[3][3];
+    double low[3] = {INFINITY, INFINITY, INFINITY}, high[3] = {-INFINITY, -INFINITY, -INFINITY},
+           corners[3][3];
     for (int i = 0; i < tracer->scene->object_count; i++)
         for (int t = 0; t < tracer->shapes[i].index_count / 3; t++) {
             corners_of(tracer, i, (unsigned)t, corners);
@@ -69,7 +71,8 @@ static double plane_at(const double corners[3][3], const double at[3], const dou
 static bool see(const Tracer *tracer, const Ray *ray, Seen *seen)
 {
     struct RTCIntersectContext context;
-    struct RTCRayHit found = {.ray = ray_of(ray->at, ray->way, INFINITY), .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
+    struct RTCRayHit found = {.ray = ray_of(ray->at, ray->way, INFINITY),
+                              .hit = {.geomID = RTC_INVALID_GEOMETRY_ID}};
     const Hit hit = reference_hit(tracer, ray, 0);
     if (hit.object < 0)
         return false;
@@ -86,7 +89,8 @@ static bool see(const Tracer *tracer, const Ray *ray, Seen *seen)
 
 /* -- all triangles, in double */
 
-/* Six times the volume of the tetrahedron of a point, a way and two corners: its sign says on which side the way passes the edge. */
+/* Six times the volume of the tetrahedron of a point, a way and two corners: its sign says on which
+ * side the way passes the edge. */
 static double side_of(const double at[3], const double way[3], const double a[3], const double b[3])
 {
     double from[2][3], normal[3];
@@ -98,9 +102,11 @@ static double side_of(const double at[3], const double way[3], const double a[3]
     return reference_dot(normal, way);
 }
 
-static bool stands_between(const double corners[3][3], const double at[3], const double way[3], double distance)
+static bool stands_between(const double corners[3][3], const double at[3], const double way[3],
+                           double distance)
 {
-    const double sides[3] = {side_of(at, way, corners[0], corners[1]), side_of(at, way, corners[1], corners[2]),
+    const double sides[3] = {side_of(at, way, corners[0], corners[1]),
+                             side_of(at, way, corners[1], corners[2]),
                              side_of(at, way, corners[2], corners[0])};
     const bool left = sides[0] > 0 && sides[1] > 0 && sides[2] > 0,
                right = sides[0] < 0 && sides[1] < 0 && sides[2] < 0;
@@ -111,7 +117,8 @@ static bool stands_between(const double corners[3][3], const double at[3], const
 }
 
 /* But for the triangle that is seen. */
-static bool is_dark(const Tracer *tracer, const SceneLight *light, const double at[3], const Seen *seen)
+static bool is_dark(const Tracer *tracer, const SceneLight *light, const double at[3],
+                    const Seen *seen)
 {
     double way[3], corners[3][3];
     const double distance = shadow_way_to(light, at, way);
@@ -148,8 +155,10 @@ static bool embree_lit(const ShadowJudge *judge, const SceneLight *light, const 
     return ray.tfar > 0;
 }
 
-/* Points that are a tie's width away, along the axes, or as seen from the eye on the same triangle. */
-static void move(const ShadowJudge *judge, const Ray *ray, const Seen *seen, int direction, double at[3])
+/* Points that are a tie's width away, along the axes, or as seen from the eye on the same
+ * triangle. */
+static void move(const ShadowJudge *judge, const Ray *ray, const Seen *seen, int direction,
+                 double at[3])
 {
     const double width = tie * judge->reach;
     double corners[3][3], moved[3], way[3];
@@ -168,13 +177,15 @@ static void move(const ShadowJudge *judge, const Ray *ray, const Seen *seen, int
     }
     const SceneCamera *camera = &judge->tracer->scene->camera;
     for (int i = 0; i < 3; i++)
-        moved[i] += (direction % 2 ? width : -width) * (direction < 8 ? camera->right : camera->up)[i];
+        moved[i] +=
+            (direction % 2 ? width : -width) * (direction < 8 ? camera->right : camera->up)[i];
     const double along = plane_at((const double(*)[3])corners, moved, way);
     for (int i = 0; i < 3; i++)
         at[i] = moved[i] + along * way[i];
 }
 
-static ShadowVerdict verdict_of(const ShadowJudge *judge, const SceneLight *light, const Ray *ray, bool lit)
+static ShadowVerdict verdict_of(const ShadowJudge *judge, const SceneLight *light, const Ray *ray,
+                                bool lit)
 {
     Seen seen = {.object = -1};
     double at[3], way[3];
@@ -184,7 +195,8 @@ static ShadowVerdict verdict_of(const ShadowJudge *judge, const SceneLight *ligh
     lift(judge, way, &seen, at);
     if (shadow_is_behind_plane(judge->tracer->scene, at, way, distance))
         return lit ? SHADOW_wrong : SHADOW_right;
-    if (embree_lit(judge, light, &seen) == lit || is_dark(judge->tracer, light, seen.point, &seen) != lit)
+    if (embree_lit(judge, light, &seen) == lit ||
+        is_dark(judge->tracer, light, seen.point, &seen) != lit)
         return SHADOW_right;
     for (int i = 0; i < DIRECTIONS; i++) {
         move(judge, ray, &seen, i, at);
@@ -194,14 +206,16 @@ static ShadowVerdict verdict_of(const ShadowJudge *judge, const SceneLight *ligh
     return SHADOW_wrong;
 }
 
-ShadowVerdict shadow_verdict(const ShadowJudge *judge, const SceneLight *light, const double at[2], bool lit)
+ShadowVerdict shadow_verdict(const ShadowJudge *judge, const SceneLight *light, const double at[2],
+                             bool lit)
 {
     const double step = 1.0 / 128; /* of a pixel */
     const Scene *scene = judge->tracer->scene;
     const Ray ray = reference_ray(scene, at[0], at[1]);
     const ShadowVerdict verdict = verdict_of(judge, light, &ray, lit);
     for (int i = 0; verdict == SHADOW_wrong && i < 9; i++) {
-        const Ray beside = reference_ray(scene, at[0] + step * (i % 3 - 1), at[1] + step * (i / 3 - 1));
+        const Ray beside =
+            reference_ray(scene, at[0] + step * (i % 3 - 1), at[1] + step * (i / 3 - 1));
         Seen here = {.object = -1}, there = {.object = -1};
         if (see(judge->tracer, &ray, &here) && see(judge->tracer, &beside, &there) &&
             (here.object != there.object || here.triangle != there.triangle) &&

@@ -1,4 +1,5 @@
-/* Whether a pixel is rightly lit by a light, or in its shadow: by Embree's ray, and where that says otherwise, by all triangles in double. */
+/* Whether a pixel is rightly lit by a light, or in its shadow: by Embree's ray, and where that says
+ * otherwise, by all triangles in double. */
 #ifndef MATC_SHADOW_JUDGE_H
 #define MATC_SHADOW_JUDGE_H
 #include "tests/frame/shadow_ray.h"
@@ -11,8 +12,11 @@ typedef struct {
 
 typedef enum {
     SHADOW_right,
-    SHADOW_tie,      /* it would be right for a point, or a ray from the eye, that is 1e-6 of the reach away */
-    SHADOW_seen_tie, /* it is right for a triangle that is seen 1/128 of a pixel away: a rasteriser is free to show that */
+    /* it would be right for a point, or a ray from the eye, that is 1e-6 of the reach away */
+    SHADOW_tie,
+    /* it is right for a triangle that is seen 1/128 of a pixel away: a rasteriser is free to show
+     * that */
+    SHADOW_seen_tie,
     SHADOW_wrong,
     SHADOW_nothing, /* is seen there */
     SHADOW_VERDICTS
@@ -20,5 +24,6 @@ typedef enum {
 
 ShadowJudge shadow_judge(const Tracer *tracer);
 /* At a place of the picture; a pixel's middle is at x + .5, y + .5, y up. */
-ShadowVerdict shadow_verdict(const ShadowJudge *judge, const SceneLight *light, const double at[2], bool lit);
+ShadowVerdict shadow_verdict(const ShadowJudge *judge, const SceneLight *light, const double at[2],
+                             bool lit);
 #endif

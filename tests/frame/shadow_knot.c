@@ -3,7 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A tube of radius .3 along x = (2 + cos 3t) cos 2t, y = (2 + cos 3t) sin 2t, z = sin 3t, all over 3: 69,960 triangles. */
+/* A tube of radius .3 along x = (2 + cos 3t) cos 2t, y = (2 + cos 3t) sin 2t, z = sin 3t, all over
+ * 3: 69,960 triangles. */
 enum { ALONG = 795, AROUND = 44 };
 
 static void knot_at(double t, double at[3])
@@ -39,7 +40,8 @@ Shape shadow_knot(void)
         abort();
     for (int i = 0; i < ALONG * AROUND; i++) {
         const int ring = i / AROUND, side = i % AROUND;
-        const int corners[4] = {i, (ring + 1) % ALONG * AROUND + side, ring * AROUND + (side + 1) % AROUND,
+        const int corners[4] = {i, (ring + 1) % ALONG * AROUND + side,
+                                ring * AROUND + (side + 1) % AROUND,
                                 (ring + 1) % ALONG * AROUND + (side + 1) % AROUND};
         put_vertex(ring, side, &shape.vertices[shape.vertex_count++]);
         for (int k = 0; k < 6; k++)

@@ -14,7 +14,8 @@ void shadow_pair_open(GlKind kind, ShadowPair *pair)
     pair->gl = frame_context_of(kind);
     pair->options = frame_exact_options();
     for (int i = 0; i < 2; i++) {
-        pair->how[i] = (RenderOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
+        pair->how[i] =
+            (RenderOptions){.compile = &pair->options, .view = "light", .no_shadows = i > 0};
         pair->renders[i] = render_open(pair->gl, &pair->how[i]);
         if (!pair->renders[i])
             end(pair);
@@ -32,7 +33,8 @@ float *shadow_pair_draw(const ShadowPair *pair, int which, const Scene *scene)
 {
     Render *render = pair->renders[which];
     float *rgba = calloc((size_t)scene->width * (size_t)scene->height, 4 * sizeof *rgba);
-    if (!rgba || !render_scene(render, scene) || !render_frame(render) || !render_read(render, rgba))
+    if (!rgba || !render_scene(render, scene) || !render_frame(render) ||
+        !render_read(render, rgba))
         end(pair);
     return rgba;
 }

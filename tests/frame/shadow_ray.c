@@ -7,7 +7,8 @@ static const double pi = 3.14159265358979323846;
 double shadow_way_to(const SceneLight *light, const double point[3], double way[3])
 {
     for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
+        way[i] =
+            light->kind == SCENE_Directional ? -light->direction[i] : light->position[i] - point[i];
     const double length = sqrt(reference_dot(way, way));
     reference_normalize(way);
     return light->kind == SCENE_Directional ? INFINITY : length;
@@ -20,17 +21,20 @@ bool shadow_sides_agree(const SceneLight *light, const Hit *hit)
     return reference_dot(way, hit->facet) * reference_dot(way, hit->normal) > 0;
 }
 
-double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3], double reach)
+double shadow_texel(const Scene *scene, const SceneLight *light, const double point[3],
+                    double reach)
 {
     double way[3];
     const double distance = shadow_way_to(light, point, way);
-    const double wide = light->kind == SCENE_Spot && light->outer_cosine > .5
-                            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
-                            : 1;
+    const double wide =
+        light->kind == SCENE_Spot && light->outer_cosine > .5
+            ? sqrt(1 - light->outer_cosine * light->outer_cosine) / light->outer_cosine
+            : 1;
     return (light->kind == SCENE_Directional ? reach : 2 * wide * distance) / scene->shadow_size;
 }
 
-bool shadow_is_behind_plane(const Scene *scene, const double from[3], const double way[3], double distance)
+bool shadow_is_behind_plane(const Scene *scene, const double from[3], const double way[3],
+                            double distance)
 {
     Hit hit = {.distance = distance};
     Ray ray;
@@ -42,7 +46,8 @@ bool shadow_is_behind_plane(const Scene *scene, const double from[3], const doub
     return hit.distance < distance;
 }
 
-bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double point[3], const double facet[3])
+bool shadow_is_lit(const Tracer *tracer, const SceneLight *light, const double point[3],
+                   const double facet[3])
 {
     double way[3], from[3];
     const double distance = shadow_way_to(light, point, way);

@@ -25,12 +25,14 @@ Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDoc
         snprintf(place, sizeof place, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
     if (from->lamp->directed)
         snprintf(direction, sizeof direction, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    snprintf(text, sizeof text, "%s" SHADOW_SCENE_VIEW "lights: [{ light: %s%s%s, shadows: %s }]\n%s%s", from->head,
+    snprintf(text, sizeof text,
+             "%s" SHADOW_SCENE_VIEW "lights: [{ light: %s%s%s, shadows: %s }]\n%s%s", from->head,
              from->lamp->kind, place, direction, from->method, from->objects[0], from->objects[1]);
     return frame_scene(text, options, document);
 }
 
-Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options, MatcDocument **document)
+Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options,
+                          MatcDocument **document)
 {
     char text[TEXT];
     const char *const hole = strstr(mixed, "%s");

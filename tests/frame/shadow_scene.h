@@ -1,26 +1,34 @@
-/* Scenes of shadows that several methods are tested by, as documents: objects that meet, in the light of every lamp; and one of several lights beside
- * something of glass. */
+/* Scenes of shadows that several methods are tested by, as documents: objects that meet, in the
+ * light of every lamp; and one of several lights beside something of glass. */
 #ifndef MATC_SHADOW_SCENE_H
 #define MATC_SHADOW_SCENE_H
 #include "tests/frame/frame_draw.h"
 
 /* Of a picture of any size, from the front and above, with the material m. */
-#define SHADOW_SCENE_VIEW                                                                                              \
-    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"                         \
+#define SHADOW_SCENE_VIEW                                                                          \
+    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"     \
     "materials: { m: { material: Phong, diffuse: .5 } }\n"
 /* What all else stands on: the first object. */
-#define SHADOW_SCENE_GROUND                                                                                            \
-    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+#define SHADOW_SCENE_GROUND                                                                        \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
+    "translation: [-4, "                                                                           \
     "-4, 0] } }\n"
 #define SHADOW_SCENE_PLANE "objects:\n- { object: Plane, material: m }\n"
-/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. `detail` is of the ball, as in "detail: 48, ". */
-#define SHADOW_SCENE_THINGS(detail)                                                                                    \
-    "- { object: Sphere, radius: .8, " detail "material: m, transform: { translation: [-.6, -.4, .8] } }\n"            \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
-    "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] } }\n"                \
-    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
-    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, .8] } }\n"            \
-    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: m, transform: { translation: [-2.2, -.6, 0] " \
+/* Meshes that meet: all of them the ground, a box another box, a cone a cylinder. `detail` is of
+ * the ball, as in "detail: 48, ". */
+#define SHADOW_SCENE_THINGS(detail)                                                                \
+    "- { object: Sphere, radius: .8, " detail                                                      \
+    "material: m, transform: { translation: [-.6, -.4, .8] } }\n"                                  \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } " \
+    "}\n"                                                                                          \
+    "- { object: Box, size: [.5, .5, .5], material: m, transform: { translation: [1.1, .5, 1.25] " \
+    "} }\n"                                                                                        \
+    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, "   \
+    "-1.4, 0] } }\n"                                                                               \
+    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, " \
+    ".8] } }\n"                                                                                    \
+    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: m, transform: { "         \
+    "translation: [-2.2, -.6, 0] "                                                                 \
     "} }\n"
 
 /* -- a scene in the light of one lamp */
@@ -42,22 +50,30 @@ typedef struct {
 
 Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDocument **document);
 
-/* -- a scene of all at once: 64 x 48 pixels, two lights by a method, one by maps, a plane, a pane over it */
+/* -- a scene of all at once: 64 x 48 pixels, two lights by a method, one by maps, a plane, a pane
+ * over it */
 
-/* `head` comes first; `more`: further lights, each after a comma; `through`, a number, is what the pane lets through. */
-#define SHADOW_SCENE_MIXED(head, method, more, detail)                                                                 \
-    head "image: { width: 64, height: 48 }\n"                                                                          \
-         "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"                    \
-         "materials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, diffuse: 0, transparency: %s, "      \
-         "interpolatedTransparency: false } }\n"                                                                       \
-         "lights: [{ light: Directional, direction: [1, 1, -2], shadows: " method " },\n"                              \
-         "  { light: Point, position: [1, -2, 4], intensity: 9, shadows: " method " },\n"                              \
-         "  { light: Point, position: [-2, -2, 3], intensity: 4, shadows: map }" more "]\n" SHADOW_SCENE_PLANE         \
-         SHADOW_SCENE_THINGS(detail) "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: g, "            \
-                                     "transform: { translation: [-.4, -1.6, 1.3] } }\n"
+/* `head` comes first; `more`: further lights, each after a comma; `through`, a number, is what the
+ * pane lets through. */
+#define SHADOW_SCENE_MIXED(head, method, more, detail)                                             \
+    head                                                                                           \
+        "image: { width: 64, height: 48 }\n"                                                       \
+        "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n" \
+        "materials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, diffuse: 0, "     \
+        "transparency: %s, "                                                                       \
+        "interpolatedTransparency: false } }\n"                                                    \
+        "lights: [{ light: Directional, direction: [1, 1, -2], shadows: " method " },\n"           \
+        "  { light: Point, position: [1, -2, 4], intensity: 9, shadows: " method " },\n"           \
+        "  { light: Point, position: [-2, -2, 3], intensity: 4, shadows: map }" more               \
+        "]\n" SHADOW_SCENE_PLANE                                                                   \
+        SHADOW_SCENE_THINGS(                                                                       \
+            detail) "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: g, "         \
+                    "transform: { translation: [-.4, -1.6, 1.3] } }\n"
 
-Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options, MatcDocument **document);
-/* Of the first light: the pane's shadow has half of the light, a quarter where it is seen through the pane. */
+Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options,
+                          MatcDocument **document);
+/* Of the first light: the pane's shadow has half of the light, a quarter where it is seen through
+ * the pane. */
 void shadow_scene_assert_glass(GlContext *gl, const char *mixed);
 /* OpenGL 3.3 refuses it, and says so. */
 void shadow_scene_assert_refused(GlContext *gl, const char *mixed, const char *message);

@@ -36,7 +36,8 @@ void sky_reference_open(SkyReference *reference, SkyReferenceLight light, const 
         }
     }
     for (int cell = 0; cell < SKY_REFERENCE_CELLS; cell++)
-        reference->before[cell] = .95 * reference->before[cell] / sum + .05 * cell / SKY_REFERENCE_CELLS;
+        reference->before[cell] =
+            .95 * reference->before[cell] / sum + .05 * cell / SKY_REFERENCE_CELLS;
     reference->before[SKY_REFERENCE_CELLS] = 1;
 }
 
@@ -68,13 +69,15 @@ static double facets_along(double high, double alpha)
     return alpha * alpha / (LOBE_PI * wide * wide);
 }
 
-/* What facets of a mean reflection send on after more than one of them, over what they would as mirrors. */
+/* What facets of a mean reflection send on after more than one of them, over what they would as
+ * mirrors. */
 static double again_of(double mean_reflected, const double mean[2])
 {
     return mean_reflected * mean_reflected * (1 - mean[0]) / (1 - mean_reflected * mean[0]);
 }
 
-void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3], const double way[3], double lobe[3])
+void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
+                        const double way[3], double lobe[3])
 {
     const double alpha = surface->roughness * surface->roughness, f0 = surface->reflectance;
     double half[3], v[2], l[2];
@@ -88,15 +91,16 @@ void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
                         (1 + masked(eye[2], alpha) + masked(way[2], alpha)) / (4 * eye[2]);
     albedo_at(surface, eye[2], v);
     albedo_at(surface, way[2], l);
-    const double *m = surface->mean, again = way[2] * v[0] * l[0] / m[0], of_base = again_of(f0 + (1 - f0) / 21, m);
+    const double *m = surface->mean, again = way[2] * v[0] * l[0] / m[0],
+                 of_base = again_of(f0 + (1 - f0) / 21, m);
     const double left_v = 1 - (f0 * (1 - v[0] - v[1]) + v[1] + v[0] * of_base),
                  left_l = 1 - (f0 * (1 - l[0] - l[1]) + l[1] + l[0] * of_base);
     const double left = 1 - (f0 * (1 - m[0] - m[1]) + m[1] + m[0] * of_base);
     for (int k = 0; k < 3; k++) {
-        const double base = surface->base[k],
-                     metal = once * (base + (1 - base) * schlick) + again * again_of(base + (1 - base) / 21, m);
-        const double dielectric =
-            once * (f0 + (1 - f0) * schlick) + again * of_base + way[2] * base * left_v * left_l / left;
+        const double base = surface->base[k], metal = once * (base + (1 - base) * schlick) +
+                                                      again * again_of(base + (1 - base) / 21, m);
+        const double dielectric = once * (f0 + (1 - f0) * schlick) + again * of_base +
+                                  way[2] * base * left_v * left_l / left;
         lobe[k] = surface->metalness * metal + (1 - surface->metalness) * dielectric;
     }
 }
@@ -107,21 +111,25 @@ static void frame_around(const double normal[3], double axes[3][3])
     const double side[3] = {fabs(normal[2]) < .7 ? 0 : 1, 0, fabs(normal[2]) < .7 ? 1 : 0};
     double length = 0;
     for (int i = 0; i < 3; i++) {
-        axes[0][i] = normal[(i + 1) % 3] * side[(i + 2) % 3] - normal[(i + 2) % 3] * side[(i + 1) % 3];
+        axes[0][i] =
+            normal[(i + 1) % 3] * side[(i + 2) % 3] - normal[(i + 2) % 3] * side[(i + 1) % 3];
         length += axes[0][i] * axes[0][i];
     }
     for (int i = 0; i < 3; i++)
         axes[0][i] /= sqrt(length);
     for (int i = 0; i < 3; i++) {
-        axes[1][i] = normal[(i + 1) % 3] * axes[0][(i + 2) % 3] - normal[(i + 2) % 3] * axes[0][(i + 1) % 3];
+        axes[1][i] =
+            normal[(i + 1) % 3] * axes[0][(i + 2) % 3] - normal[(i + 2) % 3] * axes[0][(i + 1) % 3];
         axes[2][i] = normal[i];
     }
 }
 
-/* The direction that a visible facet sends the eye's ray to: a disc's point, lifted onto the half sphere that faces the stretched eye (Heitz 2018). */
+/* The direction that a visible facet sends the eye's ray to: a disc's point, lifted onto the half
+ * sphere that faces the stretched eye (Heitz 2018). */
 static void facet_way(const double eye[3], double alpha, const double at[2], double way[3])
 {
-    const double stretched[3] = {alpha * eye[0], alpha * eye[1], eye[2]}, size = sqrt(dot(stretched, stretched));
+    const double stretched[3] = {alpha * eye[0], alpha * eye[1], eye[2]},
+                 size = sqrt(dot(stretched, stretched));
     double axes[3][3], h[3], w[3];
     for (int k = 0; k < 3; k++)
         w[k] = stretched[k] / size;
@@ -134,8 +142,10 @@ static void facet_way(const double eye[3], double alpha, const double at[2], dou
             axes[1][k] = w[(k + 1) % 3] * level[(k + 2) % 3] - w[(k + 2) % 3] * level[(k + 1) % 3];
         }
     }
-    const double r = sqrt(at[0]), turn = 2 * LOBE_PI * at[1], x = r * cos(turn), part = (1 + w[2]) / 2;
-    const double y = (1 - part) * sqrt(fmax(1 - x * x, 0)) + part * r * sin(turn), z = sqrt(fmax(1 - x * x - y * y, 0));
+    const double r = sqrt(at[0]), turn = 2 * LOBE_PI * at[1], x = r * cos(turn),
+                 part = (1 + w[2]) / 2;
+    const double y = (1 - part) * sqrt(fmax(1 - x * x, 0)) + part * r * sin(turn),
+                 z = sqrt(fmax(1 - x * x - y * y, 0));
     for (int k = 0; k < 3; k++)
         h[k] = x * axes[0][k] + y * axes[1][k] + z * axes[2][k];
     h[0] *= alpha;
@@ -150,7 +160,8 @@ static void facet_way(const double eye[3], double alpha, const double at[2], dou
 static double facet_density(const double eye[3], double alpha, const double way[3])
 {
     const double half[3] = {eye[0] + way[0], eye[1] + way[1], eye[2] + way[2]};
-    return facets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) / (4 * eye[2]);
+    return facets_along(half[2] / sqrt(dot(half, half)), alpha) / (1 + masked(eye[2], alpha)) /
+           (4 * eye[2]);
 }
 
 static int find_cell(const SkyReference *reference, double share)
@@ -167,20 +178,23 @@ static double sky_density(const SkyReference *reference, const double way[3])
 {
     const int row = (int)fmin((way[2] + 1) / 2 * SKY_REFERENCE_HEIGHTS, SKY_REFERENCE_HEIGHTS - 1);
     const double turn = atan2(way[1], way[0]) / (2 * LOBE_PI);
-    const int cell = row * SKY_REFERENCE_TURNS +
-                     (int)fmin((turn < 0 ? turn + 1 : turn) * SKY_REFERENCE_TURNS, SKY_REFERENCE_TURNS - 1);
-    return (reference->before[cell + 1] - reference->before[cell]) * SKY_REFERENCE_CELLS / (4 * LOBE_PI);
+    const int cell =
+        row * SKY_REFERENCE_TURNS +
+        (int)fmin((turn < 0 ? turn + 1 : turn) * SKY_REFERENCE_TURNS, SKY_REFERENCE_TURNS - 1);
+    return (reference->before[cell + 1] - reference->before[cell]) * SKY_REFERENCE_CELLS /
+           (4 * LOBE_PI);
 }
 
-/* The i-th of evenly spread points: multiples of powers of a number's inverse, whose cube is one more than itself. */
+/* The i-th of evenly spread points: multiples of powers of a number's inverse, whose cube is one
+ * more than itself. */
 static void spread(int i, double at[2])
 {
     at[0] = fmod(.5 + .7548776662466927 * (i + 1), 1);
     at[1] = fmod(.5 + .5698402909980532 * (i + 1), 1);
 }
 
-void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface, double ways[2][3],
-                        int samples, double rgb[3])
+void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface,
+                        double ways[2][3], int samples, double rgb[3])
 {
     const double alpha = surface->roughness * surface->roughness;
     double axes[3][3], eye[3];
@@ -193,7 +207,8 @@ void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface
         spread(i / 2, at);
         if (i % 2) {
             const int cell = find_cell(reference, at[0]);
-            at[0] = (at[0] - reference->before[cell]) / (reference->before[cell + 1] - reference->before[cell]);
+            at[0] = (at[0] - reference->before[cell]) /
+                    (reference->before[cell + 1] - reference->before[cell]);
             cell_way(cell, at, world);
             for (int k = 0; k < 3; k++)
                 way[k] = dot(axes[k], world);

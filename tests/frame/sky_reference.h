@@ -1,5 +1,7 @@
-/* What a Principled surface without layers sends of a sky, as integrals in double: half of the directions are drawn where the sky is bright, half where GGX's facets look, and each counts by how dense both
- * are there together (Veach and Guibas 1995). Knows the lobe by its definition and the sky by a function, and nothing of matc. */
+/* What a Principled surface without layers sends of a sky, as integrals in double: half of the
+ * directions are drawn where the sky is bright, half where GGX's facets look, and each counts by
+ * how dense both are there together (Veach and Guibas 1995). Knows the lobe by its definition and
+ * the sky by a function, and nothing of matc. */
 #ifndef MATC_SKY_REFERENCE_H
 #define MATC_SKY_REFERENCE_H
 
@@ -26,8 +28,9 @@ typedef struct {
 void sky_reference_open(SkyReference *reference, SkyReferenceLight light, const void *sky);
 void sky_reference_surface(SkyReferenceSurface *surface);
 /* pi times the lobe and the light's cosine, of directions of unit length, the normal being z. */
-void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3], const double way[3], double lobe[3]);
+void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
+                        const double way[3], double lobe[3]);
 /* Of a normal, and the direction to the eye, in the world; by so many directions of either kind. */
-void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface, double ways[2][3],
-                        int samples, double rgb[3]);
+void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface,
+                        double ways[2][3], int samples, double rgb[3]);
 #endif

@@ -34,7 +34,8 @@ static bool reaches(const Tracer *tracer, const Hit *hit, const double way[3])
 }
 
 /* What of one ray arrives. */
-static void trace(const Tracer *tracer, const Hit *hit, const double way[3], bool glass, double shares[3])
+static void trace(const Tracer *tracer, const Hit *hit, const double way[3], bool glass,
+                  double shares[3])
 {
     SceneLight place = {.kind = SCENE_Point};
     if (!glass) {
@@ -52,19 +53,22 @@ static double way_to(const SceneLight *light, const Hit *hit, const double part[
     double face[3];
     reference_cross(light->edges[0], light->edges[1], face);
     for (int i = 0; i < 3; i++)
-        way[i] = light->position[i] + part[0] * light->edges[0][i] + part[1] * light->edges[1][i] - hit->world[i];
+        way[i] = light->position[i] + part[0] * light->edges[0][i] + part[1] * light->edges[1][i] -
+                 hit->world[i];
     const double square = reference_dot(way, way), front = -reference_dot(way, face);
-    return fmax(reference_dot(way, hit->normal), 0) * (light->both_sides ? fabs(front) : fmax(front, 0)) /
-           (square * square);
+    return fmax(reference_dot(way, hit->normal), 0) *
+           (light->both_sides ? fabs(front) : fmax(front, 0)) / (square * square);
 }
 
-void soft_shares(const Tracer *tracer, const SceneLight *light, const Hit *hit, const SoftRays *rays, double shares[3])
+void soft_shares(const Tracer *tracer, const SceneLight *light, const Hit *hit,
+                 const SoftRays *rays, double shares[3])
 {
     uint64_t state = rays->seed;
     double way[3], arrives[3], sum[3] = {0}, all = 0;
     for (int i = 0; i < rays->edge * rays->edge; i++) {
         const double across = chance(&state), up = chance(&state);
-        const double part[2] = {(i % rays->edge + across) / rays->edge, (i / rays->edge + up) / rays->edge};
+        const double part[2] = {(i % rays->edge + across) / rays->edge,
+                                (i / rays->edge + up) / rays->edge};
         const double weight = way_to(light, hit, part, way);
         if (weight <= 0)
             continue;

@@ -9,6 +9,8 @@ typedef struct {
     bool glass; /* rays go on through what they meet: glass_ray.h */
 } SoftRays;
 
-/* The shares of what a matt surface would get of the light without anything between: each ray counts by the cosines and the distance. */
-void soft_shares(const Tracer *tracer, const SceneLight *light, const Hit *hit, const SoftRays *rays, double shares[3]);
+/* The shares of what a matt surface would get of the light without anything between: each ray
+ * counts by the cosines and the distance. */
+void soft_shares(const Tracer *tracer, const SceneLight *light, const Hit *hit,
+                 const SoftRays *rays, double shares[3]);
 #endif

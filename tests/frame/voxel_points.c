@@ -6,23 +6,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char voxel_points_ray[] = "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
-                                "    VoxelMeeting meeting;\n"
-                                "    bool met = voxelMeets(from, way, far, meeting);\n"
-                                "    count = float(meeting.bricks);\n    return met;\n}\n";
+const char voxel_points_ray[] =
+    "bool pointRay(vec3 from, vec3 way, float far, out float count)\n{\n"
+    "    VoxelMeeting meeting;\n"
+    "    bool met = voxelMeets(from, way, far, meeting);\n"
+    "    count = float(meeting.bricks);\n    return met;\n}\n";
 
 static const char body[] =
     "uniform sampler2D points, directions;\nuniform float radius, off;\n"
-    "vec4 pointTexel(ivec2 pixel, int i) { return texelFetch(points, ivec2(4 * pixel.x + i, pixel.y), 0); }\n"
+    "vec4 pointTexel(ivec2 pixel, int i) { return texelFetch(points, ivec2(4 * pixel.x + i, "
+    "pixel.y), 0); }\n"
     "vec4 passPixel(ivec2 pixel)\n{\n"
-    "    vec4 place = pointTexel(pixel, 0);\n    vec3 normal = pointTexel(pixel, 3).xyz;\n    vec2 sum = vec2(0.0);\n"
+    "    vec4 place = pointTexel(pixel, 0);\n    vec3 normal = pointTexel(pixel, 3).xyz;\n    vec2 "
+    "sum = vec2(0.0);\n"
     "    int count = textureSize(directions, 0).x;\n"
-    "    vec3 from = off > 0.0 ? place.xyz + off * normal : voxelStart(place.xyz, normal), u = pointTexel(pixel, "
+    "    vec3 from = off > 0.0 ? place.xyz + off * normal : voxelStart(place.xyz, normal), u = "
+    "pointTexel(pixel, "
     "1).xyz;\n"
     "    if (place.w == 0.0) return vec4(0.0);\n"
     "    for (int i = 0; i < count; i++) {\n"
     "        vec3 d = texelFetch(directions, ivec2(i, 0), 0).xyz;\n        float taken;\n"
-    "        bool met = pointRay(from, d.x * u + d.y * pointTexel(pixel, 2).xyz + d.z * normal, radius, taken);\n"
+    "        bool met = pointRay(from, d.x * u + d.y * pointTexel(pixel, 2).xyz + d.z * normal, "
+    "radius, taken);\n"
     "        sum += vec2(met ? 0.0 : 1.0, taken);\n    }\n"
     "    return vec4(sum / float(count), 0.0, 0.0);\n}\n";
 
@@ -46,8 +51,8 @@ bool voxel_points_make(int wide, int high, int across, VoxelPoints *made)
     return made->texels && made->directions;
 }
 
-void voxel_points_set(const VoxelPoints *points, int number, const VoxelGrid *grid, const double world[3],
-                      const double normal[3])
+void voxel_points_set(const VoxelPoints *points, int number, const VoxelGrid *grid,
+                      const double world[3], const double normal[3])
 {
     float(*texels)[4] = points->texels[number];
     double aside[3] = {0}, u[3], v[3];
@@ -77,15 +82,19 @@ bool voxel_points_open(const Render *render, const VoxelPoints *points, const ch
                        VoxelPointsPass *made)
 {
     GlContext *gl = render->gl;
-    const FramebufferSpec spec = {
-        .width = points->wide, .height = points->high, .color_count = 1, .color_format = GL_RGBA32F};
-    const TextureSpec specs[2] = {{.width = VOXEL_POINTS_TEXELS * points->wide,
-                                   .height = points->high,
-                                   .lanes = 4,
-                                   .floats = points->texels[0][0]},
-                                  {.width = points->rays, .height = 1, .lanes = 4, .floats = points->directions[0]}};
-    ScreenPassText text = {
-        .body = {render_text_voxel_map, render_text_voxel_ray}, .format = "RGBA32F", .compute = true};
+    const FramebufferSpec spec = {.width = points->wide,
+                                  .height = points->high,
+                                  .color_count = 1,
+                                  .color_format = GL_RGBA32F};
+    const TextureSpec specs[2] = {
+        {.width = VOXEL_POINTS_TEXELS * points->wide,
+         .height = points->high,
+         .lanes = 4,
+         .floats = points->texels[0][0]},
+        {.width = points->rays, .height = 1, .lanes = 4, .floats = points->directions[0]}};
+    ScreenPassText text = {.body = {render_text_voxel_map, render_text_voxel_ray},
+                           .format = "RGBA32F",
+                           .compute = true};
     int count = 2;
     for (int i = 0; i < 2; i++)
         if (glsl[i])
@@ -96,7 +105,8 @@ bool voxel_points_open(const Render *render, const VoxelPoints *points, const ch
     for (int i = 0; i < 2; i++)
         if (!(made->textures[i] = texture_make(gl, &specs[i])))
             return false;
-    if (!framebuffer_make(gl, &spec, &made->target) || !screen_pass_make(render->store, &text, &made->pass))
+    if (!framebuffer_make(gl, &spec, &made->target) ||
+        !screen_pass_make(render->store, &text, &made->pass))
         return false;
     screen_pass_sampler(&made->pass, "points", 0);
     screen_pass_sampler(&made->pass, "directions", 1);

@@ -17,9 +17,15 @@ static uint32_t *word_of(const VoxelWords *words, const int at[3])
     return &words->words[column * (size_t)(words->size / WORD) + (size_t)(at[2] / WORD)];
 }
 
-bool voxel_words_at(const VoxelWords *words, const int at[3]) { return *word_of(words, at) >> at[2] % WORD & 1; }
+bool voxel_words_at(const VoxelWords *words, const int at[3])
+{
+    return *word_of(words, at) >> at[2] % WORD & 1;
+}
 
-void voxel_words_set(VoxelWords *words, const int at[3]) { *word_of(words, at) |= 1u << at[2] % WORD; }
+void voxel_words_set(VoxelWords *words, const int at[3])
+{
+    *word_of(words, at) |= 1u << at[2] % WORD;
+}
 
 uint32_t *voxel_words_texels(const VoxelWords *words)
 {
@@ -55,7 +61,8 @@ static bool clip(const VoxelWords *words, const VoxelLine *line, double *begin, 
 /* To the plane through which it leaves a voxel across an axis. */
 static double leaves(const VoxelLine *line, int axis, int at)
 {
-    return line->way[axis] == 0 ? INFINITY : (at + (line->way[axis] > 0) - line->from[axis]) / line->way[axis];
+    return line->way[axis] == 0 ? INFINITY
+                                : (at + (line->way[axis] > 0) - line->from[axis]) / line->way[axis];
 }
 
 VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line)
@@ -67,7 +74,8 @@ VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line)
     bool own = met.t == 0;
     for (int k = 0; k < 3; k++) {
         const double at = line->from[k] + met.t * line->way[k];
-        const double place = line->way[k] < 0 ? ceil(at) - 1 : floor(at); /* on a face it is in what it goes into */
+        /* on a face it is in what it goes into */
+        const double place = line->way[k] < 0 ? ceil(at) - 1 : floor(at);
         own &= line->from[k] >= 0 && line->from[k] <= words->size;
         met.at[k] = (int)fmin(fmax(place, 0), words->size - 1);
     }

@@ -1,4 +1,5 @@
-/* Rays through voxels in double, from the definition: every plane that a ray crosses, one after the other. */
+/* Rays through voxels in double, from the definition: every plane that a ray crosses, one after the
+ * other. */
 #ifndef MATC_VOXEL_WALK_H
 #define MATC_VOXEL_WALK_H
 #include <stdbool.h>
@@ -26,6 +27,7 @@ typedef struct {
     double t;
 } VoxelMet;
 
-/* The first full voxel at 0 <= t <= far; full ones that the ray begins in do not count, up to the first empty one. */
+/* The first full voxel at 0 <= t <= far; full ones that the ray begins in do not count, up to the
+ * first empty one. */
 VoxelMet voxel_walk(const VoxelWords *words, const VoxelLine *line);
 #endif

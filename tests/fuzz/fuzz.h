@@ -1,4 +1,5 @@
-/* What the fuzz targets share: the entry that libFuzzer, AFL++ or feed.c calls with one input after the other. */
+/* What the fuzz targets share: the entry that libFuzzer, AFL++ or feed.c calls with one input after
+ * the other. */
 #ifndef MATC_FUZZ_H
 #define MATC_FUZZ_H
 #include <stddef.h>

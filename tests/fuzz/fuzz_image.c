@@ -1,4 +1,5 @@
-/* libFuzzer's entry for pictures: any bytes as the file that a document names; what is read has the texels that its size says. */
+/* libFuzzer's entry for pictures: any bytes as the file that a document names; what is read has the
+ * texels that its size says. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include <stdlib.h>
@@ -25,7 +26,8 @@ static char *give_file(void *user, const char *path, size_t *size, const char **
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
-    static const char text[] = "colors: srgb\nmaterial: Phong\ndiffuse: { map: ImageMap, image: picture }\n";
+    static const char text[] =
+        "colors: srgb\nmaterial: Phong\ndiffuse: { map: ImageMap, image: picture }\n";
     File file = {bytes, size};
     MatcOptions options;
     matc_options_init(&options);

@@ -1,6 +1,7 @@
-/* libFuzzer's entry for strict JSON: any bytes as a .json file. What our reader accepts is what cJSON reads, value by value. cJSON has
- * no numbers of more than 63 letters, and ends a text at a zero byte. What cJSON accepts and we do not is no fault of ours: it lets
- * `01` pass, and control characters (tests/compiler/base/test_json.c). */
+/* libFuzzer's entry for strict JSON: any bytes as a .json file. What our reader accepts is what
+ * cJSON reads, value by value. cJSON has no numbers of more than 63 letters, and ends a text at a
+ * zero byte. What cJSON accepts and we do not is no fault of ours: it lets `01` pass, and control
+ * characters (tests/compiler/base/test_json.c). */
 #include "fuzz.h"
 #include "tests/read_text.h"
 #include <cjson/cJSON.h>
@@ -25,13 +26,16 @@ static bool same_word(const Tree *tree, const cJSON *json)
     double number;
     if (cJSON_IsNumber(json))
         return tree_number(tree, &number) && number == json->valuedouble;
-    return !strcmp(tree->text, cJSON_IsTrue(json) ? "true" : cJSON_IsFalse(json) ? "false" : "null");
+    return !strcmp(tree->text, cJSON_IsTrue(json)    ? "true"
+                               : cJSON_IsFalse(json) ? "false"
+                                                     : "null");
 }
 
 static bool same(const Tree *tree, const cJSON *json)
 {
     if (tree->kind == TREE_scalar)
-        return tree->plain ? same_word(tree, json) : cJSON_IsString(json) && !strcmp(tree->text, json->valuestring);
+        return tree->plain ? same_word(tree, json)
+                           : cJSON_IsString(json) && !strcmp(tree->text, json->valuestring);
     if (tree->kind == TREE_list ? !cJSON_IsArray(json) : !cJSON_IsObject(json))
         return false;
     const cJSON *part = json->child;

@@ -1,4 +1,5 @@
-/* libFuzzer's entry for layouts: any bytes as a layout file; one that is fine reads back from its own text, and packs a material. */
+/* libFuzzer's entry for layouts: any bytes as a layout file; one that is fine reads back from its
+ * own text, and packs a material. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include <stdlib.h>
@@ -7,8 +8,8 @@
 static void use_layout(const MatcLayout *layout, MatcOptions *options)
 {
     static const char text[] = "material: Phong\ndiffuse: { map: Granite }\ntransparency: 0.5\n";
-    MatcLayout *again =
-        matc_layout_read("again.yaml", matc_layout_text(layout), strlen(matc_layout_text(layout)), options);
+    MatcLayout *again = matc_layout_read("again.yaml", matc_layout_text(layout),
+                                         strlen(matc_layout_text(layout)), options);
     if (!matc_layout_ok(again) || strcmp(matc_layout_text(again), matc_layout_text(layout)) != 0)
         abort();
     matc_layout_free(again);

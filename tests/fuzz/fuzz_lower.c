@@ -1,5 +1,6 @@
-/* libFuzzer's entry for lowering and optimiser: the bytes are choices of the generator of valid documents (tests/stress), so that
- * nothing is spent on text that does not parse. The first two choose the target and the pass. */
+/* libFuzzer's entry for lowering and optimiser: the bytes are choices of the generator of valid
+ * documents (tests/stress), so that nothing is spent on text that does not parse. The first two
+ * choose the target and the pass. */
 #include "fuzz.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
@@ -13,7 +14,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     int count = 0;
     for (size_t i = 2; i < size && count < MOST_CHOICES; i++)
         script[count++] =
-            bytes[i] < 128 ? bytes[i] : (uint32_t)(bytes[i] - 127) << 17; /* small ones and parts of 2^24 */
+            /* small ones and parts of 2^24 */
+            bytes[i] < 128 ? bytes[i] : (uint32_t)(bytes[i] - 127) << 17;
     Choices choices;
     Arena arena = {0};
     Text text = text_new(&arena);
@@ -28,7 +30,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     options.pass = pass_table[size > 1 ? bytes[1] % PASS_COUNT : 0].name;
     MatcDocument *document = matc_read("fuzz.yaml", text.at, text.size, &options);
     for (options.optimize = 0; options.optimize <= 2; options.optimize += 2) {
-        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_IR, &options);
+        MatcProgram *program =
+            matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_IR, &options);
         if (!matc_ok(program)) {
             fprintf(stderr, "%s%s%s", text.at, matc_diagnostics(document, MATC_TEXT),
                     matc_program_diagnostics(program, MATC_TEXT));

@@ -1,4 +1,5 @@
-/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene; what drawing takes for granted of one is looked at. */
+/* libFuzzer's entry for scenes: any bytes as a document, read into a Scene; what drawing takes for
+ * granted of one is looked at. */
 #include "fuzz.h"
 #include "runtime/scene/scene.h"
 #include <math.h>
@@ -10,8 +11,8 @@ enum { MOST_OBJECTS = 64, MOST_FRAMES = 64 }; /* that are looked at: an input st
 /* Every other file is one of materials. */
 static char *read_materials(void *user, const char *path, size_t *size, const char **why)
 {
-    static const char text[] =
-        "materials: { one: { material: Phong, diffuse: { map: Granite } }, two: { material: RGBA } }\n";
+    static const char text[] = "materials: { one: { material: Phong, diffuse: { map: Granite } }, "
+                               "two: { material: RGBA } }\n";
     char *copy = strlen(path) % 2 ? malloc(sizeof text) : NULL;
     if (!copy)
         return fuzz_no_file(user, path, size, why);
@@ -33,21 +34,27 @@ static bool are_finite(const double *numbers, int count)
     return i == count;
 }
 
-static double product(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+static double product(const double a[3], const double b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
 
 static bool is_unit(const double v[3]) { return fabs(product(v, v) - 1) < 1e-9; }
 
 static void look_at_camera(const SceneCamera *camera)
 {
     want(is_unit(camera->right) && is_unit(camera->up) && is_unit(camera->back));
-    want(fabs(product(camera->right, camera->up)) < 1e-9 && fabs(product(camera->right, camera->back)) < 1e-9);
+    want(fabs(product(camera->right, camera->up)) < 1e-9 &&
+         fabs(product(camera->right, camera->back)) < 1e-9);
     want(are_finite(camera->position, 3) && camera->half > 0);
 }
 
 static void look_at_light(const SceneLight *light)
 {
-    want(are_finite(light->position, 3) && are_finite(light->light, 3) && are_finite(light->edges[0], 6));
-    want((light->kind != SCENE_Spot && light->kind != SCENE_Directional) || is_unit(light->direction));
+    want(are_finite(light->position, 3) && are_finite(light->light, 3) &&
+         are_finite(light->edges[0], 6));
+    want((light->kind != SCENE_Spot && light->kind != SCENE_Directional) ||
+         is_unit(light->direction));
     want(light->kind != SCENE_Spot || light->inner_cosine >= light->outer_cosine);
 }
 
@@ -93,7 +100,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
     MatcDocument *document = scene_read(name, (const char *)bytes, size, &options, &scene);
     matc_diagnostics(document, MATC_TEXT);
     want(!scene ||
-         !matc_error_count(document)); /* and without one something is said, unless it is of materials alone */
+         /* and without one something is said, unless it is of materials alone */
+         !matc_error_count(document));
     if (scene)
         look_at_scene(scene);
     scene_free(scene);

@@ -24,7 +24,9 @@ const int growth_count = sizeof growth_table / sizeof *growth_table;
 
 enum {
     STEP = 40
-}; /* maps that a material of its own resolves: a reference and what it names are a level each of LIMIT_DEPTH */
+    /* maps that a material of its own resolves: a reference and what it names are a level each of
+     * LIMIT_DEPTH */
+};
 
 void growth_put_part(FILE *out, const char *part, int number)
 {
@@ -48,7 +50,8 @@ static void put_many(FILE *out, const GrowthRow *row, int count)
     fputs(row->tail, out);
 }
 
-/* k0 ... as definitions; materials on the way up; the last one has `top`, a frame where that begins with '!'. */
+/* k0 ... as definitions; materials on the way up; the last one has `top`, a frame where that begins
+ * with '!'. */
 static void put_deep(FILE *out, const GrowthRow *row, int count)
 {
     fputs("defs:\n  k0: { map: Granite }\n", out);
@@ -80,10 +83,11 @@ char *growth_text(const GrowthRow *row, int count, size_t *size)
 
 /* One white pixel. */
 static const unsigned char picture[] = {
-    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52, 0x00,
-    0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00,
-    0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
-    0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
+    0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48,
+    0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00,
+    0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78,
+    0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00, 0x1C, 0xB0, 0x8C, 0x99, 0x00,
+    0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
 
 #define TEXT(text) text, sizeof(text) - 1
 static char *read_made(void *user, const char *path, size_t *size, const char **why)
@@ -243,7 +247,9 @@ static void read_back(const Setting *s, const char *text, GrowthRun *run)
     ARENA_PUSH(&arena, session.sources, session.source_count, session.source_room, source);
     choice_job(&s->options, &job);
     Graph *graph = compile_front(&session, 0, &tree);
-    Ir *ir = graph ? compile_ir(&session, graph, graph->materials[graph->material_count - 1].node, &job) : NULL;
+    Ir *ir =
+        graph ? compile_ir(&session, graph, graph->materials[graph->material_count - 1].node, &job)
+              : NULL;
     Text out = text_new(&arena), again = text_new(&arena);
     const char *wrong = NULL;
     if (ir) {
@@ -271,7 +277,8 @@ static void compile_document(const Setting *s, const char *text, GrowthRun *run)
 {
     MatcDocument *document = matc_read(s->name, text, run->read, &s->options);
     run->written += strlen(matc_tree_text(document)) + (size_t)matc_depend_count(document);
-    run->written += strlen(matc_diagnostics(document, MATC_TEXT)) + strlen(matc_diagnostics(document, MATC_JSON));
+    run->written += strlen(matc_diagnostics(document, MATC_TEXT)) +
+                    strlen(matc_diagnostics(document, MATC_JSON));
     run->errors += matc_error_count(document);
     int materials = matc_material_count(document);
     for (int i = s->all ? 0 : materials - 1; i >= 0 && i < materials; i++)

@@ -6,7 +6,8 @@
 #include <stddef.h>
 #include <stdio.h>
 
-enum { GROWTH_FACTOR = 8 }; /* a row's longest document has so many times the parts of its shortest */
+/* a row's longest document has so many times the parts of its shortest */
+enum { GROWTH_FACTOR = 8 };
 
 typedef struct {
     const char *name;
@@ -26,7 +27,8 @@ extern const int growth_count;
 
 /* A row's document of that many parts; from malloc. */
 char *growth_text(const GrowthRow *row, int count, size_t *size);
-/* CPU seconds of this thread to read the document and to compile its last material into everything, and what it came to. */
+/* CPU seconds of this thread to read the document and to compile its last material into everything,
+ * and what it came to. */
 typedef struct {
     double seconds;
     size_t read, written; /* bytes of the document, of the outputs and diagnostics */
@@ -37,7 +39,8 @@ GrowthRun growth_run(const GrowthRow *row, int count);
 double growth_seconds(const GrowthRow *row, int count, int runs);
 /* Reads a scene, and counts what it came to; growth_scene.c. */
 void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run);
-/* Writes a file of a mesh, of that ending, and reads it: CPU seconds of the process that imports it, too; growth_mesh.c. */
+/* Writes a file of a mesh, of that ending, and reads it: CPU seconds of the process that imports
+ * it, too; growth_mesh.c. */
 void growth_mesh(const char *text, const char *ending, GrowthRun *run);
 /* A part of a row, with its number for $ and a reference to the part before it for @. */
 void growth_put_part(FILE *out, const char *part, int number);
@@ -57,6 +60,7 @@ typedef struct {
 } GrowthBatch;
 extern const GrowthBatch growth_batches[];
 extern const int growth_batch_count;
-/* CPU seconds of matc, the program of that name, with so many of a row's documents: the quickest of several runs. Infinite: it fails. */
+/* CPU seconds of matc, the program of that name, with so many of a row's documents: the quickest of
+ * several runs. Infinite: it fails. */
 double growth_batch_seconds(const GrowthBatch *row, const char *matc, int count, int runs);
 #endif

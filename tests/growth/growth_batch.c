@@ -52,13 +52,14 @@ static double seconds_of(const char *command)
            (double)(used.ru_utime.tv_usec + used.ru_stime.tv_usec) * 1e-6;
 }
 
-static double run_batch(const GrowthBatch *row, const char *matc, const char *folder, const char *list)
+static double run_batch(const GrowthBatch *row, const char *matc, const char *folder,
+                        const char *list)
 {
     char command[MOST_COMMAND], cache[MOST_PATH] = "";
     if (row->before == GROWTH_CACHED)
         snprintf(cache, sizeof cache, "--cache '%s/cache'", folder);
-    snprintf(command, sizeof command, "exec '%s' -j1 --no-validate -d '%s/out' %s %s '@%s/%s'", matc, folder, cache,
-             row->options, folder, list);
+    snprintf(command, sizeof command, "exec '%s' -j1 --no-validate -d '%s/out' %s %s '@%s/%s'",
+             matc, folder, cache, row->options, folder, list);
     return seconds_of(command);
 }
 
@@ -79,11 +80,13 @@ static void prepare(const GrowthBatch *row, const char *matc, const char *folder
         empty(folder, "/out");
 }
 
-/* A folder of its own, in memory where the machine has such a place: there a new file costs the same each time, while a disk took from 10
- * to 1,000 microseconds of system time for one within a minute. */
+/* A folder of its own, in memory where the machine has such a place: there a new file costs the
+ * same each time, while a disk took from 10 to 1,000 microseconds of system time for one within a
+ * minute. */
 static bool make_folder(char path[MOST_FOLDER])
 {
-    return mkdtemp(strcpy(path, "/dev/shm/matc-growth-XXXXXX")) || mkdtemp(strcpy(path, "/tmp/matc-growth-XXXXXX"));
+    return mkdtemp(strcpy(path, "/dev/shm/matc-growth-XXXXXX")) ||
+           mkdtemp(strcpy(path, "/tmp/matc-growth-XXXXXX"));
 }
 
 double growth_batch_seconds(const GrowthBatch *row, const char *matc, int count, int runs)
@@ -92,7 +95,8 @@ double growth_batch_seconds(const GrowthBatch *row, const char *matc, int count,
     double least = INFINITY;
     if (!make_folder(folder))
         return INFINITY;
-    bool made = put_documents(row, folder, 2 * count, "twice") && put_documents(row, folder, count, "list");
+    bool made =
+        put_documents(row, folder, 2 * count, "twice") && put_documents(row, folder, count, "list");
     for (int i = 0; i < runs && made; i++) {
         prepare(row, matc, folder);
         least = fmin(least, run_batch(row, matc, folder, "list"));

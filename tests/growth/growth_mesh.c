@@ -1,4 +1,5 @@
-/* Documents of growth.def that are files of meshes. They are read by a process of their own, whose time counts. */
+/* Documents of growth.def that are files of meshes. They are read by a process of their own, whose
+ * time counts. */
 #include "growth.h"
 #include "runtime/scene/model.h"
 #include <stdlib.h>

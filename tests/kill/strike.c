@@ -1,8 +1,9 @@
-/* A library that is loaded before libc (LD_PRELOAD) and ends a process, or lets a call fail, at the n-th call that concerns files.
+/* A library that is loaded before libc (LD_PRELOAD) and ends a process, or lets a call fail, at the
+ * n-th call that concerns files.
  *   STRIKE_AT=n      which call, from 1; 0 or none: only counted
- *   STRIKE_HOW=what  kill: SIGKILL before the call; half: a write does half of it before; a number: the call fails with that errno;
- *                    full: this call and all later ones that want room fail as on a full disk; readonly: the same for all
- *                    that changes anything
+ *   STRIKE_HOW=what  kill: SIGKILL before the call; half: a write does half of it before; a number:
+ *                    the call fails with that errno; full: this call and all later ones that want
+ *                    room fail as on a full disk; readonly: the same for all that changes anything
  *   STRIKE_LOG=file  gets the names of all calls, a line each, when they were only counted
  * The functions are those that `nm -D --undefined-only build/matc` lists. */
 #include <dirent.h>
@@ -52,7 +53,9 @@ __attribute__((constructor)) static void begin(void)
 __attribute__((destructor)) static void end(void)
 {
     const char *path = getenv("STRIKE_LOG");
-    int file = strike_at || !path ? -1 : (int)syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    int file = strike_at || !path
+                   ? -1
+                   : (int)syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     ready = false;
     if (file < 0)
         return;
@@ -69,7 +72,10 @@ static void die(void)
 
 enum { LOOKS, CHANGES = 1, GROWS = 3 /* it changes something, and wants room */ };
 
-static int how_of(int open_how) { return open_how & O_CREAT ? GROWS : open_how & O_ACCMODE ? CHANGES : LOOKS; }
+static int how_of(int open_how)
+{
+    return open_how & O_CREAT ? GROWS : open_how & O_ACCMODE ? CHANGES : LOOKS;
+}
 
 /* Counts a call; true: it is to fail, and errno says how. */
 static bool strike(const char *name, int does)
@@ -94,33 +100,41 @@ static void find(void *function, const char *name)
     memcpy(function, &found, sizeof found);
 }
 
-#define CALL(type, name, does, takes, gives, failed)                                                                   \
-    type name takes                                                                                                    \
-    {                                                                                                                  \
-        static type(*real) takes;                                                                                      \
-        if (!real)                                                                                                     \
-            find(&real, #name);                                                                                        \
-        return strike(#name, does) ? failed : real gives;                                                              \
+#define CALL(type, name, does, takes, gives, failed)                                               \
+    type name takes                                                                                \
+    {                                                                                              \
+        static type(*real) takes;                                                                  \
+        if (!real)                                                                                 \
+            find(&real, #name);                                                                    \
+        return strike(#name, does) ? failed : real gives;                                          \
     }
 CALL(int, fstat, LOOKS, (int file, struct stat *info), (file, info), -1)
 CALL(int, stat, LOOKS, (const char *path, struct stat *info), (path, info), -1)
-CALL(int, fstatat, LOOKS, (int at, const char *path, struct stat *info, int how), (at, path, info, how), -1)
-CALL(int, faccessat, LOOKS, (int at, const char *path, int mode, int how), (at, path, mode, how), -1)
+CALL(int, fstatat, LOOKS, (int at, const char *path, struct stat *info, int how),
+     (at, path, info, how), -1)
+CALL(int, faccessat, LOOKS, (int at, const char *path, int mode, int how), (at, path, mode, how),
+     -1)
 CALL(int, futimens, CHANGES, (int file, const struct timespec times[2]), (file, times), -1)
 CALL(int, flock, LOOKS, (int file, int how), (file, how), -1)
 CALL(int, fdatasync, GROWS, (int file), (file), -1)
 CALL(int, ftruncate, CHANGES, (int file, off_t size), (file, size), -1)
-CALL(int, linkat, GROWS, (int at, const char *from, int to, const char *path, int how), (at, from, to, path, how), -1)
-CALL(int, renameat, CHANGES, (int at, const char *from, int to, const char *path), (at, from, to, path), -1)
+CALL(int, linkat, GROWS, (int at, const char *from, int to, const char *path, int how),
+     (at, from, to, path, how), -1)
+CALL(int, renameat, CHANGES, (int at, const char *from, int to, const char *path),
+     (at, from, to, path), -1)
 CALL(int, unlinkat, CHANGES, (int at, const char *path, int how), (at, path, how), -1)
 CALL(int, mkdir, GROWS, (const char *path, mode_t mode), (path, mode), -1)
 CALL(int, mkdirat, GROWS, (int at, const char *path, mode_t mode), (at, path, mode), -1)
 CALL(int, rmdir, CHANGES, (const char *path), (path), -1)
 CALL(ssize_t, read, LOOKS, (int file, void *bytes, size_t size), (file, bytes, size), -1)
-CALL(ssize_t, readv, LOOKS, (int file, const struct iovec *parts, int count), (file, parts, count), -1)
-CALL(ssize_t, pread, LOOKS, (int file, void *bytes, size_t size, off_t at), (file, bytes, size, at), -1)
-CALL(ssize_t, pwrite, GROWS, (int file, const void *bytes, size_t size, off_t at), (file, bytes, size, at), -1)
-CALL(ssize_t, writev, GROWS, (int file, const struct iovec *parts, int count), (file, parts, count), -1)
+CALL(ssize_t, readv, LOOKS, (int file, const struct iovec *parts, int count), (file, parts, count),
+     -1)
+CALL(ssize_t, pread, LOOKS, (int file, void *bytes, size_t size, off_t at), (file, bytes, size, at),
+     -1)
+CALL(ssize_t, pwrite, GROWS, (int file, const void *bytes, size_t size, off_t at),
+     (file, bytes, size, at), -1)
+CALL(ssize_t, writev, GROWS, (int file, const struct iovec *parts, int count), (file, parts, count),
+     -1)
 CALL(DIR *, fdopendir, LOOKS, (int file), (file), NULL)
 CALL(struct dirent *, readdir, LOOKS, (DIR * dir), (dir), NULL)
 

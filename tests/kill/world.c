@@ -63,7 +63,10 @@ static void write_file(const char *path, const char *bytes, size_t size)
     fclose(file);
 }
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
 
 /* Of nftw, which takes no argument of one's own. */
 static struct {
@@ -79,7 +82,8 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     return 0;
 }
 
-/* All names below a folder and all bytes, but for the cache's; those that only a next run removes are left out where that is said. */
+/* All names below a folder and all bytes, but for the cache's; those that only a next run removes
+ * are left out where that is said. */
 Bytes world_tree(const char *path, bool hidden)
 {
     Bytes tree = {0};
@@ -104,7 +108,10 @@ Bytes world_tree(const char *path, bool hidden)
     return tree;
 }
 
-static bool same(const Bytes *a, const Bytes *b) { return a->size == b->size && !memcmp(a->at, b->at, a->size); }
+static bool same(const Bytes *a, const Bytes *b)
+{
+    return a->size == b->size && !memcmp(a->at, b->at, a->size);
+}
 
 bool world_is(const World *w, const Bytes *tree, bool hidden)
 {
@@ -153,7 +160,8 @@ bool world_index_is_true(const World *w)
     const char *now = in_tree(&tree, "/out/manifest.json", &size), *old, *new;
     old = in_tree(&w->before, "/out/manifest.json", &before);
     new = in_tree(&w->after, "/out/manifest.json", &after);
-    bool fine = !now || (old && before == size && !memcmp(now, old, size) && holds(&tree, &w->before)) ||
+    bool fine = !now ||
+                (old && before == size && !memcmp(now, old, size) && holds(&tree, &w->before)) ||
                 (new &&after == size && !memcmp(now, new, size) && holds(&tree, &w->after));
     bytes_free(&tree);
     return fine;
@@ -164,8 +172,9 @@ static void show(const World *w)
 {
     char command[2 * PATH_ROOM];
     snprintf(command, sizeof command,
-             "cd '%s/now' && find . ! -path './cache/*' | sort | tr '\n' ' ' >&2; echo >&2; cat '%s/said' >&2", w->root,
-             w->root);
+             "cd '%s/now' && find . ! -path './cache/*' | sort | tr '\n' ' ' >&2; echo >&2; cat "
+             "'%s/said' >&2",
+             w->root, w->root);
     if (system(command))
         return;
 }
@@ -200,7 +209,8 @@ static void become_matc(const World *w, const char *const *arguments, long at, c
     setenv("STRIKE_HOW", how ? how : "", 1);
     if (how) {
         const char *options =
-            getenv("ASAN_OPTIONS"); /* a sanitizer wants to be the first that is loaded, but need not be */
+            /* a sanitizer wants to be the first that is loaded, but need not be */
+            getenv("ASAN_OPTIONS");
         char more[PATH_ROOM];
         snprintf(more, sizeof more, "%s:verify_asan_link_order=0", options ? options : "");
         setenv("ASAN_OPTIONS", more, 1);
@@ -238,7 +248,8 @@ void world_check(World *w, bool fine, const Strike *at, const char *what)
 {
     if (fine)
         return;
-    fprintf(stderr, "%s, call %ld (%s) %s: %s\n", at->scenario->name, at->n, w->calls[at->n], at->how, what);
+    fprintf(stderr, "%s, call %ld (%s) %s: %s\n", at->scenario->name, at->n, w->calls[at->n],
+            at->how, what);
     if (++w->wrong <= SHOWN)
         show(w);
 }
@@ -255,22 +266,27 @@ int world_make(void **state)
     World *w = calloc(1, sizeof *w);
     char path[PATH_ROOM];
     *state = w;
-    strcpy(w->root, access("/dev/shm", W_OK) ? "/tmp/matc_killXXXXXX" : "/dev/shm/matc_killXXXXXX"); /* in memory */
+    /* in memory */
+    strcpy(w->root, access("/dev/shm", W_OK) ? "/tmp/matc_killXXXXXX" : "/dev/shm/matc_killXXXXXX");
     if (!mkdtemp(w->root))
         return -1;
     world_path(w, "docs", path);
     mkdir(path, 0777);
     put_document(w, "docs/a.yaml", "material: Phong\ndiffuse: { map: Checker }\n");
-    put_document(w, "docs/b.yaml", "materials:\n  b: { material: Phong, diffuse: { map: Leopard } }\n");
-    put_document(w, "docs/b2.yaml", "materials:\n  b: { material: Phong, diffuse: { map: Gradient } }\n");
+    put_document(w, "docs/b.yaml",
+                 "materials:\n  b: { material: Phong, diffuse: { map: Leopard } }\n");
+    put_document(w, "docs/b2.yaml",
+                 "materials:\n  b: { material: Phong, diffuse: { map: Gradient } }\n");
     put_document(w, "docs/c.yaml", "material: Phong\nspecular: { map: UVTransform }\n");
     put_document(w, "docs/d.yaml",
                  "materials:\n  d: { material: Phong, diffuse: { map: Granite } }\n"
                  "  e: { material: Phong, diffuse: { map: Wood } }\n");
-    put_document(w, "docs/r.yaml",
-                 "materials:\n  r: { material: Phong, diffuse: { map: Carpenter, roughness: 0.9 } }\n");
+    put_document(
+        w, "docs/r.yaml",
+        "materials:\n  r: { material: Phong, diffuse: { map: Carpenter, roughness: 0.9 } }\n");
     put_document(w, "docs/r2.yaml",
-                 "materials:\n  r: { material: Phong, specular: { map: Carpenter, color: 0.3, roughness: 0.5 } }\n"
+                 "materials:\n  r: { material: Phong, specular: { map: Carpenter, color: 0.3, "
+                 "roughness: 0.5 } }\n"
                  "  s: { material: Phong }\n");
     put_document(w, "docs/bad.yaml", "material: Fong\n");
     return 0;

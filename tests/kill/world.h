@@ -1,4 +1,5 @@
-/* Runs of matc over a folder, which are struck at one of their calls: ended before it, or the call fails (strike.c). Faults are those of the test. */
+/* Runs of matc over a folder, which are struck at one of their calls: ended before it, or the call
+ * fails (strike.c). Faults are those of the test. */
 #ifndef TESTS_KILL_WORLD_H
 #define TESTS_KILL_WORLD_H
 #include "compiler/base/bytes.h"
@@ -12,13 +13,15 @@ typedef struct {
     const char *name;
     const char *before[MOST_ARGUMENTS]; /* what was run earlier; none: nothing was */
     const char *run[MOST_ARGUMENTS];
-    const char *faulty[MOST_ARGUMENTS]; /* the same with a document that has a fault; none: no such run */
-    bool index;                         /* out/manifest.json is an index of out */
+    /* the same with a document that has a fault; none: no such run */
+    const char *faulty[MOST_ARGUMENTS];
+    bool index; /* out/manifest.json is an index of out */
     bool cache;
 } Scenario;
 extern const Scenario scenarios[SCENARIOS];
 
-/* Below root: the documents, the folder "old" as it was before the run, and "now", in which matc runs. */
+/* Below root: the documents, the folder "old" as it was before the run, and "now", in which matc
+ * runs. */
 typedef struct {
     char root[PATH_ROOM / 4];
     Bytes before, after;     /* the folder as it was before the run, and as it should be after it */
@@ -45,7 +48,8 @@ int world_remove(void **state);
 void world_prepare(World *w, const Scenario *s);
 /* "now" is as it was before the run. */
 void world_reset(const World *w);
-/* matc's exit status; -1: it was killed. At its call number `at`, from 1, it is struck as `how` says, words of strike.c; NULL: never. */
+/* matc's exit status; -1: it was killed. At its call number `at`, from 1, it is struck as `how`
+ * says, words of strike.c; NULL: never. */
 int world_run(World *w, const char *const *arguments, long at, const char *how);
 /* What the last run said has that text. */
 bool world_says(const World *w, const char *what);
@@ -54,7 +58,8 @@ void world_check(World *w, bool fine, const Strike *at, const char *what);
 
 /* A path below the root. */
 void world_path(const World *w, const char *name, char path[PATH_ROOM]);
-/* All names below a folder and all bytes, but for the cache's; without what only a next run removes, unless `hidden`. */
+/* All names below a folder and all bytes, but for the cache's; without what only a next run
+ * removes, unless `hidden`. */
 Bytes world_tree(const char *path, bool hidden);
 /* "now" is such a tree. */
 bool world_is(const World *w, const Bytes *tree, bool hidden);

@@ -143,7 +143,8 @@ static void wrong_read(void)
     options.include_count = INT_MIN;
     options.include = folders;
     options.member_count = -1;
-    MatcDocument *d = matc_read(NULL, plain, strlen(plain), &options); /* text from memory needs no name */
+    /* text from memory needs no name */
+    MatcDocument *d = matc_read(NULL, plain, strlen(plain), &options);
     assert_int_equal(matc_error_count(d), 0);
     assert_int_equal(matc_material_count(d), 1);
     matc_document_free(d);
@@ -219,7 +220,8 @@ static void wrong_document_schema(void)
 static void wrong_diagnostics(void)
 {
     assert_string_equal(matc_diagnostics(NULL, MATC_TEXT), "");
-    const char *json = matc_diagnostics(of.faulty, (MatcForm)7); /* an invalid form gives complete JSON */
+    /* an invalid form gives complete JSON */
+    const char *json = matc_diagnostics(of.faulty, (MatcForm)7);
     assert_true(json[0] == '[' && strchr(json, ']'));
 }
 
@@ -242,7 +244,8 @@ static void wrong_set_default(void)
 
 /* -- values */
 
-static void assert_no_value(const MatcDocument *d, int material, const char *point, const MatcOptions *options)
+static void assert_no_value(const MatcDocument *d, int material, const char *point,
+                            const MatcOptions *options)
 {
     const char *fault = NULL;
     assert_null(matc_eval(d, material, point, options, &fault));
@@ -342,7 +345,8 @@ static void wrong_compile(void)
     options.member_count = 3000;
     assert_not_compiled(matc_compile(of.fine, 0, MATC_FRAGMENT, &options), "3000 members");
     for (int i = 0; i < OUTSIDE; i++)
-        assert_not_compiled(matc_compile(of.fine, outside[i], MATC_FRAGMENT, NULL), "there is no material");
+        assert_not_compiled(matc_compile(of.fine, outside[i], MATC_FRAGMENT, NULL),
+                            "there is no material");
 }
 
 static void wrong_emit(void)
@@ -359,7 +363,8 @@ static void wrong_ok(void) { assert_false(matc_ok(NULL) || matc_ok(of.failed)); 
 
 static void wrong_output(void)
 {
-    static const unsigned outputs[] = {0, MATC_DOT, MATC_FRAGMENT | MATC_VERTEX, 1u << 17, 1u << 31};
+    static const unsigned outputs[] = {0, MATC_DOT, MATC_FRAGMENT | MATC_VERTEX, 1u << 17,
+                                       1u << 31};
     MatcProgram *const programs[] = {NULL, of.failed, of.program};
     for (size_t p = 0; p < 3; p++)
         for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
@@ -393,19 +398,19 @@ static void wrong_key(void) { assert_true(!matc_key(NULL) && !matc_key(of.failed
 static void wrong_shape(void) { assert_true(!matc_shape(NULL) && !matc_shape(of.failed)); }
 
 /* One row for each function that lists parts of a program. */
-#define PARTS(part)                                                                                                    \
-    static void wrong_##part##_count(void)                                                                             \
-    {                                                                                                                  \
-        assert_int_equal(matc_##part##_count(NULL), 0);                                                                \
-        assert_int_equal(matc_##part##_count(of.failed), 0);                                                           \
-    }                                                                                                                  \
-    static void wrong_##part(void)                                                                                     \
-    {                                                                                                                  \
-        assert_null(matc_##part(NULL, 0));                                                                             \
-        assert_null(matc_##part(of.failed, 0));                                                                        \
-        for (int i = 0; i < OUTSIDE; i++)                                                                              \
-            if (outside[i] < 0 || outside[i] >= matc_##part##_count(of.program))                                       \
-                assert_null(matc_##part(of.program, outside[i]));                                                      \
+#define PARTS(part)                                                                                \
+    static void wrong_##part##_count(void)                                                         \
+    {                                                                                              \
+        assert_int_equal(matc_##part##_count(NULL), 0);                                            \
+        assert_int_equal(matc_##part##_count(of.failed), 0);                                       \
+    }                                                                                              \
+    static void wrong_##part(void)                                                                 \
+    {                                                                                              \
+        assert_null(matc_##part(NULL, 0));                                                         \
+        assert_null(matc_##part(of.failed, 0));                                                    \
+        for (int i = 0; i < OUTSIDE; i++)                                                          \
+            if (outside[i] < 0 || outside[i] >= matc_##part##_count(of.program))                   \
+                assert_null(matc_##part(of.program, outside[i]));                                  \
     }
 PARTS(place)
 PARTS(constant)
@@ -427,7 +432,10 @@ static void wrong_constant_block(void)
     assert_int_equal(block[0], 7);
 }
 
-static void wrong_target_count(void) { assert_int_equal(matc_target_count(NULL) + matc_target_count(of.failed), 0); }
+static void wrong_target_count(void)
+{
+    assert_int_equal(matc_target_count(NULL) + matc_target_count(of.failed), 0);
+}
 static void wrong_case(void) { assert_true(matc_case(NULL) == -1 && matc_case(of.failed) == -1); }
 
 static void wrong_target_format(void)
@@ -475,7 +483,10 @@ static void wrong_layout_for(void)
         assert_no_layout(matc_layout_for(&ranges, errors[i], NULL), "error");
 }
 
-static void wrong_layout_ok(void) { assert_false(matc_layout_ok(NULL) || matc_layout_ok(of.no_layout)); }
+static void wrong_layout_ok(void)
+{
+    assert_false(matc_layout_ok(NULL) || matc_layout_ok(of.no_layout));
+}
 
 static void wrong_layout_diagnostics(void)
 {
@@ -483,10 +494,22 @@ static void wrong_layout_diagnostics(void)
     assert_int_equal(*matc_layout_diagnostics(of.no_layout, (MatcForm)2), '[');
 }
 
-static void wrong_layout_name(void) { assert_true(!matc_layout_name(NULL) && !matc_layout_name(of.no_layout)); }
-static void wrong_layout_bytes(void) { assert_int_equal(matc_layout_bytes(NULL) + matc_layout_bytes(of.no_layout), 0); }
-static void wrong_layout_text(void) { assert_true(!matc_layout_text(NULL) && !matc_layout_text(of.no_layout)); }
-static void wrong_layout_report(void) { assert_true(!matc_layout_report(NULL) && !matc_layout_report(of.no_layout)); }
+static void wrong_layout_name(void)
+{
+    assert_true(!matc_layout_name(NULL) && !matc_layout_name(of.no_layout));
+}
+static void wrong_layout_bytes(void)
+{
+    assert_int_equal(matc_layout_bytes(NULL) + matc_layout_bytes(of.no_layout), 0);
+}
+static void wrong_layout_text(void)
+{
+    assert_true(!matc_layout_text(NULL) && !matc_layout_text(of.no_layout));
+}
+static void wrong_layout_report(void)
+{
+    assert_true(!matc_layout_report(NULL) && !matc_layout_report(of.no_layout));
+}
 static void wrong_layout_free(void) { matc_layout_free(NULL); }
 
 static void wrong_ranges_init(void) { matc_ranges_init(NULL); }
@@ -501,18 +524,17 @@ static void wrong_ranges_add(void)
         MatcDocument *document;
         int material;
         const MatcOptions *options;
-    } wrong[] = {{NULL, of.fine, 0, NULL},
-                 {&ranges, NULL, 0, NULL},
-                 {&ranges, of.faulty, 0, NULL},
-                 {&ranges, of.fine, 1, NULL},
-                 {&ranges, of.fine, INT_MIN, NULL},
-                 {&ranges, of.fine, 0, &of.unset}};
+    } wrong[] = {{NULL, of.fine, 0, NULL},          {&ranges, NULL, 0, NULL},
+                 {&ranges, of.faulty, 0, NULL},     {&ranges, of.fine, 1, NULL},
+                 {&ranges, of.fine, INT_MIN, NULL}, {&ranges, of.fine, 0, &of.unset}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        assert_false(matc_ranges_add(wrong[i].ranges, wrong[i].document, wrong[i].material, wrong[i].options, &fault));
+        assert_false(matc_ranges_add(wrong[i].ranges, wrong[i].document, wrong[i].material,
+                                     wrong[i].options, &fault));
         assert_non_null(fault);
         assert_true(*fault);
         free(fault);
-        assert_false(matc_ranges_add(wrong[i].ranges, wrong[i].document, wrong[i].material, wrong[i].options, NULL));
+        assert_false(matc_ranges_add(wrong[i].ranges, wrong[i].document, wrong[i].material,
+                                     wrong[i].options, NULL));
     }
     assert_int_equal(ranges.materials, 0);
 }
@@ -527,7 +549,10 @@ static void wrong_ranges_join(void)
     assert_memory_equal(&ranges, &before, sizeof ranges);
 }
 
-#define ROW(name) {"matc_" #name, wrong_##name}
+#define ROW(name)                                                                                  \
+    {                                                                                              \
+        "matc_" #name, wrong_##name                                                                \
+    }
 static const ApiRow rows[] = {
     {"matc_options_init_sized", wrong_options_init},
     {"matc_eval_slot", wrong_eval},
@@ -608,6 +633,7 @@ static void wrong_arguments_of_every_function(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* The renderer as a library (matc_render.h), on a context that somebody else made: the same pictures as on one of its own, changes, of displaced meshes too, what is
- * refused, and that the context stays its owner's. */
+/* The renderer as a library (matc_render.h), on a context that somebody else made: the same
+ * pictures as on one of its own, changes, of displaced meshes too, what is refused, and that the
+ * context stays its owner's. */
 /* ctest: seconds=60 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
@@ -13,10 +14,13 @@
 enum { WIDTH = 48, HEIGHT = 32, FLOATS = WIDTH * HEIGHT * 4 };
 
 static const char text[] =
-    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"
+    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], "
+    "target: [0, 0, 0] }\n"
     "lights: [{ light: Point, position: [2, -4, 3], intensity: 9 }]\nobjects:\n"
-    "- { object: Sphere, material: { material: Phong, diffuse: { param: paint, default: [.6, .3, .1] } } }\n"
-    "- { object: Box, transform: { translation: [1, 0, 0] }, material: { material: Phong, diffuse: .5 } }\n";
+    "- { object: Sphere, material: { material: Phong, diffuse: { param: paint, default: [.6, .3, "
+    ".1] } } }\n"
+    "- { object: Box, transform: { translation: [1, 0, 0] }, material: { material: Phong, diffuse: "
+    ".5 } }\n";
 
 typedef struct {
     GlContext *owner;
@@ -34,10 +38,12 @@ static Host open_host_of(const char *document_text)
 {
     char error[512] = "";
     Host h = {.owner = frame_context()};
-    h.scene = matc_scene_read("scene.yaml", document_text, strlen(document_text), NULL, &h.document);
+    h.scene =
+        matc_scene_read("scene.yaml", document_text, strlen(document_text), NULL, &h.document);
     assert_non_null(h.scene);
-    h.render = matc_render_open(&(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, NULL, 0, 0}, error,
-                                sizeof error);
+    h.render = matc_render_open(
+        &(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, NULL, 0, 0}, error,
+        sizeof error);
     if (!h.render)
         fail_msg("%s", error);
     return h;
@@ -118,11 +124,13 @@ static void draws_and_changes(void **state)
     free(changed);
     matrix[12] = 1;
     assert_true(matc_render_move(h.render, 1, matrix));
-    assert_true(matc_render_look(h.render, (double[]){2, -4, 3}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
+    assert_true(
+        matc_render_look(h.render, (double[]){2, -4, 3}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
     changed = with("[0, -5, 1]", "[2, -4, 3]");
     assert_as_own(&h, changed);
     free(changed);
-    assert_true(matc_render_look(h.render, (double[]){0, -5, 1}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
+    assert_true(
+        matc_render_look(h.render, (double[]){0, -5, 1}, (double[]){0, 0, 0}, (double[]){0, 0, 1}));
     assert_true(matc_render_light(h.render, 0, (double[]){-2, -4, 3}, (double[]){4, 4, 4}));
     changed = with("[2, -4, 3], intensity: 9", "[-2, -4, 3], intensity: 4");
     assert_as_own(&h, changed);
@@ -130,21 +138,28 @@ static void draws_and_changes(void **state)
     close_host(&h);
 }
 
-/* Two of one mesh, whose height goes by a param; one whose height goes by where it is; and one that is as it was. */
-#define DISPLACED(height, paint, first, scale, third)                                                                  \
-    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"     \
-    "lights: [{ light: Directional, direction: [1, 1, -1], intensity: 0.9 }]\ndisplacement: { triangles: 2000 }\n"     \
-    "materials:\n  wave: { material: Phong, diffuse: { param: paint, default: [" paint                                 \
-    "] }, displacementScale: { param: height, default: " height " },\n"                                                \
-    "    displacement: { map: Gradient, direction: [7, 0, 5], waveForm: Sin } }\n"                                     \
-    "  rock: { material: Phong, diffuse: .7, displacementScale: 0.3, displacement: { map: VolumeTurbulence, input: { " \
-    "map: XYZTransform, useGlobal: true, transform: { scale: 2 } } } }\n"                                              \
-    "objects:\n- { object: Sphere, radius: .8, material: wave, transform: { translation: [" first "] } }\n"            \
-    "- { object: Sphere, radius: .8, material: wave, transform: { translation: [1, 0, 0], scale: " scale " } }\n"      \
-    "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                                     \
+/* Two of one mesh, whose height goes by a param; one whose height goes by where it is; and one that
+ * is as it was. */
+#define DISPLACED(height, paint, first, scale, third)                                              \
+    "image: { width: 48, height: 32 }\ncamera: { camera: Perspective, position: [0, -5, 1], "      \
+    "target: [0, 0, 0] }\n"                                                                        \
+    "lights: [{ light: Directional, direction: [1, 1, -1], intensity: 0.9 }]\ndisplacement: { "    \
+    "triangles: 2000 }\n"                                                                          \
+    "materials:\n  wave: { material: Phong, diffuse: { param: paint, default: [" paint             \
+    "] }, displacementScale: { param: height, default: " height " },\n"                            \
+    "    displacement: { map: Gradient, direction: [7, 0, 5], waveForm: Sin } }\n"                 \
+    "  rock: { material: Phong, diffuse: .7, displacementScale: 0.3, displacement: { map: "        \
+    "VolumeTurbulence, input: { "                                                                  \
+    "map: XYZTransform, useGlobal: true, transform: { scale: 2 } } } }\n"                          \
+    "objects:\n- { object: Sphere, radius: .8, material: wave, transform: { translation: [" first  \
+    "] } }\n"                                                                                      \
+    "- { object: Sphere, radius: .8, material: wave, transform: { translation: [1, 0, 0], "        \
+    "scale: " scale " } }\n"                                                                       \
+    "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                 \
     "- { object: Cone, material: { material: Phong }, transform: { translation: [0, 1, 0] } }\n"
 
-/* What is displaced by a param, by where it is, or how large, has another shape when that changes. */
+/* What is displaced by a param, by where it is, or how large, has another shape when that
+ * changes. */
 static void displaces_again(void **state)
 {
     (void)state;
@@ -170,7 +185,8 @@ static void displaces_again(void **state)
     assert_false(matc_render_param(h.render, 0, "height", (float[]){1, 2}, 2));
     assert_true(matc_render_param(h.render, 0, "height", (float[]){0}, 1));
     assert_true(matc_render_param(h.render, 0, "height", (float[]){.1f}, 1));
-    assert_as_own(&h, DISPLACED("0.10000000149011612", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
+    assert_as_own(&h,
+                  DISPLACED("0.10000000149011612", "1, .5, .25", "-.5, 0, 0", "0.5", "0.5, 0, 0"));
     close_host(&h);
 }
 
@@ -178,15 +194,18 @@ static void displaces_again(void **state)
 static void casts_otherwise(void **state)
 {
     (void)state;
-    static const char *const methods[] = {"hybrid", "map", "exact", "silhouette", "none", "hybrid", "exact", "map"};
+    static const char *const methods[] = {"hybrid", "map",    "exact", "silhouette",
+                                          "none",   "hybrid", "exact", "map"};
     Host h = open_host();
     assert_true(matc_render_scene(h.render, h.scene));
-    assert_true(matc_render_param(h.render, 0, "paint", (float[3]){.2f, .5f, .1f}, 3)); /* it stays */
+    /* it stays */
+    assert_true(matc_render_param(h.render, 0, "paint", (float[3]){.2f, .5f, .1f}, 3));
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         char to[64];
         snprintf(to, sizeof to, "intensity: 9, shadows: %s", methods[i]);
         assert_true(matc_render_shadows(h.render, 0, methods[i]));
-        char *changed = with("intensity: 9", to), *painted = changed_from(changed, "[.6, .3, .1]", "[.2, .5, .1]");
+        char *changed = with("intensity: 9", to),
+             *painted = changed_from(changed, "[.6, .3, .1]", "[.2, .5, .1]");
         assert_as_own(&h, painted);
         free(painted);
         free(changed);
@@ -199,15 +218,18 @@ static void casts_otherwise(void **state)
 
 /* -- editing: each change draws what a text with that change draws, bit for bit */
 
-#define EDITED(camera, image, objects)                                                                                 \
-    "image: { " image " }\ncamera: { " camera ", position: [0, -5, 1], target: [0, 0, 0] }\n"                          \
-    "lights: [{ light: Point, name: lamp, position: [2, -4, 3], intensity: 9 }]\nmaterials:\n"                         \
-    "  paint: { material: Phong, diffuse: [.6, .3, .1] }\n  grey: { material: Phong, diffuse: .5 }\n"                   \
+#define EDITED(camera, image, objects)                                                             \
+    "image: { " image " }\ncamera: { " camera ", position: [0, -5, 1], target: [0, 0, 0] }\n"      \
+    "lights: [{ light: Point, name: lamp, position: [2, -4, 3], intensity: 9 }]\nmaterials:\n"     \
+    "  paint: { material: Phong, diffuse: [.6, .3, .1] }\n  grey: { material: Phong, diffuse: .5 " \
+    "}\n"                                                                                          \
     "  spare: { material: Phong, diffuse: [.1, .4, .2] }\nobjects:\n" objects
-#define BALL  "- { object: Sphere, name: ball, material: paint }\n"
-#define BOXES                                                                                                          \
-    "- { object: Group, name: boxes, transform: { translation: [1, 0, 0] }, objects: [{ object: Box, name: one, "      \
-    "material: grey }, { object: Box, material: grey, transform: { translation: [-2.4, 0, 0] } }] }\n"
+#define BALL "- { object: Sphere, name: ball, material: paint }\n"
+#define BOXES                                                                                      \
+    "- { object: Group, name: boxes, transform: { translation: [1, 0, 0] }, objects: [{ object: "  \
+    "Box, name: one, "                                                                             \
+    "material: grey }, { object: Box, material: grey, transform: { translation: [-2.4, 0, 0] } "   \
+    "}] }\n"
 #define USUAL "camera: Perspective"
 #define SMALL "width: 48, height: 32"
 
@@ -247,10 +269,12 @@ static void hides_from_every_shadow(void **state)
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         char whole[1024], left[1024], to[64];
         snprintf(to, sizeof to, "intensity: 9, shadows: %s", methods[i]);
-        char *with_all = changed_from(EDITED(USUAL, SMALL, BALL BOXES "- { object: Plane, material: grey }\n"),
-                                      "intensity: 9", to),
-             *without = changed_from(EDITED(USUAL, SMALL, BOXES "- { object: Plane, material: grey }\n"),
-                                     "intensity: 9", to);
+        char *with_all = changed_from(
+                 EDITED(USUAL, SMALL, BALL BOXES "- { object: Plane, material: grey }\n"),
+                 "intensity: 9", to),
+             *without =
+                 changed_from(EDITED(USUAL, SMALL, BOXES "- { object: Plane, material: grey }\n"),
+                              "intensity: 9", to);
         snprintf(whole, sizeof whole, "%s", with_all);
         snprintf(left, sizeof left, "%s", without);
         free(with_all);
@@ -281,27 +305,34 @@ static void hides_from_voxels(void **state)
 static void adds_meshes(void **state)
 {
     (void)state;
-    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0}, normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0},
+                       normals[] = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1},
                        coordinates[] = {0, 0, 1, 0, 0, 1, 1, 1};
     static const unsigned indices[] = {0, 1, 3, 0, 3, 2};
     static const double matrix[16] = {2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, -1, -1, -.5, 1};
     const MatcMesh square = {sizeof square, positions, normals, coordinates, indices, 4, 6};
     Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES));
     assert_true(matc_render_scene(h.render, h.scene));
-    const int spare = matc_scene_find_material(h.scene, "spare"), mesh = matc_scene_add_mesh(h.scene, &square);
+    const int spare = matc_scene_find_material(h.scene, "spare"),
+              mesh = matc_scene_add_mesh(h.scene, &square);
     assert_true(spare >= 0 && mesh >= 0);
     assert_int_equal(matc_scene_find_material(h.scene, "spare"), spare);
     assert_int_equal(matc_scene_add_object(h.scene, mesh, spare, matrix), 3);
     assert_true(matc_renderer_update(h.render));
-    const char *added = EDITED(USUAL, SMALL, BALL BOXES "- { object: Parallelogram, material: spare, transform: { "
-                                                        "scale: 2, translation: [-1, -1, -.5] } }\n");
+    const char *added =
+        EDITED(USUAL, SMALL,
+               BALL BOXES "- { object: Parallelogram, material: spare, transform: { "
+                          "scale: 2, translation: [-1, -1, -.5] } }\n");
     assert_as_own(&h, added);
     assert_true(matc_scene_remove_object(h.scene, 3));
     assert_true(matc_renderer_update(h.render));
     assert_as_own(&h, EDITED(USUAL, SMALL, BALL BOXES));
-    assert_int_equal(matc_scene_add_object(h.scene, mesh, spare, matrix), 3); /* the free place again */
+    /* the free place again */
+    assert_int_equal(matc_scene_add_object(h.scene, mesh, spare, matrix), 3);
     for (int i = 0; i < 40; i++) /* arrays grow */
-        assert_int_equal(matc_scene_add_object(h.scene, matc_scene_add_mesh(h.scene, &square), 0, matrix), 4 + i);
+        assert_int_equal(
+            matc_scene_add_object(h.scene, matc_scene_add_mesh(h.scene, &square), 0, matrix),
+            4 + i);
     for (int i = 0; i < 40; i++)
         assert_true(matc_scene_remove_object(h.scene, 4 + i));
     assert_true(matc_renderer_update(h.render));
@@ -390,8 +421,10 @@ static void draws_to_a_framebuffer(void **state)
 static void finds_by_name(void **state)
 {
     (void)state;
-    Host h = open_host_of(EDITED(USUAL, SMALL, BALL BOXES "- { object: Scatter, name: crowd, count: 3, objects: [{ object: "
-                                                          "Sphere, name: head, radius: .1, material: grey }] }\n"));
+    Host h = open_host_of(EDITED(USUAL, SMALL,
+                                 BALL BOXES
+                                 "- { object: Scatter, name: crowd, count: 3, objects: [{ object: "
+                                 "Sphere, name: head, radius: .1, material: grey }] }\n"));
     assert_string_equal(matc_scene_object_name(h.scene, 1), "boxes/one");
     assert_string_equal(matc_scene_object_name(h.scene, 2), "boxes");
     assert_string_equal(matc_scene_object_name(h.scene, 5), "crowd/head");
@@ -412,10 +445,11 @@ static void finds_by_name(void **state)
 static void edits_refused(void **state)
 {
     (void)state;
-    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, broken[] = {0, 0, 0, 1, 0, NAN, 0, 1, 0};
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                       broken[] = {0, 0, 0, 1, 0, NAN, 0, 1, 0};
     static const unsigned far_index[] = {0, 1, 3}, two[] = {0, 1};
-    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, flat[16] = {1, [15] = 1},
-                        none[16] = {NAN};
+    static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                        flat[16] = {1, [15] = 1}, none[16] = {NAN};
     static const MatcMesh wrong[] = {
         {0, positions, NULL, NULL, NULL, 3, 0},
         {sizeof(MatcMesh), NULL, NULL, NULL, NULL, 3, 0},
@@ -461,10 +495,14 @@ static void edits_refused(void **state)
         assert_memory_equal(matrix, identity, sizeof matrix);
     }
     assert_int_equal(matc_scene_find_object(h.scene, "ball", INT32_MAX), -1);
-    assert_false(matc_renderer_set_perspective(h.render, 180, 1) || matc_renderer_set_perspective(h.render, 0, 1) ||
-                 matc_renderer_set_perspective(h.render, NAN, 1) || matc_renderer_set_perspective(h.render, 40, 0) ||
-                 matc_renderer_set_orthographic(h.render, -1, 1) || matc_renderer_set_orthographic(h.render, 1, NAN) ||
-                 matc_renderer_set_time(h.render, INFINITY) || matc_renderer_set_size(h.render, -1, 5) ||
+    assert_false(matc_renderer_set_perspective(h.render, 180, 1) ||
+                 matc_renderer_set_perspective(h.render, 0, 1) ||
+                 matc_renderer_set_perspective(h.render, NAN, 1) ||
+                 matc_renderer_set_perspective(h.render, 40, 0) ||
+                 matc_renderer_set_orthographic(h.render, -1, 1) ||
+                 matc_renderer_set_orthographic(h.render, 1, NAN) ||
+                 matc_renderer_set_time(h.render, INFINITY) ||
+                 matc_renderer_set_size(h.render, -1, 5) ||
                  matc_renderer_set_size(h.render, 5, 1 << 20));
     assert_int_not_equal(strlen(matc_render_error(h.render)), 0);
     assert_true(matc_renderer_update(h.render));
@@ -480,11 +518,14 @@ static void refused(void **state)
     Host h = open_host();
     const double nothing[16] = {NAN}, origin[3] = {0};
     assert_null(matc_render_open(&(MatcRenderOptions){.load = load}, error, sizeof error));
-    assert_string_equal(error, "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
-    assert_null(matc_render_open(&(MatcRenderOptions){.size = sizeof(size_t)}, error, sizeof error));
+    assert_string_equal(error,
+                        "MatcRenderOptions.size is 0: it is to be sizeof(MatcRenderOptions)");
+    assert_null(
+        matc_render_open(&(MatcRenderOptions){.size = sizeof(size_t)}, error, sizeof error));
     assert_string_equal(error, "no function that loads is given");
-    assert_null(matc_render_open(&(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, "deep", 0, 0},
-                                 error, sizeof error));
+    assert_null(matc_render_open(
+        &(MatcRenderOptions){sizeof(MatcRenderOptions), load, h.owner, NULL, "deep", 0, 0}, error,
+        sizeof error));
     assert_non_null(strstr(error, "there is no view 'deep'"));
     assert_false(matc_render_frame(h.render));
     assert_false(matc_render_move(h.render, 0, nothing));
@@ -508,11 +549,13 @@ static void refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(draws_and_changes), cmocka_unit_test(displaces_again),
-                                       cmocka_unit_test(casts_otherwise), cmocka_unit_test(refused),
-                                       cmocka_unit_test(hides_and_removes), cmocka_unit_test(hides_from_every_shadow),
-                                       cmocka_unit_test(hides_from_voxels), cmocka_unit_test(adds_meshes), cmocka_unit_test(projects_and_resizes),
-                                       cmocka_unit_test(goes_by_time), cmocka_unit_test(draws_to_a_framebuffer),
-                                       cmocka_unit_test(finds_by_name), cmocka_unit_test(edits_refused)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(draws_and_changes),      cmocka_unit_test(displaces_again),
+        cmocka_unit_test(casts_otherwise),        cmocka_unit_test(refused),
+        cmocka_unit_test(hides_and_removes),      cmocka_unit_test(hides_from_every_shadow),
+        cmocka_unit_test(hides_from_voxels),      cmocka_unit_test(adds_meshes),
+        cmocka_unit_test(projects_and_resizes),   cmocka_unit_test(goes_by_time),
+        cmocka_unit_test(draws_to_a_framebuffer), cmocka_unit_test(finds_by_name),
+        cmocka_unit_test(edits_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

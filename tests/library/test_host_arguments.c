@@ -11,12 +11,14 @@
 
 enum { WIDTH = 32, HEIGHT = 24, FLOATS = WIDTH * HEIGHT * 4, MESSAGE = 512 };
 
-static const char text[] = "image: { width: 32, height: 24 }\n"
-                           "camera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"
-                           "lights: [{ light: Point, name: lamp, position: [2, -4, 3], intensity: 9 }]\nobjects:\n"
-                           "- { object: Sphere, name: ball, material: { material: Phong, diffuse: { param: paint, "
-                           "default: [.6, .3, .1] } } }\n";
-static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}, origin[3] = {0};
+static const char text[] =
+    "image: { width: 32, height: 24 }\n"
+    "camera: { camera: Perspective, position: [0, -5, 1], target: [0, 0, 0] }\n"
+    "lights: [{ light: Point, name: lamp, position: [2, -4, 3], intensity: 9 }]\nobjects:\n"
+    "- { object: Sphere, name: ball, material: { material: Phong, diffuse: { param: paint, "
+    "default: [.6, .3, .1] } } }\n";
+static const double identity[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1},
+                    origin[3] = {0};
 static const int outside[] = {-1, 1, 1000, INT_MAX, INT_MIN};
 enum { OUTSIDE = sizeof outside / sizeof *outside };
 
@@ -83,12 +85,12 @@ static void forget_errors(void)
     *(char *)matc_scene_error(of.scene) = 0;
 }
 
-#define REFUSED(call, error)                                                                                           \
-    do {                                                                                                               \
-        forget_errors();                                                                                               \
-        assert_false(call);                                                                                            \
-        if (!*(error))                                                                                                 \
-            fail_msg("%s fails without a reason", #call);                                                              \
+#define REFUSED(call, error)                                                                       \
+    do {                                                                                           \
+        forget_errors();                                                                           \
+        assert_false(call);                                                                        \
+        if (!*(error))                                                                             \
+            fail_msg("%s fails without a reason", #call);                                          \
     } while (0)
 #define SCENE_REFUSES(call)  REFUSED(call, matc_scene_error(of.scene))
 #define RENDER_REFUSES(call) REFUSED(call, matc_render_error(of.render))
@@ -104,11 +106,16 @@ static void wrong_scene_read(void)
         const char *name, *text;
         size_t size;
         const MatcOptions *options;
-    } wrong[] = {{"a.yaml", NULL, 0, NULL},         {"a.yaml", NULL, SIZE_MAX, NULL}, {NULL, NULL, 5, NULL},
-                 {"a.yaml", "", 0, NULL},           {"a.yaml", "[", 1, NULL},         {"a.yaml", "material: Phong\n", 16, NULL},
+    } wrong[] = {{"a.yaml", NULL, 0, NULL},
+                 {"a.yaml", NULL, SIZE_MAX, NULL},
+                 {NULL, NULL, 5, NULL},
+                 {"a.yaml", "", 0, NULL},
+                 {"a.yaml", "[", 1, NULL},
+                 {"a.yaml", "material: Phong\n", 16, NULL},
                  {"a.yaml", text, strlen(text), &unset}};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
-        assert_null(matc_scene_read(wrong[i].name, wrong[i].text, wrong[i].size, wrong[i].options, &document));
+        assert_null(matc_scene_read(wrong[i].name, wrong[i].text, wrong[i].size, wrong[i].options,
+                                    &document));
         assert_non_null(document);
         assert_true(matc_error_count(document) > 0 && *matc_diagnostics(document, MATC_TEXT));
         matc_document_free(document);
@@ -123,8 +130,14 @@ static void wrong_scene_read(void)
 static void wrong_scene_free(void) { matc_scene_free(NULL); }
 static void wrong_scene_object_count(void) { assert_int_equal(matc_scene_object_count(NULL), 0); }
 static void wrong_scene_light_count(void) { assert_int_equal(matc_scene_light_count(NULL), 0); }
-static void wrong_scene_material_count(void) { assert_int_equal(matc_scene_material_count(NULL), 0); }
-static void wrong_scene_error(void) { assert_string_equal(matc_scene_error(NULL), "the scene is NULL"); }
+static void wrong_scene_material_count(void)
+{
+    assert_int_equal(matc_scene_material_count(NULL), 0);
+}
+static void wrong_scene_error(void)
+{
+    assert_string_equal(matc_scene_error(NULL), "the scene is NULL");
+}
 
 static void wrong_scene_matrix(void)
 {
@@ -152,7 +165,8 @@ static void wrong_scene_find_object(void)
     assert_int_equal(matc_scene_find_object(of.scene, NULL, -1), -1);
     assert_int_equal(matc_scene_find_object(of.scene, "bal", -1), -1);
     assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MAX), -1);
-    assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MIN), 0); /* searches from the start */
+    /* searches from the start */
+    assert_int_equal(matc_scene_find_object(of.scene, "ball", INT_MIN), 0);
 }
 
 static void wrong_scene_find_light(void)
@@ -171,7 +185,8 @@ static void wrong_scene_find_material(void)
 
 static void wrong_scene_add_mesh(void)
 {
-    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0}, broken[] = {0, 0, 0, 1, 0, NAN, 0, 1, 0};
+    static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0},
+                       broken[] = {0, 0, 0, 1, 0, NAN, 0, 1, 0};
     static const unsigned beyond[] = {0, 1, 3};
     const MatcMesh wrong[] = {
         {0, positions, NULL, NULL, NULL, 3, 0},
@@ -197,7 +212,8 @@ static void wrong_scene_add_object(void)
     static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const MatcMesh triangle = {sizeof triangle, positions, NULL, NULL, NULL, 3, 0};
     const int mesh = matc_scene_add_mesh(of.scene, &triangle);
-    const double flat[16] = {1, [15] = 1}, none[16] = {NAN}, projective[16] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    const double flat[16] = {1, [15] = 1}, none[16] = {NAN},
+                 projective[16] = {1, 0, 0, 1, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     assert_int_equal(mesh, 0);
     assert_int_equal(matc_scene_add_object(NULL, mesh, 0, identity), -1);
     SCENE_REFUSES(matc_scene_add_object(of.scene, mesh, 0, NULL) >= 0);
@@ -231,7 +247,8 @@ static void wrong_render_open(void)
     const MatcOptions unset = {.validate = true};
     const MatcRenderOptions wrong[] = {
         {.load = load, .user = of.owner},
-        {.size = sizeof(size_t), .load = load, .user = of.owner}, /* a caller that knows no member */
+        /* a caller that knows no member */
+        {.size = sizeof(size_t), .load = load, .user = of.owner},
         {.size = sizeof(MatcRenderOptions)},
         {.size = sizeof(MatcRenderOptions), .load = load_nothing},
         {.size = sizeof(MatcRenderOptions), .load = load, .user = of.owner, .view = ""},
@@ -244,7 +261,8 @@ static void wrong_render_open(void)
         char error[MESSAGE] = "";
         assert_null(matc_render_open(&wrong[i], error, sizeof error));
         assert_true(*error);
-        assert_null(matc_render_open(&wrong[i], error, 1)); /* room for the terminating zero alone */
+        /* room for the terminating zero alone */
+        assert_null(matc_render_open(&wrong[i], error, 1));
         assert_int_equal(*error, 0);
         assert_null(matc_render_open(&wrong[i], NULL, 0));
     }
@@ -254,7 +272,10 @@ static void wrong_render_open(void)
 }
 
 static void wrong_render_close(void) { matc_render_close(NULL); }
-static void wrong_render_error(void) { assert_string_equal(matc_render_error(NULL), "the renderer is NULL"); }
+static void wrong_render_error(void)
+{
+    assert_string_equal(matc_render_error(NULL), "the renderer is NULL");
+}
 
 static void wrong_render_scene(void)
 {
@@ -275,7 +296,8 @@ static void wrong_render_move(void)
 
 static void wrong_render_look(void)
 {
-    const double from[3] = {0, -5, 1}, up[3] = {0, 0, 1}, none[3] = {0, NAN, 0}, far_off[3] = {0, 0, INFINITY};
+    const double from[3] = {0, -5, 1}, up[3] = {0, 0, 1}, none[3] = {0, NAN, 0},
+                 far_off[3] = {0, 0, INFINITY};
     assert_false(matc_render_look(NULL, from, origin, up));
     EMPTY_REFUSES(matc_render_look(of.empty, from, origin, up));
     RENDER_REFUSES(matc_render_look(of.render, NULL, origin, up));
@@ -331,7 +353,8 @@ static void wrong_render_param(void)
 
 static void wrong_renderer_set_perspective(void)
 {
-    static const double angles[] = {0, -1, 180, 1e9, NAN, INFINITY}, nears[] = {0, -1, NAN, INFINITY};
+    static const double angles[] = {0, -1, 180, 1e9, NAN, INFINITY},
+                        nears[] = {0, -1, NAN, INFINITY};
     assert_false(matc_renderer_set_perspective(NULL, 40, 1));
     EMPTY_REFUSES(matc_renderer_set_perspective(of.empty, 40, 1));
     for (size_t i = 0; i < sizeof angles / sizeof *angles; i++)
@@ -378,12 +401,14 @@ static void wrong_renderer_update(void)
 static void wrong_renderer_draw(void)
 {
     static const int whole[4] = {0, 0, WIDTH, HEIGHT},
-                     wrong[][4] = {{0, 0, 0, 8},  {0, 0, 8, 0},       {0, 0, -8, 8},      {INT_MIN, 0, 8, 8},
-                                   {0, INT_MAX, 8, 8}, {0, 0, INT_MAX, 8}, {0, 0, 8, INT_MAX}};
+                     wrong[][4] = {{0, 0, 0, 8},       {0, 0, 8, 0},       {0, 0, -8, 8},
+                                   {INT_MIN, 0, 8, 8}, {0, INT_MAX, 8, 8}, {0, 0, INT_MAX, 8},
+                                   {0, 0, 8, INT_MAX}};
     assert_false(matc_renderer_draw(NULL, 0, whole));
     EMPTY_REFUSES(matc_renderer_draw(of.empty, 0, whole));
     RENDER_REFUSES(matc_renderer_draw(of.render, 0, NULL));
-    RENDER_REFUSES(matc_renderer_draw(of.render, 999, whole)); /* the context has no such framebuffer */
+    /* the context has no such framebuffer */
+    RENDER_REFUSES(matc_renderer_draw(of.render, 999, whole));
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         RENDER_REFUSES(matc_renderer_draw(of.render, 0, wrong[i]));
 }
@@ -394,9 +419,18 @@ static void wrong_render_frame(void)
     EMPTY_REFUSES(matc_render_frame(of.empty));
 }
 
-static void wrong_render_width(void) { assert_int_equal(matc_render_width(NULL) + matc_render_width(of.empty), 0); }
-static void wrong_render_height(void) { assert_int_equal(matc_render_height(NULL) + matc_render_height(of.empty), 0); }
-static void wrong_render_texture(void) { assert_int_equal(matc_render_texture(NULL) + matc_render_texture(of.empty), 0); }
+static void wrong_render_width(void)
+{
+    assert_int_equal(matc_render_width(NULL) + matc_render_width(of.empty), 0);
+}
+static void wrong_render_height(void)
+{
+    assert_int_equal(matc_render_height(NULL) + matc_render_height(of.empty), 0);
+}
+static void wrong_render_texture(void)
+{
+    assert_int_equal(matc_render_texture(NULL) + matc_render_texture(of.empty), 0);
+}
 
 static void wrong_render_read(void)
 {
@@ -406,7 +440,10 @@ static void wrong_render_read(void)
     RENDER_REFUSES(matc_render_read(of.render, NULL));
 }
 
-#define ROW(name) {"matc_" #name, wrong_##name}
+#define ROW(name)                                                                                  \
+    {                                                                                              \
+        "matc_" #name, wrong_##name                                                                \
+    }
 static const ApiRow rows[] = {
     ROW(scene_read),
     ROW(scene_free),
@@ -450,7 +487,8 @@ static void wrong_arguments_of_every_function(void **state)
     (void)state;
     float after[FLOATS];
     api_rows_run("runtime/render/matc_render.h", rows, sizeof rows / sizeof *rows);
-    assert_true(matc_renderer_update(of.render) && matc_render_frame(of.render) && matc_render_read(of.render, after));
+    assert_true(matc_renderer_update(of.render) && matc_render_frame(of.render) &&
+                matc_render_read(of.render, after));
     assert_memory_equal(after, of.before, sizeof after);
 }
 
@@ -458,22 +496,26 @@ static void wrong_arguments_of_every_function(void **state)
 static void displaced_scenes_take_no_more(void **state)
 {
     (void)state;
-    static const char displaced[] = "displacement: { triangles: 2000 }\nmaterials:\n"
-                                    "  rock: { material: Phong, displacementScale: .1, displacement: { map: Granite } }\n"
-                                    "  spare: { material: Phong }\n"
-                                    "objects: [{ object: Sphere, material: rock }]\n";
+    static const char displaced[] =
+        "displacement: { triangles: 2000 }\nmaterials:\n"
+        "  rock: { material: Phong, displacementScale: .1, displacement: { map: Granite } }\n"
+        "  spare: { material: Phong }\n"
+        "objects: [{ object: Sphere, material: rock }]\n";
     static const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0};
     const MatcMesh triangle = {sizeof triangle, positions, NULL, NULL, NULL, 3, 0};
     MatcDocument *document;
     MatcScene *scene = matc_scene_read("a.yaml", displaced, strlen(displaced), NULL, &document);
     assert_non_null(scene);
     assert_int_equal(matc_scene_add_mesh(scene, &triangle), -1);
-    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further meshes");
+    assert_string_equal(matc_scene_error(scene),
+                        "a scene with displaced objects takes no further meshes");
     assert_int_equal(matc_scene_add_object(scene, 0, 0, identity), -1);
-    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further objects");
+    assert_string_equal(matc_scene_error(scene),
+                        "a scene with displaced objects takes no further objects");
     assert_int_equal(matc_scene_find_material(scene, "rock"), 0);
     assert_int_equal(matc_scene_find_material(scene, "spare"), -1);
-    assert_string_equal(matc_scene_error(scene), "a scene with displaced objects takes no further materials");
+    assert_string_equal(matc_scene_error(scene),
+                        "a scene with displaced objects takes no further materials");
     assert_int_equal(matc_scene_object_count(scene), 1);
     matc_scene_free(scene);
     matc_document_free(document);
@@ -481,7 +523,8 @@ static void displaced_scenes_take_no_more(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all),
-                                       cmocka_unit_test(displaced_scenes_take_no_more)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(wrong_arguments_of_every_function, open_all, close_all),
+        cmocka_unit_test(displaced_scenes_take_no_more)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

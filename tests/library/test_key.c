@@ -1,4 +1,5 @@
-/* When programs have equal keys and shapes, what their places are, and how places become members of a buffer. */
+/* When programs have equal keys and shapes, what their places are, and how places become members of
+ * a buffer. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "tests/stress/generate.h"
@@ -8,9 +9,10 @@
 
 enum { MOST_MEMBERS = 256, BLOCK_ROOM = 16 * MOST_MEMBERS };
 
-static const char plain[] = "material: Phong\n"
-                            "diffuse: { map: Checker, color1: [0.1, 0.2, 0.3], color2: [0.4, 0.5, 0.6],\n"
-                            "  input: { map: UVTransform, offsetU: 0.3, scaleV: 5.5 } }\n";
+static const char plain[] =
+    "material: Phong\n"
+    "diffuse: { map: Checker, color1: [0.1, 0.2, 0.3], color2: [0.4, 0.5, 0.6],\n"
+    "  input: { map: UVTransform, offsetU: 0.3, scaleV: 5.5 } }\n";
 
 typedef struct {
     MatcDocument *document;
@@ -28,7 +30,8 @@ static Compiled compile(const char *name, const char *text, const char *option, 
     c.document = matc_read(name, text, strlen(text), &c.options);
     c.program = matc_compile(c.document, 0, MATC_KEY, &c.options);
     if (!matc_ok(c.program))
-        fail_msg("%s%s", matc_diagnostics(c.document, MATC_TEXT), matc_program_diagnostics(c.program, MATC_TEXT));
+        fail_msg("%s%s", matc_diagnostics(c.document, MATC_TEXT),
+                 matc_program_diagnostics(c.program, MATC_TEXT));
     return c;
 }
 
@@ -41,9 +44,10 @@ static void release(Compiled *c)
 /* Bits: 1, the keys are equal; 2, the shapes. */
 static int meeting(const char *text, const char *other, const char *option, const char *value)
 {
-    Compiled a = compile("a.yaml", text, option, value), b = compile("b.yaml", other, option, value);
-    int equal =
-        !strcmp(matc_key(a.program), matc_key(b.program)) + 2 * !strcmp(matc_shape(a.program), matc_shape(b.program));
+    Compiled a = compile("a.yaml", text, option, value),
+             b = compile("b.yaml", other, option, value);
+    int equal = !strcmp(matc_key(a.program), matc_key(b.program)) +
+                2 * !strcmp(matc_shape(a.program), matc_shape(b.program));
     release(&a);
     release(&b);
     return equal;
@@ -67,26 +71,39 @@ static void keys_are_of_what_a_program_is(void **state)
     static const char param[] = "material: Phong\nspecular: { param: shine, default: 0.5 }\n";
     (void)state;
     assert_int_equal(meeting(plain, plain, NULL, NULL), KEYS | SHAPES);
-    assert_int_equal(meeting(plain, with(plain, "material: Phong", "# another text\nmaterial:   Phong"), NULL, NULL),
+    assert_int_equal(meeting(plain,
+                             with(plain, "material: Phong", "# another text\nmaterial:   Phong"),
+                             NULL, NULL),
                      KEYS | SHAPES);
-    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3, scaleV: 5.5", "scaleV: 5.5, offsetU: 0.3"), NULL, NULL),
+    assert_int_equal(meeting(plain,
+                             with(plain, "offsetU: 0.3, scaleV: 5.5", "scaleV: 5.5, offsetU: 0.3"),
+                             NULL, NULL),
                      KEYS | SHAPES);
     assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), NULL, NULL), SHAPES);
-    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetU: 0.35"), NULL, NULL), SHAPES);
-    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), NULL, NULL), 0); /* added, multiplied */
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetU: 0.35"), NULL, NULL),
+                     SHAPES);
+    /* added, multiplied */
+    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), NULL, NULL), 0);
     assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "offsetV: 0.3"), NULL, NULL),
                      SHAPES); /* lanes of a vec2 */
     assert_int_equal(meeting(plain, with(plain, "Checker", "VolumeChecker"), NULL, NULL), 0);
-    assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "constants", "uniform"), KEYS | SHAPES);
-    assert_int_equal(meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), "constants", "uniform"), 0);
+    assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "constants", "uniform"),
+                     KEYS | SHAPES);
+    assert_int_equal(
+        meeting(plain, with(plain, "offsetU: 0.3", "scaleU: 0.3"), "constants", "uniform"), 0);
     assert_int_equal(meeting(plain, with(plain, "0.4", "0.45"), "pass", "depth"), KEYS | SHAPES);
     assert_int_equal(meeting(image, image, NULL, NULL), KEYS | SHAPES);
-    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, bilinearFiltering: false"), NULL, NULL), 0);
+    assert_int_equal(
+        meeting(image, with(image, "tiles.png", "tiles.png, bilinearFiltering: false"), NULL, NULL),
+        0);
     /* another texture is another program: its reflection says what it holds */
-    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, colorspace: srgb"), NULL, NULL), 0);
-    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, colorspace: linear"), NULL, NULL),
-                     KEYS | SHAPES);
-    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, channel: g"), NULL, NULL), 0);
+    assert_int_equal(
+        meeting(image, with(image, "tiles.png", "tiles.png, colorspace: srgb"), NULL, NULL), 0);
+    assert_int_equal(
+        meeting(image, with(image, "tiles.png", "tiles.png, colorspace: linear"), NULL, NULL),
+        KEYS | SHAPES);
+    assert_int_equal(meeting(image, with(image, "tiles.png", "tiles.png, channel: g"), NULL, NULL),
+                     0);
     assert_int_equal(meeting(param, with(param, "0.5", "0.7"), NULL, NULL),
                      KEYS | SHAPES); /* a param's default is no part */
     assert_int_equal(meeting(param, with(param, "shine", "gloss"), NULL, NULL), 0);
@@ -95,10 +112,11 @@ static void keys_are_of_what_a_program_is(void **state)
 /* One document, compiled in another way each time. */
 static void keys_are_of_how_it_is_compiled(void **state)
 {
-    static const char *const options[][2] = {{NULL, NULL},          {"pass", "depth"},       {"pass", "value"},
-                                             {"target", "glsl110"}, {"target", "glsl450"},   {"target", "essl300"},
-                                             {"layout", "thesis"},  {"layout", "integer"},   {"noise", "groimp"},
-                                             {"noise", "simplex"},  {"constants", "uniform"}};
+    static const char *const options[][2] = {
+        {NULL, NULL},          {"pass", "depth"},       {"pass", "value"},
+        {"target", "glsl110"}, {"target", "glsl450"},   {"target", "essl300"},
+        {"layout", "thesis"},  {"layout", "integer"},   {"noise", "groimp"},
+        {"noise", "simplex"},  {"constants", "uniform"}};
     enum { COUNT = sizeof options / sizeof *options };
     char keys[COUNT][33];
     (void)state;
@@ -108,7 +126,8 @@ static void keys_are_of_how_it_is_compiled(void **state)
         assert_int_equal(strspn(keys[i], "0123456789abcdef"), 32);
         for (int k = 0; k < i; k++)
             if (!strcmp(keys[i], keys[k]))
-                fail_msg("%s and %s meet", options[i][1], options[k][1] ? options[k][1] : "the default");
+                fail_msg("%s and %s meet", options[i][1],
+                         options[k][1] ? options[k][1] : "the default");
         release(&c);
     }
 }
@@ -132,13 +151,15 @@ static void places_become_members(void **state)
     assert_in_range(matc_constant_bytes(placed), 16, BLOCK_ROOM);
     matc_constant_block(placed, block);
     for (int i = 0, end = 0; i < count; i++) {
-        const MatcConstant *member = matc_constant(placed, i), *place = matc_place(c.program, member->member);
+        const MatcConstant *member = matc_constant(placed, i),
+                           *place = matc_place(c.program, member->member);
         float first;
         memcpy(&first, block + member->offset, sizeof first);
         assert_string_equal(member->type, place->type);
         assert_memory_equal(member->values, place->values, sizeof(double) * (size_t)place->lanes);
         assert_true(member->type[0] == 'u' || first == (float)place->values[0]);
-        assert_true(member->offset >= end && member->offset % (member->lanes < 3 ? 4 * member->lanes : 16) == 0);
+        assert_true(member->offset >= end &&
+                    member->offset % (member->lanes < 3 ? 4 * member->lanes : 16) == 0);
         assert_non_null(strstr(matc_output(placed, MATC_FRAGMENT, NULL), member->name));
         end = member->offset + 4 * member->lanes;
         assert_true(end <= matc_constant_bytes(placed));
@@ -149,8 +170,8 @@ static void places_become_members(void **state)
 
 static void places_can_share_or_stay(void **state)
 {
-    static const char gray[] =
-        "material: Phong\nspecular: 0.3\ndiffuse: { map: Checker, color1: 0.25, color2: 0.75 }\nshininess: 0.4\n";
+    static const char gray[] = "material: Phong\nspecular: 0.3\ndiffuse: { map: Checker, color1: "
+                               "0.25, color2: 0.75 }\nshininess: 0.4\n";
     Compiled c = compile("a.yaml", gray, "layout", "thesis");
     int members[MOST_MEMBERS], count = matc_place_count(c.program), first = -1;
     (void)state;
@@ -166,7 +187,8 @@ static void places_can_share_or_stay(void **state)
     assert_string_equal(matc_key(same), matc_key(c.program)); /* nothing was placed */
     matc_program_free(same);
     for (int i = 0; i < count; i++) { /* all places of one value */
-        const MatcConstant *place = matc_place(c.program, i), *other = matc_place(c.program, first < 0 ? i : first);
+        const MatcConstant *place = matc_place(c.program, i),
+                           *other = matc_place(c.program, first < 0 ? i : first);
         bool equal = place->lanes == other->lanes && !strcmp(place->type, other->type) &&
                      !memcmp(place->values, other->values, sizeof(double) * (size_t)place->lanes);
         members[i] = equal ? 0 : -1;

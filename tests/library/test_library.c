@@ -10,7 +10,8 @@ static void materials_are_listed(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    MatcDocument *document = read_text("materials:\n  a: { material: RGBA }\n  b: { material: Phong }\n", &options);
+    MatcDocument *document =
+        read_text("materials:\n  a: { material: RGBA }\n  b: { material: Phong }\n", &options);
     assert_int_equal(matc_material_count(document), 2);
     assert_string_equal(matc_material_name(document, 1), "b");
     assert_int_equal(matc_material_find(document, "b"), 1);
@@ -26,9 +27,10 @@ static void uniforms_have_defaults(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    MatcDocument *document = read_text("material: Phong\ndiffuse: { param: tint, default: [1, 0.5, 0.25] }\n"
-                                       "specular: { map: Julia, iterations: { param: steps, default: 12 } }\n",
-                                       &options);
+    MatcDocument *document =
+        read_text("material: Phong\ndiffuse: { param: tint, default: [1, 0.5, 0.25] }\n"
+                  "specular: { map: Julia, iterations: { param: steps, default: 12 } }\n",
+                  &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     assert_int_equal(matc_uniform_count(program), 2);
     MatcUniform tint = *matc_uniform(program, 0), steps = *matc_uniform(program, 1);
@@ -69,7 +71,8 @@ static void reflection_fits_the_shader(void **state)
         MatcOptions options = quick();
         options.target = target_table[i].name;
         options.noise = "groimp";
-        char *json = compile_text(text, MATC_REFLECT, &options), *shader = compile_text(text, MATC_FRAGMENT, &options);
+        char *json = compile_text(text, MATC_REFLECT, &options),
+             *shader = compile_text(text, MATC_FRAGMENT, &options);
         cJSON *root = cJSON_Parse(json), *list, *item;
         assert_non_null(root);
         static const char *const lists[] = {"inputs", "uniforms", "textures"};
@@ -110,7 +113,8 @@ static void evaluation_reads_back(void **state)
     (void)state;
     const char *fault;
     MatcOptions options = quick();
-    MatcDocument *document = read_text("material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\n", &options);
+    MatcDocument *document =
+        read_text("material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\n", &options);
     char *values = matc_eval(document, 0, "u=0.5 v=1e-3", &options, &fault);
     assert_non_null(values);
     assert_non_null(strstr(values, "diffuse 0.1 0.2 0.30000000000000004\n"));
@@ -126,12 +130,13 @@ static void a_slot_is_evaluated_as_numbers(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    MatcDocument *document =
-        read_text("material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\nshininess: 0.7\n", &options);
+    MatcDocument *document = read_text(
+        "material: Phong\ndiffuse: [0.1, 0.2, 0.30000000000000004]\nshininess: 0.7\n", &options);
     MatcNumbers numbers = matc_eval_slot(document, 0, "", &options);
     assert_null(numbers.fault);
     assert_int_equal(numbers.lanes, 3);
-    assert_true(numbers.lane[0] == 0.1 && numbers.lane[1] == 0.2 && numbers.lane[2] == 0.30000000000000004);
+    assert_true(numbers.lane[0] == 0.1 && numbers.lane[1] == 0.2 &&
+                numbers.lane[2] == 0.30000000000000004);
     options.slot = "normal";
     numbers = matc_eval_slot(document, 0, "u=0.5 front=0", &options);
     assert_true(numbers.lanes == 3 && numbers.lane[2] == -1);
@@ -176,7 +181,8 @@ static void *compile_often(void *user)
     options.validate = true;
     for (int i = 0; i < 20; i++) {
         MatcProgram *program = matc_compile(job->document, 0, MATC_FRAGMENT, &options);
-        job->wrong += !matc_ok(program) || strcmp(matc_output(program, MATC_FRAGMENT, NULL), job->expected) != 0;
+        job->wrong += !matc_ok(program) ||
+                      strcmp(matc_output(program, MATC_FRAGMENT, NULL), job->expected) != 0;
         matc_program_free(program);
     }
     return NULL;
@@ -234,7 +240,8 @@ static void deep_chains_are_bounded(void **state)
     }
 }
 
-/* Waves too deep to be resolved, beside maps of just the depth that is allowed: what is said is said of the waves alone. */
+/* Waves too deep to be resolved, beside maps of just the depth that is allowed: what is said is
+ * said of the waves alone. */
 static void what_is_too_deep_leaves_its_neighbours_their_depth(void **state)
 {
     (void)state;
@@ -248,19 +255,21 @@ static void what_is_too_deep_leaves_its_neighbours_their_depth(void **state)
         fprintf(out, "  w%d: &w%d { wave: Chain, first: *w%d }\n", i, i, i - 1);
     for (int i = 1; i < DEPTH; i++)
         fprintf(out, "  m%d: &m%d { map: UVTransform, input: *m%d }\n", i, i, i - 1);
-    fprintf(out, "material: Phong\nspecular: { map: Gradient, waveForm: *w%d }\ndiffuse: *m%d\n", LIMIT_DEPTH,
-            DEPTH - 1);
+    fprintf(out, "material: Phong\nspecular: { map: Gradient, waveForm: *w%d }\ndiffuse: *m%d\n",
+            LIMIT_DEPTH, DEPTH - 1);
     fclose(out);
     MatcDocument *document = read_text(text, &options);
     assert_int_equal(matc_material_count(document), 0);
-    const char *said = matc_diagnostics(document, MATC_TEXT), *first = strstr(said, "nested deeper than");
+    const char *said = matc_diagnostics(document, MATC_TEXT),
+               *first = strstr(said, "nested deeper than");
     assert_non_null(first);
     assert_null(strstr(first + 1, "nested deeper than"));
     matc_document_free(document);
     free(text);
 }
 
-/* Long lists: an ordered one is searched by halving, so neither the shader nor the compiler nests deeply. */
+/* Long lists: an ordered one is searched by halving, so neither the shader nor the compiler nests
+ * deeply. */
 static void long_blends_are_searched(void **state)
 {
     (void)state;

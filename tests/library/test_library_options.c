@@ -9,9 +9,9 @@ static const struct {
 } named_options[] = {
     {"target", "glsl110, glsl330, glsl450, essl300, spirv"},
     {"pass", "gbuffer, plane, sky, shadow, depth, value"},
-    {"slot",
-     "normal, diffuse, alpha, specular, shininess, transparency, transparencyShininess, interpolatedTransparency, "
-     "diffuseTransparency, ambient, emissive, ior"},
+    {"slot", "normal, diffuse, alpha, specular, shininess, transparency, transparencyShininess, "
+             "interpolatedTransparency, "
+             "diffuseTransparency, ambient, emissive, ior"},
     {"layout", "thesis, radix, thin, integer, compact"},
     {"precision", "fast, balanced, exact"},
     {"noise", "lattice, groimp, simplex"},
@@ -31,7 +31,8 @@ static void every_value_of_an_option_is_taken(void **state)
     for (int i = 0; i < NAMED_OPTIONS; i++) {
         char values[256], *rest;
         snprintf(values, sizeof values, "%s", named_options[i].values);
-        for (char *value = strtok_r(values, ", ", &rest); value; value = strtok_r(NULL, ", ", &rest)) {
+        for (char *value = strtok_r(values, ", ", &rest); value;
+             value = strtok_r(NULL, ", ", &rest)) {
             MatcOptions options = quick();
             assert_true(matc_options_set(&options, named_options[i].option, value));
             assert_null(matc_options_fault(&options));
@@ -84,10 +85,12 @@ static void unknown_values_are_refused(void **state)
         assert_string_equal(matc_options_fault(&options), option);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         char want[512];
-        snprintf(want, sizeof want, "error: %s: there is no '%s', but %s", option, value, named_options[i / 5].values);
+        snprintf(want, sizeof want, "error: %s: there is no '%s', but %s", option, value,
+                 named_options[i / 5].values);
         assert_false(matc_ok(program));
         if (!strstr(matc_program_diagnostics(program, MATC_TEXT), want))
-            fail_msg("'%s' is wanted, not '%s'", want, matc_program_diagnostics(program, MATC_TEXT));
+            fail_msg("'%s' is wanted, not '%s'", want,
+                     matc_program_diagnostics(program, MATC_TEXT));
         matc_program_free(program);
         matc_document_free(document);
     }
@@ -96,7 +99,8 @@ static void unknown_values_are_refused(void **state)
     assert_false(matc_options_set(&options, "optimize", "2"));
 }
 
-/* A program that was compiled with fewer options: what lies behind its struct is not touched, what it lacks has its default. */
+/* A program that was compiled with fewer options: what lies behind its struct is not touched, what
+ * it lacks has its default. */
 static void older_options_work(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* Every function of matc.h answers every call: of a document with faults, an index beyond what there is, a program or a layout that is not ok, no options. */
+/* Every function of matc.h answers every call: of a document with faults, an index beyond what
+ * there is, a program or a layout that is not ok, no options. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include <limits.h>
@@ -66,7 +67,9 @@ static void ask_failed(MatcProgram *p)
     assert_non_null(matc_program_diagnostics(p, MATC_JSON));
     assert_true(matc_displacement_bound(p) == 0);
     assert_int_equal(matc_texture_count(p) + matc_uniform_count(p) + matc_attribute_count(p), 0);
-    assert_int_equal(matc_constant_count(p) + matc_constant_bytes(p) + matc_place_count(p) + matc_target_count(p), 0);
+    assert_int_equal(matc_constant_count(p) + matc_constant_bytes(p) + matc_place_count(p) +
+                         matc_target_count(p),
+                     0);
     assert_int_equal(matc_case(p), -1);
     assert_null(matc_place(p, 0));
     matc_constant_block(p, block);
@@ -77,7 +80,8 @@ static void ask_failed(MatcProgram *p)
 }
 
 static const char *const faulty[] = {
-    "", "{", "material: Phnog\n", "defs: { a: red }\n", "material: Phong\ndiffuse: { ref: a }\n", "[1"};
+    "",  "{", "material: Phnog\n", "defs: { a: red }\n", "material: Phong\ndiffuse: { ref: a }\n",
+    "[1"};
 
 static void assert_reports(const char *diagnostics, const char *text)
 {
@@ -126,7 +130,8 @@ static void unset_options(void **state)
         assert_reports(matc_layout_diagnostics(layout, MATC_TEXT), "matc_options_init");
         matc_layout_free(layout);
         assert_string_equal(matc_options_fault(&zeros), "size");
-        assert_false(sizes[i] < offsetof(MatcOptions, pass) && matc_options_set(&changed, "pass", "sky"));
+        assert_false(sizes[i] < offsetof(MatcOptions, pass) &&
+                     matc_options_set(&changed, "pass", "sky"));
     }
 }
 
@@ -134,13 +139,15 @@ static void unset_options(void **state)
 static void outputs_are_those_asked_for(void **state)
 {
     (void)state;
-    static const unsigned bits[] = {MATC_FRAGMENT, MATC_VERTEX,      MATC_UNPACK,     MATC_REFLECT,  MATC_IR,
-                                    MATC_DOT,      MATC_LAYOUT,      MATC_TESSVERTEX, MATC_TESSEVAL, MATC_DISPLACE,
-                                    MATC_GEOMETRY, MATC_TESSCONTROL, MATC_SPIRV,      MATC_STATS};
+    static const unsigned bits[] = {MATC_FRAGMENT, MATC_VERTEX,   MATC_UNPACK,   MATC_REFLECT,
+                                    MATC_IR,       MATC_DOT,      MATC_LAYOUT,   MATC_TESSVERTEX,
+                                    MATC_TESSEVAL, MATC_DISPLACE, MATC_GEOMETRY, MATC_TESSCONTROL,
+                                    MATC_SPIRV,    MATC_STATS};
     MatcOptions options;
     matc_options_init(&options);
     options.target = "glsl450";
-    MatcDocument *d = read_text("material: Phong\ndisplacement: { map: Granite }\ndisplacementBound: 1\n", &options);
+    MatcDocument *d = read_text(
+        "material: Phong\ndisplacement: { map: Granite }\ndisplacementBound: 1\n", &options);
     for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
         MatcProgram *p = matc_compile(d, 0, bits[i], &options);
         assert_true(matc_ok(p));
@@ -160,9 +167,10 @@ static void outputs_are_those_asked_for(void **state)
 static void options_hold_their_values(void **state)
 {
     (void)state;
-    static const char *const values[][2] = {{"target", "essl300"}, {"pass", "shadow"},   {"slot", "normal"},
-                                            {"layout", "integer"}, {"noise", "simplex"}, {"precision", "exact"},
-                                            {"aa", "none"},        {"normals", "world"}, {"warnings", "no-no_maps,error"}};
+    static const char *const values[][2] = {
+        {"target", "essl300"}, {"pass", "shadow"},   {"slot", "normal"},
+        {"layout", "integer"}, {"noise", "simplex"}, {"precision", "exact"},
+        {"aa", "none"},        {"normals", "world"}, {"warnings", "no-no_maps,error"}};
     char name[32], value[64], lengthy[400];
     MatcOptions options, copy;
     matc_options_init(&options);
@@ -206,7 +214,8 @@ static void faulty_documents(void **state)
         assert_null(matc_material_name(d, 0));
         MatcProgram *p = matc_compile(d, 0, MATC_FRAGMENT, NULL);
         ask_failed(p);
-        assert_reports(matc_program_diagnostics(p, MATC_TEXT), "there is no material 0: the document has 0");
+        assert_reports(matc_program_diagnostics(p, MATC_TEXT),
+                       "there is no material 0: the document has 0");
         matc_program_free(p);
         matc_document_free(d);
     }
@@ -217,7 +226,8 @@ static void materials_beyond(void **state)
     (void)state;
     MatcOptions options = quick();
     for (int none = 0; none < 2; none++) {
-        MatcDocument *d = read_text("material: Phong\ndiffuse: { param: a, default: 1 }\n", none ? NULL : &options);
+        MatcDocument *d = read_text("material: Phong\ndiffuse: { param: a, default: 1 }\n",
+                                    none ? NULL : &options);
         for (int i = 0; i < INDEXES; i++) {
             ask_document(d, indexes[i], none ? NULL : &options);
             MatcProgram *p = matc_compile(d, indexes[i], MATC_FRAGMENT, &options);
@@ -272,7 +282,8 @@ static void layouts_of_nothing(void **state)
     (void)state;
     MatcRanges ranges;
     matc_ranges_init(&ranges);
-    MatcLayout *made[] = {matc_layout_for(&ranges, 0, NULL), matc_layout_read("a.yaml", "", 0, NULL),
+    MatcLayout *made[] = {matc_layout_for(&ranges, 0, NULL),
+                          matc_layout_read("a.yaml", "", 0, NULL),
                           matc_layout_read("a.json", "[", 1, NULL)};
     for (int i = 0; i < 3; i++) {
         assert_false(matc_layout_ok(made[i]));
@@ -299,8 +310,10 @@ int main(void)
         cmocka_unit_test(unset_options),
         cmocka_unit_test(outputs_are_those_asked_for),
         cmocka_unit_test(options_hold_their_values),
-        cmocka_unit_test(faulty_documents),          cmocka_unit_test(materials_beyond),
-        cmocka_unit_test(options_that_mean_nothing), cmocka_unit_test(parts_beyond),
+        cmocka_unit_test(faulty_documents),
+        cmocka_unit_test(materials_beyond),
+        cmocka_unit_test(options_that_mean_nothing),
+        cmocka_unit_test(parts_beyond),
         cmocka_unit_test(layouts_of_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

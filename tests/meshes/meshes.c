@@ -27,7 +27,9 @@ Shape meshes_read(const char *name)
     char *path = meshes_path(name), error[4096] = "";
     Shape made;
     if (!path) {
-        printf("SKIPPED: the mesh %s is not there: sh tests/meshes/fetch.sh with the build folder fetches it\n", name);
+        printf("SKIPPED: the mesh %s is not there: sh tests/meshes/fetch.sh with the build folder "
+               "fetches it\n",
+               name);
         exit(SKIPPED);
     }
     const bool fine = model_read(path, &made, error, sizeof error);

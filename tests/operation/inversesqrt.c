@@ -1,5 +1,6 @@
-/* An operation is a row and its lines: this program is built with the one that the head of grammar/ops.def adds, and with nothing
- * else changed. It is built by its word, folded, evaluated, differentiated, bounded, counted, printed, read and written. */
+/* An operation is a row and its lines: this program is built with the one that the head of
+ * grammar/ops.def adds, and with nothing else changed. It is built by its word, folded, evaluated,
+ * differentiated, bounded, counted, printed, read and written. */
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
 #include "compiler/ir/range.h"
@@ -36,7 +37,8 @@ static void check_range(Ir *ir, Ref x)
     Ref root = build_inversesqrt(ir, build_clamp(ir, x, build_float(ir, 1), build_float(ir, 4)));
     Ranges ranges = range_find(ir, &ir->scratch, 1);
     const Interval within = range_of(&ranges, ir, root, 0);
-    expect(is_near(within.low, 0.5) && is_near(within.high, 1), "its interval is not that of its RANGE");
+    expect(is_near(within.low, 0.5) && is_near(within.high, 1),
+           "its interval is not that of its RANGE");
     expect(!range_is_exact(OP_inversesqrt), "its interval is exact");
 }
 

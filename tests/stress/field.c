@@ -4,9 +4,10 @@
 #include <string.h>
 
 /* The largest of these is the promised domain of coordinates. */
-static const float specials[] = {0,     -0.f, 1e-40f, -1e-40f, 1e-8f,     -1e-8f,       1,     -1,     1e4f,
-                                 -1e4f, 1e6f, -1e6f,  1e8f,    -1e8f,     1.17549e-38f, 0.25f, 65536,  -65536,
-                                 1e-4f, 1e3f, 1e5f,   -1e5f,   16777216., 99999999.f,   -0.5f, 1e-30f, 8388607.5f};
+static const float specials[] = {
+    0,     -0.f, 1e-40f, -1e-40f, 1e-8f,     -1e-8f,       1,     -1,     1e4f,
+    -1e4f, 1e6f, -1e6f,  1e8f,    -1e8f,     1.17549e-38f, 0.25f, 65536,  -65536,
+    1e-4f, 1e3f, 1e5f,   -1e5f,   16777216., 99999999.f,   -0.5f, 1e-30f, 8388607.5f};
 
 static float border(Choices *c)
 {
@@ -47,7 +48,8 @@ static void frame(Choices *c, Point *p, bool hostile)
     memcpy(p->input[INPUT_eyeN], p->input[INPUT_N], sizeof p->input[0]);
 }
 
-/* How the local position changes by u and v: rarely not at all, and never by so little that differences lose it beside the position. */
+/* How the local position changes by u and v: rarely not at all, and never by so little that
+ * differences lose it beside the position. */
 static void local_tangents(Choices *c, Point *p, bool hostile)
 {
     static const float lengths[] = {1, 0.25f, 2, 0, 0.01f, 100};

@@ -10,7 +10,8 @@ enum {
     MOST_PARAMS = 6,
     MOST_FILTERS = 2,
     MOST_ITEMS = 5,
-    MOST_CHAIN = 3, MOST_INPUTS = 2,
+    MOST_CHAIN = 3,
+    MOST_INPUTS = 2,
     WIDEST_RELIEF = 64
 };
 
@@ -44,11 +45,15 @@ static double any_number(Generator *g)
 /* What has to be known when the program is written. */
 static bool may_be_param(const ParamRow *row)
 {
-    return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") && strcmp(row->name, "sun") &&
-           strcmp(row->name, "turbidity") && strcmp(row->name, "displacementBound") && strcmp(row->name, "dimensions");
+    return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") &&
+           strcmp(row->name, "sun") && strcmp(row->name, "turbidity") &&
+           strcmp(row->name, "displacementBound") && strcmp(row->name, "dimensions");
 }
 
-static void begin_param(Generator *g) { text_format(g->out, "{ param: p%d, default: ", g->params++); }
+static void begin_param(Generator *g)
+{
+    text_format(g->out, "{ param: p%d, default: ", g->params++);
+}
 
 static bool choose_param(Generator *g) { return g->params < MOST_PARAMS && chance(g->c, 1, 16); }
 
@@ -86,7 +91,8 @@ static void put_numeric(Generator *g, const ParamRow *row)
         put_vector(g, 3, low, high);
     } else {
         double value = generate_number(g->c, low, high, g->hostile);
-        put_number(g, row->kind == KIND_SunSkyLight && row->type == PARAM_Vec3 && value == 0 ? 1 : value);
+        put_number(
+            g, row->kind == KIND_SunSkyLight && row->type == PARAM_Vec3 && value == 0 ? 1 : value);
     }
     text_put(g->out, param ? " }" : "");
 }
@@ -151,7 +157,8 @@ static void put_transform(Generator *g)
 /* Values that ascend, some of them equal; rarely any values; `plain`: a list of maps. */
 static void put_items(Generator *g, bool plain)
 {
-    int count = g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
+    int count =
+        g->relief ? 2 + (int)choose(g->c, MOST_ITEMS - 1) : (int)choose(g->c, MOST_ITEMS + 1);
     bool any = chance(g->c, 1, 8);
     double value = generate_number(g->c, -2, 2, false);
     text_put(g->out, "[");
@@ -216,7 +223,8 @@ static void put_value(Generator *g, const ParamRow *row)
     case PARAM_Image:
         text_put(g->out, chance(g->c, 1, 8) ? "null" : "tiles.png");
         break;
-    case PARAM_List: case PARAM_Items:
+    case PARAM_List:
+    case PARAM_Items:
         put_items(g, row->type == PARAM_List);
         break;
     default:
@@ -224,8 +232,9 @@ static void put_value(Generator *g, const ParamRow *row)
     }
 }
 
-/* A map's inputs are what it is about: they are more often given than a number. A relief varies: its maps are asked at the surface, or at what
- * a transform makes of it, and its Blends have items. */
+/* A map's inputs are what it is about: they are more often given than a number. A relief varies:
+ * its maps are asked at the surface, or at what a transform makes of it, and its Blends have
+ * items. */
 static bool is_given(Generator *g, const ParamRow *row)
 {
     if (g->relief && (row->type == PARAM_Items || is_place(row)))
@@ -235,13 +244,15 @@ static bool is_given(Generator *g, const ParamRow *row)
     return chance(g->c, 1, 2);
 }
 
-/* In a relief mostly one whose slope is known by differences; Blends, whose items end there, and what is costly enough for a branch. */
+/* In a relief mostly one whose slope is known by differences; Blends, whose items end there, and
+ * what is costly enough for a branch. */
 static Kind choose_map(Generator *g)
 {
     static const Kind first = KIND_Constant + 1;
-    static const Kind rising[] = {KIND_Gradient, KIND_Gradient,         KIND_Leopard,  KIND_Wood,
-                                  KIND_Granite,  KIND_VolumeTurbulence, KIND_Blend,    KIND_Blend,
-                                  KIND_Blend,    KIND_Checker,          KIND_ImageMap, KIND_Smooth3D};
+    static const Kind rising[] = {KIND_Gradient, KIND_Gradient, KIND_Leopard,
+                                  KIND_Wood,     KIND_Granite,  KIND_VolumeTurbulence,
+                                  KIND_Blend,    KIND_Blend,    KIND_Blend,
+                                  KIND_Checker,  KIND_ImageMap, KIND_Smooth3D};
     if (g->relief && chance(g->c, 7, 8))
         return rising[choose(g->c, sizeof rising / sizeof *rising)];
     return (Kind)(first + choose(g->c, KIND_COUNT - first));
@@ -292,7 +303,8 @@ static void put_map(Generator *g) { put_kind(g, choose_map(g)); }
 
 static void put_transformer(Generator *g)
 {
-    put_kind(g, (const Kind[]){KIND_UVTransform, KIND_XYZTransform, KIND_Turbulence}[choose(g->c, 3)]);
+    put_kind(g,
+             (const Kind[]){KIND_UVTransform, KIND_XYZTransform, KIND_Turbulence}[choose(g->c, 3)]);
 }
 
 static void put_constant(Generator *g)
@@ -332,23 +344,29 @@ static void put_material_parameter(Generator *g, const ParamRow *row, int depth)
 /* Mostly a Phong. Mixes and coats may stand in one another, switches stand outermost. */
 static Kind choose_material(Choices *c, int depth)
 {
-    static const Kind others[] = {KIND_RGBA,       KIND_SunSkyLight, KIND_Principled,  KIND_glTF,       KIND_StandardSurface,
-                                  KIND_UsdPreview, KIND_Layer,       KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
+    static const Kind others[] = {
+        KIND_RGBA,       KIND_SunSkyLight, KIND_Principled,  KIND_glTF,       KIND_StandardSurface,
+        KIND_UsdPreview, KIND_Layer,       KIND_MixMaterial, KIND_SideSwitch, KIND_AlgorithmSwitch};
     return chance(c, 1, 4) ? others[choose(c, depth > 1 ? 6 : depth ? 8 : 10)] : KIND_Phong;
 }
 
 /* Documents do not displace surfaces, except for bump slopes, since the comparison has no vertices.
  * tests/compiler/lower/test_displacement.c tests displacement. */
-static bool moves_surface(const ParamRow *row) { return !strncmp(row->name, "displacement", strlen("displacement")); }
+static bool moves_surface(const ParamRow *row)
+{
+    return !strncmp(row->name, "displacement", strlen("displacement"));
+}
 
-enum { OWN_MANY = 10 }; /* parameters of a material, those of displacement among them, from which on fewer are given */
+/* parameters of a material, those of displacement among them, from which on fewer are given */
+enum { OWN_MANY = 10 };
 
 static void put_material(Generator *g, int depth)
 {
     const KindRow *row = &kind_table[choose_material(g->c, depth)];
     text_format(g->out, depth ? "{ material: %s" : "material: %s", row->name);
     for (int i = 0; i < row->count; i++)
-        if (!moves_surface(&param_table[row->first + i]) && chance(g->c, row->count > OWN_MANY ? 2 : 4, 6))
+        if (!moves_surface(&param_table[row->first + i]) &&
+            chance(g->c, row->count > OWN_MANY ? 2 : 4, 6))
             put_material_parameter(g, &param_table[row->first + i], depth);
     text_put(g->out, depth ? " }" : "\n");
 }
@@ -376,11 +394,18 @@ void generate_document(Choices *c, Text *out)
     put_material(&g, 0);
 }
 
-/* A BumpMap's, or the surface's own: its normal is then that of the surface after it was displaced. */
+/* A BumpMap's, or the surface's own: its normal is then that of the surface after it was
+ * displaced. */
 void generate_relief(Choices *c, Text *out)
 {
     static const int sizes[] = {1, 2, 4, 6, 9, 14};
-    static const char bump[] = "input: { map: BumpMap, displacement: ", *const moves[] = {bump, bump, bump, bump, "displacementScale: 0.25\ndisplacement: ", "displacementVector: "};
+    static const char bump[] = "input: { map: BumpMap, displacement: ",
+                      *const moves[] = {bump,
+                                        bump,
+                                        bump,
+                                        bump,
+                                        "displacementScale: 0.25\ndisplacement: ",
+                                        "displacementVector: "};
     Generator g = {.c = c, .out = out, .hostile = chance(c, 1, 8), .relief = true};
     g.left = sizes[choose(c, sizeof sizes / sizeof *sizes)];
     const char *begin = moves[choose(c, sizeof moves / sizeof *moves)];

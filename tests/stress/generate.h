@@ -1,4 +1,5 @@
-/* Makes valid documents of random structure from the tables of grammar/: any kind, any parameter, ordinary and hostile numbers. */
+/* Makes valid documents of random structure from the tables of grammar/: any kind, any parameter,
+ * ordinary and hostile numbers. */
 #ifndef MATC_STRESS_GENERATE_H
 #define MATC_STRESS_GENERATE_H
 #include "choices.h"
@@ -17,7 +18,8 @@ void generate_relief(Choices *c, Text *out);
 void generate_map(Choices *c, Text *out, int size);
 /* A formula of inputs i0, i1, ..., so many. generate_formula.c */
 void generate_formula(Choices *c, Text *out, int inputs);
-/* A number that a document may have for a parameter: `hostile` are those at limits, zeros, tiny and huge ones. */
+/* A number that a document may have for a parameter: `hostile` are those at limits, zeros, tiny and
+ * huge ones. */
 double generate_number(Choices *c, double low, double high, bool hostile);
 /* Answers the compiler's requests for files: the picture of documents is made in memory. */
 char *generate_file(void *user, const char *path, size_t *size, const char **why);

@@ -1,5 +1,6 @@
-/* Formulas run backwards: text of random structure from the rows of expression.def, whose widths agree. What a term makes large goes
- * through an arc tangent, so that no product of such leaves what a float holds; points may be anywhere, so a formula reads sines of them. */
+/* Formulas run backwards: text of random structure from the rows of expression.def, whose widths
+ * agree. What a term makes large goes through an arc tangent, so that no product of such leaves
+ * what a float holds; points may be anywhere, so a formula reads sines of them. */
 #include "generate.h"
 #include "grammar/expression_tables.h"
 #include <stdio.h>
@@ -26,13 +27,18 @@ static void leaf(Formulas *f, int width)
 {
     enum { LEAVES = 10 };
     static const char *const leaves[5][LEAVES] = {
-        [1] = {"sin(u)", "sin(v)", "cos(x)", "sin(y)", "cos(z)", "pi", "facing", "sin(w)", "sin(time)", "objectRandom"},
-        [2] = {"cos(uv)", "N.xz", "sin(p.xy)", "vec2(.3)", "sin(uv + p.zx)", "[u, v] * 0", "V.xy", "vertexColor.ra", "cos(uv.yx)", "sin(P.yz)"},
-        [3] = {"sin(p)", "cos(P)", "N", "sin(du)", "cos(dv)", "#c08040", "V", "vertexColor.rgb", "sin(p.zxy)", "cos(P.yzx)"},
-        [4] = {"vec4(N, .5)", "#20406080", "sin(p).xyzx", "vec4(1)", "cos(uv).xyyx", "vec4(2)", "vec4(V, facing)", "vertexColor", "sin(p).zzyx", "cos(P).xxyz"}};
+        [1] = {"sin(u)", "sin(v)", "cos(x)", "sin(y)", "cos(z)", "pi", "facing", "sin(w)",
+               "sin(time)", "objectRandom"},
+        [2] = {"cos(uv)", "N.xz", "sin(p.xy)", "vec2(.3)", "sin(uv + p.zx)", "[u, v] * 0", "V.xy",
+               "vertexColor.ra", "cos(uv.yx)", "sin(P.yz)"},
+        [3] = {"sin(p)", "cos(P)", "N", "sin(du)", "cos(dv)", "#c08040", "V", "vertexColor.rgb",
+               "sin(p.zxy)", "cos(P.yzx)"},
+        [4] = {"vec4(N, .5)", "#20406080", "sin(p).xyzx", "vec4(1)", "cos(uv).xyyx", "vec4(2)",
+               "vec4(V, facing)", "vertexColor", "sin(p).zzyx", "cos(P).xxyz"}};
     const uint32_t which = choose(f->c, 8);
     if (f->inputs && which > 5)
-        text_format(f->out, width == 1 ? "sin(i%d.x)" : "sin(i%d.xxxx)", (int)choose(f->c, (uint32_t)f->inputs));
+        text_format(f->out, width == 1 ? "sin(i%d.x)" : "sin(i%d.xxxx)",
+                    (int)choose(f->c, (uint32_t)f->inputs));
     else if (which == 0 && width == 1)
         number(f);
     else
@@ -44,8 +50,9 @@ static void leaf(Formulas *f, int width)
 /* Its value may be large where its arguments are not. */
 static bool grows(const TermRow *row)
 {
-    static const char *const names[] = {"exp",     "exp2",   "sinh",        "cosh",  "tan",  "pow",
-                                        "safepow", "divide", "inversesqrt", "remap", "bias", "degrees"};
+    static const char *const names[] = {"exp",         "exp2",  "sinh",    "cosh",
+                                        "tan",         "pow",   "safepow", "divide",
+                                        "inversesqrt", "remap", "bias",    "degrees"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (!strcmp(names[i], row->name))
             return true;

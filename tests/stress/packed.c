@@ -65,7 +65,9 @@ bool packed_agree(const LayoutRow *layout, int target, int lane, const PackedPai
     if (layout_case_bits(layout) && !target && !lane) {
         number = layout_case_of(layout, (uint32_t)a, (uint32_t)pair->last[0]);
         if (number != layout_case_of(layout, (uint32_t)b, (uint32_t)pair->last[1]))
-            return true; /* the optimiser sees of more slots that they are as absent ones: the slots are compared by themselves */
+            /* the optimiser sees of more slots that they are as absent ones: the slots are compared
+             * by themselves */
+            return true;
     } else if (layout_case_bits(layout)) {
         return true; /* which fields it holds stands in another word */
     }

@@ -1,4 +1,5 @@
-/* What a G-buffer program writes: within the range of its targets, and the same at every level of optimisation. */
+/* What a G-buffer program writes: within the range of its targets, and the same at every level of
+ * optimisation. */
 #ifndef MATC_STRESS_PACKED_H
 #define MATC_STRESS_PACKED_H
 #include "compiler/layout/layout.h"
@@ -9,6 +10,7 @@ bool packed_in_range(double value, const FormatRow *format);
 typedef struct {
     double word[2], last[2];
 } PackedPair;
-/* Their fields come from values that roundings may have set apart: each code is the same, or a neighbour. */
+/* Their fields come from values that roundings may have set apart: each code is the same, or a
+ * neighbour. */
 bool packed_agree(const LayoutRow *layout, int target, int lane, const PackedPair *pair);
 #endif

@@ -1,4 +1,5 @@
-/* Every dFdx and dFdy becomes its argument times a factor: a product, where a driver takes the difference of two pixels. */
+/* Every dFdx and dFdy becomes its argument times a factor: a product, where a driver takes the
+ * difference of two pixels. */
 #include "pixel.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -6,8 +7,9 @@
 
 Pixel pixel_number(long index)
 {
-    static const Pixel pixels[] = {{0, 0},      {1e-3, -7e-4}, {0.3, 0.01}, {0, 1e-3}, {1e-30, -1e-25},
-                                   {40, -1e-2}, {1e-7, 3e-7},  {1e4, -1e4}, {-1, 1},   {1e-6, 1e-38}};
+    static const Pixel pixels[] = {{0, 0},          {1e-3, -7e-4}, {0.3, 0.01},  {0, 1e-3},
+                                   {1e-30, -1e-25}, {40, -1e-2},   {1e-7, 3e-7}, {1e4, -1e4},
+                                   {-1, 1},         {1e-6, 1e-38}};
     return pixels[(unsigned long)index % (sizeof pixels / sizeof *pixels)];
 }
 
@@ -27,7 +29,7 @@ char *pixel_program(Pixel pixel, const char *fragment)
     char *text = malloc(room);
     if (!text)
         abort();
-    snprintf(text, room, "%.*s#define dFdx(v) ((v) * (%.9e))\n#define dFdy(v) ((v) * (%.9e))\n%s", (int)head, fragment,
-             pixel.right, pixel.up, fragment + head);
+    snprintf(text, room, "%.*s#define dFdx(v) ((v) * (%.9e))\n#define dFdy(v) ((v) * (%.9e))\n%s",
+             (int)head, fragment, pixel.right, pixel.up, fragment + head);
     return text;
 }

@@ -1,4 +1,5 @@
-/* Passes over the script until none finds anything: runs of choices are left out, runs become 0, numbers become less. */
+/* Passes over the script until none finds anything: runs of choices are left out, runs become 0,
+ * numbers become less. */
 #include "shrink.h"
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Makes a script of choices smaller that leads to a fault, as long as what is made from it still does. It knows nothing of
- * what the choices mean. */
+/* Makes a script of choices smaller that leads to a fault, as long as what is made from it still
+ * does. It knows nothing of what the choices mean. */
 #ifndef MATC_STRESS_SHRINK_H
 #define MATC_STRESS_SHRINK_H
 #include "choices.h"

@@ -1,5 +1,6 @@
-/* Machines whose operations err, as roundings of ir_eval. One evaluation in eight errs to 0 wherever it may: a cross product of parallel
- * vectors is 0 but for rounding, and what is made of a true 0 may be something else. */
+/* Machines whose operations err, as roundings of ir_eval. One evaluation in eight errs to 0
+ * wherever it may: a cross product of parallel vectors is 0 but for rounding, and what is made of a
+ * true 0 may be something else. */
 #include "spread.h"
 #include "choices.h"
 #include "compiler/library/references.h"
@@ -7,7 +8,8 @@
 #include <string.h>
 
 static const double FLOAT_ULP = 1. / (1 << 23), DOUBLE_ULP = DBL_EPSILON;
-static const double SAMPLER_ERROR = 3. / 255; /* weights and results of eight bits: tests/value/sampler.h */
+/* weights and results of eight bits: tests/value/sampler.h */
+static const double SAMPLER_ERROR = 3. / 255;
 
 static double greatest(const FoldArg *arg)
 {
@@ -53,8 +55,8 @@ typedef struct {
     int evaluation;
 } Erring;
 
-/* In [-1, 1). Every other evaluation errs alike wherever it does the same, as a driver's function does: errors that do not
- * cancel where many are summed. */
+/* In [-1, 1). Every other evaluation errs alike wherever it does the same, as a driver's function
+ * does: errors that do not cancel where many are summed. */
 static double toss(Erring *e, const IrNode *node, int lane)
 {
     Choices same;
@@ -63,11 +65,14 @@ static double toss(Erring *e, const IrNode *node, int lane)
         return 2 * choose_part(&e->random) - 1;
     same.script = NULL;
     same.count = 0;
-    same.state = (((uint64_t)e->evaluation * OP_COUNT + node->op) * 1024 + node->payload % 1024) * 64 + (uint64_t)lane;
+    same.state =
+        (((uint64_t)e->evaluation * OP_COUNT + node->op) * 1024 + node->payload % 1024) * 64 +
+        (uint64_t)lane;
     return 2 * choose_part(&same) - 1;
 }
 
-/* A library function rounds on its way too: what it would be of arguments that were off by as much, also near 0. */
+/* A library function rounds on its way too: what it would be of arguments that were off by as much,
+ * also near 0. */
 static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
     double numbers[64], result[4] = {0}, most = 0;
@@ -77,22 +82,26 @@ static double inner_error(Erring *e, const IrNode *node, const FoldArg *args, do
         for (int lane = 0; lane < type_table[args[i].type].lanes; lane++) {
             double v = args[i].numbers[lane];
             bool whole = types[i] == 's' || types[i] == 'i';
-            numbers[used] = whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
+            numbers[used] =
+                whole ? v : v + 4 * FLOAT_ULP * toss(e, node, 1 + used) * fmax(1, fabs(v));
             used++;
         }
     reference_of((int)node->payload)(e->context, numbers, result);
-    for (int i = 0; i < type_table[node->type].lanes; i++) /* which lane this is, is not known: the nearest */
+    /* which lane this is, is not known: the nearest */
+    for (int i = 0; i < type_table[node->type].lanes; i++)
         most = i && fabs(result[i] - value) > most ? most : fabs(result[i] - value);
     return 2 * most;
 }
 
-/* The footprint, which the last two arguments are but for what is shown, is surely below a texel. */
+/* The footprint, which the last two arguments are but for what is shown, is surely below a
+ * texel. */
 static bool is_magnified(const IrNode *node, const FoldArg *args)
 {
     double texels = 0;
     const int end = node->count - (node->payload == FN_imageRiseNear);
     for (int i = end - 2; i < end; i++)
-        texels = fmax(texels, hypot(args[i].numbers[0] * args[2].numbers[0], args[i].numbers[1] * args[2].numbers[1]));
+        texels = fmax(texels, hypot(args[i].numbers[0] * args[2].numbers[0],
+                                    args[i].numbers[1] * args[2].numbers[1]));
     return texels < 0.5;
 }
 
@@ -127,11 +136,13 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     }
 }
 
-/* Of a texture that the driver decodes: tests/bounds.def, of ColorSpace srgb. A slope has it for each texel on the way. */
+/* Of a texture that the driver decodes: tests/bounds.def, of ColorSpace srgb. A slope has it for
+ * each texel on the way. */
 static double decoding_error(const Erring *e, const IrNode *node, const FoldArg *args)
 {
     const double decoded = 1.3e-3;
-    if (function_arguments((int)node->payload)[0] != 's' || !e->context->textures[(int)args[0].numbers[0]].srgb)
+    if (function_arguments((int)node->payload)[0] != 's' ||
+        !e->context->textures[(int)args[0].numbers[0]].srgb)
         return 0;
     if (function_row((int)node->payload)->result == TYPE_vec2 && node->count > 3)
         return 2 * decoded * greatest(&args[2]);
@@ -164,7 +175,8 @@ static double float_error(Erring *e, const IrNode *node, const FoldArg *args, do
     case OP_pow:
         return 70 * FLOAT_ULP * fabs(value);
     case OP_call:
-        return call_error(node, args, value) + inner_error(e, node, args, value) + decoding_error(e, node, args);
+        return call_error(node, args, value) + inner_error(e, node, args, value) +
+               decoding_error(e, node, args);
     case OP_input:
     case OP_uniform:
     case OP_member:
@@ -178,10 +190,11 @@ static double float_error(Erring *e, const IrNode *node, const FoldArg *args, do
 static bool is_exact(const IrNode *node)
 {
     static const bool exact[OP_COUNT] = {
-        [OP_argument] = true, [OP_texture] = true, [OP_neg] = true,     [OP_abs] = true,   [OP_floor] = true,
-        [OP_ceil] = true,     [OP_min] = true,     [OP_max] = true,     [OP_lt] = true,    [OP_le] = true,
-        [OP_eq] = true,       [OP_ne] = true,      [OP_not] = true,     [OP_and] = true,   [OP_or] = true,
-        [OP_select] = true,   [OP_vec] = true,     [OP_swizzle] = true, [OP_clamp] = true, [OP_apply] = true,
+        [OP_argument] = true, [OP_texture] = true, [OP_neg] = true,   [OP_abs] = true,
+        [OP_floor] = true,    [OP_ceil] = true,    [OP_min] = true,   [OP_max] = true,
+        [OP_lt] = true,       [OP_le] = true,      [OP_eq] = true,    [OP_ne] = true,
+        [OP_not] = true,      [OP_and] = true,     [OP_or] = true,    [OP_select] = true,
+        [OP_vec] = true,      [OP_swizzle] = true, [OP_clamp] = true, [OP_apply] = true,
     };
     return exact[node->op] || node->type == TYPE_bool || node->type == TYPE_int;
 }
@@ -189,11 +202,14 @@ static bool is_exact(const IrNode *node)
 /* Also of inputs and constants, which doubles hold exactly. */
 static double double_error(const IrNode *node, const FoldArg *args, double value)
 {
-    if (node->op == OP_input || node->op == OP_uniform || node->op == OP_member || node->op == OP_const)
+    if (node->op == OP_input || node->op == OP_uniform || node->op == OP_member ||
+        node->op == OP_const)
         return 0;
-    double size = node->op == OP_call || node->op == OP_sin || node->op == OP_cos ? fmax(1, fabs(value))
-                                                                                  : size_of(node, args, value);
-    if (node->op == OP_call && (node->payload == FN_turbulence || node->payload == FN_vectorTurbulence))
+    double size = node->op == OP_call || node->op == OP_sin || node->op == OP_cos
+                      ? fmax(1, fabs(value))
+                      : size_of(node, args, value);
+    if (node->op == OP_call &&
+        (node->payload == FN_turbulence || node->payload == FN_vectorTurbulence))
         size = fmax(size, octaves_error(args, 1));
     return 8 * DOUBLE_ULP * size;
 }
@@ -203,8 +219,8 @@ static double err(void *user, const IrNode *node, const FoldArg *args, double va
     Erring *e = user;
     if (is_exact(node) || !isfinite(value))
         return value;
-    const double error =
-        e->machine == MACHINE_float ? float_error(e, node, args, value) : double_error(node, args, value);
+    const double error = e->machine == MACHINE_float ? float_error(e, node, args, value)
+                                                     : double_error(node, args, value);
     const double tossed = toss(e, node, 0) * error;
     value = e->evaluation % 8 == 7 && fabs(value) <= error ? 0 : value + tossed;
     return e->machine == MACHINE_float && fabs(value) < FLT_MIN ? 0 : value;
@@ -237,8 +253,10 @@ static double to_float(void *user, const IrNode *node, const FoldArg *args, doub
     return watch(user, node, args, fabsf(rounded) < FLT_MIN ? 0 : (double)rounded);
 }
 
-static void evaluate(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
-                     double (*round)(void *, const IrNode *, const FoldArg *, double), Evaluation *e)
+static void evaluate(const Ir *ir, const ReferenceContext *context,
+                     const double inputs[INPUT_COUNT][4],
+                     double (*round)(void *, const IrNode *, const FoldArg *, double),
+                     Evaluation *e)
 {
     IrRounding rounding = {round, e};
     memset(e, 0, sizeof *e);
@@ -246,12 +264,14 @@ static void evaluate(const Ir *ir, const ReferenceContext *context, const double
     ir_eval_rounded(ir, context, inputs, &rounding, e->value);
 }
 
-void evaluate_double(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e)
+void evaluate_double(const Ir *ir, const ReferenceContext *context,
+                     const double inputs[INPUT_COUNT][4], Evaluation *e)
 {
     evaluate(ir, context, inputs, watch, e);
 }
 
-void evaluate_float(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e)
+void evaluate_float(const Ir *ir, const ReferenceContext *context,
+                    const double inputs[INPUT_COUNT][4], Evaluation *e)
 {
     evaluate(ir, context, inputs, to_float, e);
 }
@@ -264,7 +284,8 @@ static void widen(Spread *spread, const double result[MOST_OUTPUTS][4])
     }
 }
 
-/* With floats, one evaluation rounds as it should: it may meet a place, a texel or an edge, that no other one meets. */
+/* With floats, one evaluation rounds as it should: it may meet a place, a texel or an edge, that no
+ * other one meets. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread)
 {
     Erring erring = {.machine = machine, .context = at->context};

@@ -1,5 +1,6 @@
-/* What rounding makes of a value: an IR evaluated many times, each operation erring at random as much as it may. Where a
- * function jumps or is steep, the values lie far apart; a correct program's value lies among them. */
+/* What rounding makes of a value: an IR evaluated many times, each operation erring at random as
+ * much as it may. Where a function jumps or is steep, the values lie far apart; a correct program's
+ * value lies among them. */
 #ifndef MATC_STRESS_SPREAD_H
 #define MATC_STRESS_SPREAD_H
 #include "tests/value/evaluate.h"
@@ -20,7 +21,8 @@ typedef struct {
 
 /* Of `count` evaluations. The exact value is included. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
-/* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its own width on both sides. */
+/* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its
+ * own width on both sides. */
 double spread_miss(const Spread *spread, int output, int lane, double value, double number);
 
 /* An evaluation as exact as doubles are, and what was seen on the way. */
@@ -29,7 +31,9 @@ typedef struct {
     double peak; /* greatest finite number of all nodes */
     bool finite; /* all of them */
 } Evaluation;
-void evaluate_double(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e);
+void evaluate_double(const Ir *ir, const ReferenceContext *context,
+                     const double inputs[INPUT_COUNT][4], Evaluation *e);
 /* Every operation's result rounded to float, denormals to 0. */
-void evaluate_float(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4], Evaluation *e);
+void evaluate_float(const Ir *ir, const ReferenceContext *context,
+                    const double inputs[INPUT_COUNT][4], Evaluation *e);
 #endif

@@ -126,8 +126,8 @@ static void write_document(const Run *run, long index, const char *text)
     char path[512];
     if (!run->options->folder)
         return;
-    snprintf(path, sizeof path, "%s/stress-%llu-%ld.yaml", run->options->folder, (unsigned long long)run->options->seed,
-             index);
+    snprintf(path, sizeof path, "%s/stress-%llu-%ld.yaml", run->options->folder,
+             (unsigned long long)run->options->seed, index);
     FILE *file = fopen(path, "w");
     if (!file)
         return;
@@ -137,7 +137,8 @@ static void write_document(const Run *run, long index, const char *text)
 }
 
 /* Shrinks and tells. */
-static void report(Worker *w, long index, const TrialPlan *plan, const Choices *choices, const TrialFault *fault)
+static void report(Worker *w, long index, const TrialPlan *plan, const Choices *choices,
+                   const TrialFault *fault)
 {
     Search search = {*plan, w->run->options->generate, fault->kind, now() + SHRINK_SECONDS};
     bool drawn = fault->kind >= FAULT_not_drawn || fault->kind == FAULT_packed;
@@ -157,7 +158,8 @@ static void report(Worker *w, long index, const TrialPlan *plan, const Choices *
     w->run->options->generate(&small, &text);
     trial_run(&search.plan, text.at, text.size, &ignored, &last);
     pthread_mutex_lock(&w->run->lock);
-    fprintf(w->run->options->out, "fault: %s; --seed %llu --first %ld --count 1%s\n%s\nshrunk: %s\n%s",
+    fprintf(w->run->options->out,
+            "fault: %s; --seed %llu --first %ld --count 1%s\n%s\nshrunk: %s\n%s",
             fault_names[fault->kind], (unsigned long long)w->run->options->seed, index,
             plan->core ? " --draw-every 1" : "", fault->text, last.text, text.at);
     write_document(w->run, index, text.at);
@@ -227,7 +229,9 @@ int stress_run(const StressOptions *options, TrialCount *total)
 {
     Run *run = calloc(1, sizeof *run);
     pthread_t threads[THREADS_MOST];
-    int count = options->threads < 1 ? 1 : options->threads > THREADS_MOST ? THREADS_MOST : options->threads;
+    int count = options->threads < 1              ? 1
+                : options->threads > THREADS_MOST ? THREADS_MOST
+                                                  : options->threads;
     if (!run)
         abort();
     keep_memory();
@@ -271,7 +275,8 @@ int stress_document(const StressOptions *options, const char *text, size_t size,
         if (trial_run(&plan, text, size, total, &fault))
             continue;
         faults++;
-        fprintf(options->out, "fault: %s, pixel %ld: %s\n", fault_names[fault.kind], options->first + i, fault.text);
+        fprintf(options->out, "fault: %s, pixel %ld: %s\n", fault_names[fault.kind],
+                options->first + i, fault.text);
     }
     close_drawers(w);
     free(w);

@@ -9,9 +9,9 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const fault_names[] = {"none", "document refused", "no IR",  "text of the IR", "not a number", "-O0",
-                                   "-O2",  "in float",         "packed", "not valid",      "not drawn",    "drawn NaN",
-                                   "drawn"};
+const char *const fault_names[] = {
+    "none",     "document refused", "no IR",     "text of the IR", "not a number", "-O0",  "-O2",
+    "in float", "packed",           "not valid", "not drawn",      "drawn NaN",    "drawn"};
 
 /* Evaluations of a spread: few first, many before anything is called a fault. */
 enum { FEW = 12, MANY = 300 };
@@ -43,14 +43,16 @@ static bool open_document(Trial *t, const char *text, size_t size)
     t->options.read_file = generate_file;
     t->session = (Session){.options = &t->options, .arena = &t->arena, .check = true};
     Source source = {.name = "stress.yaml", .text = text, .size = size};
-    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room, source);
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room,
+               source);
     t->graph = compile_front(&t->session, 0, &t->tree);
     if (!t->graph || t->session.diags.errors || !t->graph->material_count)
         return trial_fault(t, FAULT_refused, "%s", said(&t->session));
     t->material = t->graph->materials[0].node;
     Job job;
     choice_job(&t->options, &job);
-    t->oracle = oracle_open(t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
+    t->oracle = oracle_open(
+        t->graph, &(ReferenceContext){.noise = job_noise(job.choice[AXIS_noise], job.target)});
     t->exact = job.choice[AXIS_derivatives] != CHOICE_derivatives_finite;
     oracle_derivatives(t->oracle, (Choice)job.choice[AXIS_derivatives]);
     t->count->nodes += t->graph->node_count;
@@ -67,8 +69,8 @@ const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level)
     session.sources = t->session.sources;
     const Ir *ir = compile_ir(&session, t->graph, t->material, &job);
     if (!ir)
-        trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name, level,
-                    said(&session));
+        trial_fault(t, FAULT_no_ir, "%s %s -O%d: %s", pass_table[pass].name, slot_table[slot].name,
+                    level, said(&session));
     return ir;
 }
 
@@ -79,10 +81,11 @@ static void find_slots(Trial *t)
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         Subjects subjects;
         subjects_of(t->material, (Slot)slot, &subjects);
-        t->bumps[slot] = subjects.has[KIND_BumpMap] || (slot == SLOT_normal && oracle_displaced(t->material));
+        t->bumps[slot] =
+            subjects.has[KIND_BumpMap] || (slot == SLOT_normal && oracle_displaced(t->material));
         for (int kind = 0; kind < KIND_COUNT; kind++)
-            t->slots[slot] |=
-                subjects.has[kind] && kind != KIND_Constant && kind_table[kind].lowering != LOWERING_MATERIAL;
+            t->slots[slot] |= subjects.has[kind] && kind != KIND_Constant &&
+                              kind_table[kind].lowering != LOWERING_MATERIAL;
         plain += !t->slots[slot];
     }
     if (plain)
@@ -104,8 +107,8 @@ static bool reads_back(Trial *t, Arena *arena, const Ir *ir)
     return !strcmp(first.at, second.at) || trial_fault(t, FAULT_text, "it changes:\n%s", first.at);
 }
 
-/* The forms of a program: -O0, -O2, and -O0 with the numbers in it that else come from a buffer. What is computed of those is computed
- * once, by matc, but rounds as if it stood in the program. */
+/* The forms of a program: -O0, -O2, and -O0 with the numbers in it that else come from a buffer.
+ * What is computed of those is computed once, by matc, but rounds as if it stood in the program. */
 enum { AS_WRITTEN, OPTIMISED, WITH_NUMBERS, FORM_COUNT };
 
 /* A program in its forms, and what it samples. */
@@ -127,8 +130,9 @@ static bool calls(const Ir *ir, Function function)
     return false;
 }
 
-/* A sampler that takes the footprint from its neighbours sees none here. A picture is read so, or with a footprint that is told, by whether
- * the first who asks for it stands in a branch, which the optimiser may change: where both are met, a pixel has no size. */
+/* A sampler that takes the footprint from its neighbours sees none here. A picture is read so, or
+ * with a footprint that is told, by whether the first who asks for it stands in a branch, which the
+ * optimiser may change: where both are met, a pixel has no size. */
 static Pixel pixel_of(const Trial *t, const Program *p)
 {
     bool sees = false, told = false;
@@ -182,12 +186,14 @@ static const char *where(const Spot *s)
 {
     static _Thread_local char text[400];
     const float(*i)[3] = s->point->input;
-    snprintf(text, sizeof text,
-             "%s at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g px=%.9g py=%.9g pz=%.9g nx=%.9g ny=%.9g nz=%.9g "
-             "dpxdu=%.9g dpydu=%.9g dpzdu=%.9g dpxdv=%.9g dpydv=%.9g dpzdv=%.9g front=%d",
-             s->program->name, i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0],
-             i[INPUT_P][1], i[INPUT_P][2], i[INPUT_N][0], i[INPUT_N][1], i[INPUT_N][2], i[INPUT_DU][0], i[INPUT_DU][1],
-             i[INPUT_DU][2], i[INPUT_DV][0], i[INPUT_DV][1], i[INPUT_DV][2], s->front);
+    snprintf(
+        text, sizeof text,
+        "%s at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g px=%.9g py=%.9g pz=%.9g nx=%.9g ny=%.9g nz=%.9g "
+        "dpxdu=%.9g dpydu=%.9g dpzdu=%.9g dpxdv=%.9g dpydv=%.9g dpzdv=%.9g front=%d",
+        s->program->name, i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2],
+        i[INPUT_P][0], i[INPUT_P][1], i[INPUT_P][2], i[INPUT_N][0], i[INPUT_N][1], i[INPUT_N][2],
+        i[INPUT_DU][0], i[INPUT_DU][1], i[INPUT_DU][2], i[INPUT_DV][0], i[INPUT_DV][1],
+        i[INPUT_DV][2], s->front);
     return text;
 }
 
@@ -204,19 +210,22 @@ static void spot_open(Spot *s, Program *program, const Point *point, bool front)
     s->inputs[INPUT_depthZ][3] = -1;
 }
 
-/* Finite at every node, as written and optimised, in double and in float; false with no fault: values leave the range. */
+/* Finite at every node, as written and optimised, in double and in float; false with no fault:
+ * values leave the range. */
 static bool is_finite(Trial *t, Spot *s, bool *beyond)
 {
     Evaluation rounded;
     for (int i = 0; i < 2; i++) {
-        evaluate_double(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &s->exact[i]);
+        evaluate_double(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs,
+                        &s->exact[i]);
         *beyond |= s->exact[i].peak > s->program->greatest;
     }
     t->count->beyond += *beyond;
     for (int i = 0; i < 2 && !*beyond; i++) {
         if (!s->exact[i].finite)
             return trial_fault(t, FAULT_infinite, "-O%d %s", 2 * i, where(s));
-        evaluate_float(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs, &rounded);
+        evaluate_float(s->program->ir[i], &s->program->context[i], (const double(*)[4])s->inputs,
+                       &rounded);
         if (!rounded.finite && rounded.peak <= s->program->greatest)
             return trial_fault(t, FAULT_float, "-O%d %s", 2 * i, where(s));
     }
@@ -245,8 +254,9 @@ static bool agrees(Trial *t, Spot *s, const Expected *e)
         miss = fmax(spread_miss(&spread, e->output, e->lane, want, got),
                     spread_miss(&spread, e->output, e->lane, got, want));
     }
-    return miss <= double_bound || trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0,
-                                               "lane %d is %.17g, should be %.17g: %s", e->lane, got, want, where(s));
+    return miss <= double_bound ||
+           trial_fault(t, e->level ? FAULT_level_2 : FAULT_level_0,
+                       "lane %d is %.17g, should be %.17g: %s", e->lane, got, want, where(s));
 }
 
 static bool try_slot(Trial *t, Program *p, Slot slot)
@@ -263,7 +273,8 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
             continue;
         trial_ask_oracle(t, point, front, slot, &wanted);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-            double written = s.exact[0].value[0][lane], want = wanted.known ? wanted.value.lane[slot][lane] : written;
+            double written = s.exact[0].value[0][lane],
+                   want = wanted.known ? wanted.value.lane[slot][lane] : written;
             double room = wanted.room.lane[slot][lane];
             t->count->slopes += wanted.known && room > 0;
             if (room > 0 && fabs(want - written) <= room)
@@ -280,7 +291,8 @@ static bool try_slot(Trial *t, Program *p, Slot slot)
 static int output_of(const Ir *ir, int target)
 {
     int i = 0;
-    while (i < ir->output_count && (ir->outputs[i].kind != OUT_color || ir->outputs[i].index != target))
+    while (i < ir->output_count &&
+           (ir->outputs[i].kind != OUT_color || ir->outputs[i].index != target))
         i++;
     return i;
 }
@@ -297,8 +309,8 @@ static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
             continue;
         double v = s->exact[1].value[output_of(s->program->ir[1], piece->target)][piece->lane];
         if (!(v >= 1 && v <= 65504))
-            return trial_fault(t, FAULT_packed, "the pair of target %d lane %d is %g: %s", piece->target, piece->lane,
-                               v, where(s));
+            return trial_fault(t, FAULT_packed, "the pair of target %d lane %d is %g: %s",
+                               piece->target, piece->lane, v, where(s));
     }
     return true;
 }
@@ -310,8 +322,10 @@ static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
     for (int target = 0; target < (layout ? layout_targets(layout) : 1); target++)
         for (int lane = 0; lane < 4; lane++) {
             double v = s->exact[1].value[output_of(ir, target)][lane];
-            if (!packed_in_range(v, &format_table[layout ? layout->formats[target] : FORMAT_RGBA16F]))
-                return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v, where(s));
+            if (!packed_in_range(v,
+                                 &format_table[layout ? layout->formats[target] : FORMAT_RGBA16F]))
+                return trial_fault(t, FAULT_packed, "target %d lane %d is %g: %s", target, lane, v,
+                                   where(s));
         }
     return !layout || pairs_in_range(t, s, layout);
 }
@@ -320,20 +334,27 @@ static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 static const LayoutRow *layout_of(const Trial *t, Pass pass)
 {
     Job job;
-    return pass != PASS_gbuffer && pass != PASS_plane ? NULL : choice_job(&t->options, &job) ? NULL : job.layout;
+    return pass != PASS_gbuffer && pass != PASS_plane ? NULL
+           : choice_job(&t->options, &job)            ? NULL
+                                                      : job.layout;
 }
 
-/* An output at -O2 as at -O0: words by their fields. What neighbouring codes do not explain, roundings must. */
+/* An output at -O2 as at -O0: words by their fields. What neighbouring codes do not explain,
+ * roundings must. */
 static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output)
 {
     const IrOutput *out = &s->program->ir[0]->outputs[output];
-    const bool words = layout && out->kind == OUT_color && format_table[layout->formats[out->index]].words;
+    const bool words =
+        layout && out->kind == OUT_color && format_table[layout->formats[out->index]].words;
     double last[2] = {0};
     for (int level = 0; level < 2 && words; level++)
-        last[level] = s->exact[level].value[output_of(s->program->ir[level], layout_targets(layout) - 1)][3];
+        last[level] =
+            s->exact[level].value[output_of(s->program->ir[level], layout_targets(layout) - 1)][3];
     for (int lane = 0; lane < 4; lane++) {
         const double want = s->exact[0].value[output][lane];
-        if (words && packed_agree(layout, out->index, lane, &(PackedPair){{want, s->exact[1].value[output][lane]}, {last[0], last[1]}}))
+        if (words && packed_agree(layout, out->index, lane,
+                                  &(PackedPair){{want, s->exact[1].value[output][lane]},
+                                                {last[0], last[1]}}))
             continue;
         if (!agrees(t, s, &(Expected){1, output, lane, want}))
             return false;
@@ -344,7 +365,8 @@ static bool output_agrees(Trial *t, Spot *s, const LayoutRow *layout, int output
 /* It is of vertices, or they stand there at -O2: what discards nothing is gone. */
 static bool is_other(const Program *p, int output)
 {
-    return !ir_is_of_fragments(&p->ir[0]->outputs[output]) || (output < p->ir[1]->output_count && !ir_is_of_fragments(&p->ir[1]->outputs[output]));
+    return !ir_is_of_fragments(&p->ir[0]->outputs[output]) ||
+           (output < p->ir[1]->output_count && !ir_is_of_fragments(&p->ir[1]->outputs[output]));
 }
 
 /* A pass of the whole material: finite, and at -O2 as at -O0. */
@@ -380,7 +402,8 @@ static bool try_slots(Trial *t)
     return fine;
 }
 
-bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount *count, TrialFault *fault)
+bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount *count,
+               TrialFault *fault)
 {
     static const Pass others[] = {PASS_plane, PASS_sky, PASS_shadow, PASS_gbuffer};
     Trial t = {.plan = plan, .count = count, .fault = fault};

@@ -1,5 +1,6 @@
-/* One document, tried in every way: does it mean the same to the oracle, the IR as written, the optimised IR, in double and in
- * float, and as drawn; is every number finite; is the program valid. */
+/* One document, tried in every way: does it mean the same to the oracle, the IR as written, the
+ * optimised IR, in double and in float, and as drawn; is every number finite; is the program
+ * valid. */
 #ifndef MATC_STRESS_TRIAL_H
 #define MATC_STRESS_TRIAL_H
 #include "field.h"
@@ -29,19 +30,22 @@ typedef struct {
     char text[1024];
 } TrialFault;
 
-/* No value of an expression may be greater, or a float's square would be infinite: what lies beyond is no fault. */
+/* No value of an expression may be greater, or a float's square would be infinite: what lies beyond
+ * is no fault. */
 #define GREATEST_VALUE 1e18
 
 typedef struct {
-    MatcOptions options;             /* choices, such as aa; what else there is in it is set here */
-    const Point *field;              /* FIELD_COUNT points */
-    int first, count;                /* of the points that are evaluated */
-    Pixel pixel;                     /* of a program that is averaged over it */
-    bool oracle;                     /* it knows the choices */
-    bool validate;                   /* by glslang, for all targets */
-    double greatest;                 /* GREATEST_VALUE, or INFINITY: of a slot no value on the way is an excuse */
-    bool only_finite;                /* of what is drawn no more is asked */
-    Drawer *core, *compat;           /* with the field in them: the program is drawn; NULL: it is not */
+    MatcOptions options; /* choices, such as aa; what else there is in it is set here */
+    const Point *field;  /* FIELD_COUNT points */
+    int first, count;    /* of the points that are evaluated */
+    Pixel pixel;         /* of a program that is averaged over it */
+    bool oracle;         /* it knows the choices */
+    bool validate;       /* by glslang, for all targets */
+    /* GREATEST_VALUE, or INFINITY: of a slot no value on the way is an excuse */
+    double greatest;
+    bool only_finite; /* of what is drawn no more is asked */
+    /* with the field in them: the program is drawn; NULL: it is not */
+    Drawer *core, *compat;
     Drawer *core_half, *compat_half; /* of RGBA16F targets, for the G-buffer */
 } TrialPlan;
 
@@ -69,13 +73,16 @@ typedef struct {
 } Trial;
 
 /* False: see the fault. */
-bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount *count, TrialFault *fault);
+bool trial_run(const TrialPlan *plan, const char *text, size_t size, TrialCount *count,
+               TrialFault *fault);
 
 /* Parts of it. trial_fault returns false. */
-__attribute__((format(printf, 3, 4))) bool trial_fault(Trial *t, FaultKind kind, const char *format, ...);
+__attribute__((format(printf, 3, 4))) bool trial_fault(Trial *t, FaultKind kind, const char *format,
+                                                       ...);
 /* One slot's or one pass' IR, in an arena of its own; NULL and a fault. */
 const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level);
-/* What the oracle says of a slot, and how far a true slope may be from its differences; trial_oracle.c */
+/* What the oracle says of a slot, and how far a true slope may be from its differences;
+ * trial_oracle.c */
 typedef struct {
     SlotValues value, room;
     bool known;

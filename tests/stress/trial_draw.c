@@ -9,32 +9,40 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { FEW = 8, MANY = 400, JUDGED_STEP = 16 }; /* every 16th point is compared, all are looked at for NaN */
-enum { MOST_FILTERS = 1 };                      /* of a tree that is drawn: drivers inline the 27 calls of each */
-static const double MOST_WORK = 2e7;            /* evaluations of nodes for the spreads of a slot; then it is let be */
+/* every 16th point is compared, all are looked at for NaN */
+enum { FEW = 8, MANY = 400, JUDGED_STEP = 16 };
+/* of a tree that is drawn: drivers inline the 27 calls of each */
+enum { MOST_FILTERS = 1 };
+/* evaluations of nodes for the spreads of a slot; then it is let be */
+static const double MOST_WORK = 2e7;
 
 typedef struct {
     Target target;
     int optimize;
 } Variant;
-static const Variant variants[] = {
-    {TARGET_glsl330, 0}, {TARGET_glsl330, 2}, {TARGET_glsl110, 2}, {TARGET_glsl450, 2}, {TARGET_essl300, 2}};
+static const Variant variants[] = {{TARGET_glsl330, 0},
+                                   {TARGET_glsl330, 2},
+                                   {TARGET_glsl110, 2},
+                                   {TARGET_glsl450, 2},
+                                   {TARGET_essl300, 2}};
 enum { VARIANTS = sizeof variants / sizeof *variants };
 
-/* The layout that a G-buffer of half floats is drawn in: the options', or another where that one has words, which no driver
- * makes NaN of. */
+/* The layout that a G-buffer of half floats is drawn in: the options', or another where that one
+ * has words, which no driver makes NaN of. */
 static const LayoutRow *half_layout(const Trial *t, Target target)
 {
     Job job;
     MatcOptions options = t->options;
     options.target = target_table[target].name;
-    return choice_job(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis] : job.layout;
+    return choice_job(&options, &job) || layout_has_words(job.layout) ? &layout_table[LAYOUT_thesis]
+                                                                      : job.layout;
 }
 
 static bool is_written(const MatcOptions *options, Target target)
 {
     Job job;
-    return target_table[target].words || (!choice_job(options, &job) && !layout_has_words(job.layout));
+    return target_table[target].words ||
+           (!choice_job(options, &job) && !layout_has_words(job.layout));
 }
 
 bool trial_validate(Trial *t, const char *text, size_t size)
@@ -48,7 +56,8 @@ bool trial_validate(Trial *t, const char *text, size_t size)
         if (!is_written(&options, (Target)target))
             continue;
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX, &options);
-        fine = matc_ok(program) || trial_fault(t, FAULT_not_valid, "%s", matc_program_diagnostics(program, MATC_TEXT));
+        fine = matc_ok(program) ||
+               trial_fault(t, FAULT_not_valid, "%s", matc_program_diagnostics(program, MATC_TEXT));
         t->count->validated++;
         matc_program_free(program);
     }
@@ -122,8 +131,9 @@ typedef struct {
     double want, got;
 } DrawnLane;
 
-/* How far a drawn number is from what rounding may make of the program as written and, of an optimised one, of that: its mix
- * rounds by the greater of its operands. By `count` evaluations of each. */
+/* How far a drawn number is from what rounding may make of the program as written and, of an
+ * optimised one, of that: its mix rounds by the greater of its operands. By `count` evaluations of
+ * each. */
 static double spread_of(Drawing *d, const DrawnLane *drawn, int count)
 {
     double inputs[INPUT_COUNT][4], miss = INFINITY;
@@ -157,11 +167,11 @@ static bool judge(Drawing *d, int noise, const Variant *v, int k, const double w
         }
         const float *u = t->plan->field[k].input[INPUT_U], *x = t->plan->field[k].input[INPUT_X];
         if (miss > d->bound)
-            return trial_fault(
-                t, FAULT_drawn_value,
-                "%s -O%d %s lane %d is %.9g, should be %.9g, at point %d: u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g",
-                target_table[v->target].name, v->optimize, slot_table[d->slot].name, lane, got[lane], want[lane], k,
-                u[0], u[1], x[0], x[1], x[2]);
+            return trial_fault(t, FAULT_drawn_value,
+                               "%s -O%d %s lane %d is %.9g, should be %.9g, at point %d: u=%.9g "
+                               "v=%.9g x=%.9g y=%.9g z=%.9g",
+                               target_table[v->target].name, v->optimize, slot_table[d->slot].name,
+                               lane, got[lane], want[lane], k, u[0], u[1], x[0], x[1], x[2]);
     }
     return true;
 }
@@ -175,10 +185,12 @@ static bool compare(Drawing *d, const Variant *v)
             continue;
         for (int lane = 0; lane < 4; lane++)
             if (!isfinite(d->rgba[0][4 * k + lane]))
-                return trial_fault(t, FAULT_drawn_nan, "%s -O%d %s lane %d at point %d", target_table[v->target].name,
-                                   v->optimize, slot_table[d->slot].name, lane, k);
+                return trial_fault(t, FAULT_drawn_nan, "%s -O%d %s lane %d at point %d",
+                                   target_table[v->target].name, v->optimize,
+                                   slot_table[d->slot].name, lane, k);
     }
-    for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT && !t->plan->only_finite; k += JUDGED_STEP) {
+    for (int k = t->plan->first % JUDGED_STEP; k < FIELD_COUNT && !t->plan->only_finite;
+         k += JUDGED_STEP) {
         Surface surface;
         SlotValues values;
         if (d->exact[noise][k].peak > t->plan->greatest || point_is_extreme(&t->plan->field[k]))
@@ -207,12 +219,15 @@ static bool draw(Drawing *d, const Variant *v, bool half, int targets)
     options.optimize = v->optimize;
     MatcProgram *program = matc_compile(d->document, 0, MATC_FRAGMENT, &options);
     bool old = !target_table[v->target].in_out, fine = false;
-    Drawer *drawer = old ? (half ? plan->compat_half : plan->compat) : half ? plan->core_half : plan->core;
+    Drawer *drawer = old    ? (half ? plan->compat_half : plan->compat)
+                     : half ? plan->core_half
+                            : plan->core;
     if (matc_ok(program)) {
         char *text = pixel_program(plan->pixel, matc_output(program, MATC_FRAGMENT, NULL));
         Shading shading = {text, NULL, v->target, program, t->graph};
         Material material;
-        fine = drawer_material(drawer, &shading, &material) && drawer_draw(drawer, &material, true, d->rgba, targets);
+        fine = drawer_material(drawer, &shading, &material) &&
+               drawer_draw(drawer, &material, true, d->rgba, targets);
         material_delete(&material);
         free(text);
         t->count->programs++;
@@ -247,7 +262,8 @@ static bool draw_slot(Drawing *d)
     return fine;
 }
 
-/* What half-float targets hold after a G-buffer pass: no NaN and no infinity, whatever the values on the way. */
+/* What half-float targets hold after a G-buffer pass: no NaN and no infinity, whatever the values
+ * on the way. */
 static bool draw_packed(Drawing *d)
 {
     Trial *t = d->trial;
@@ -258,9 +274,10 @@ static bool draw_packed(Drawing *d)
         for (int k = 0; k < 4 * FIELD_COUNT * targets; k++) {
             float v = d->rgba[k / (4 * FIELD_COUNT)][k % (4 * FIELD_COUNT)];
             if (!isfinite(v))
-                return trial_fault(t, FAULT_packed, "%s -O%d: target %d lane %d holds %g at point %d",
-                                   target_table[variants[i].target].name, variants[i].optimize, k / (4 * FIELD_COUNT),
-                                   k % 4, v, k % (4 * FIELD_COUNT) / 4);
+                return trial_fault(t, FAULT_packed,
+                                   "%s -O%d: target %d lane %d holds %g at point %d",
+                                   target_table[variants[i].target].name, variants[i].optimize,
+                                   k / (4 * FIELD_COUNT), k % 4, v, k % (4 * FIELD_COUNT) / 4);
         }
     }
     return true;

@@ -1,12 +1,15 @@
-/* What the oracle says of a slot; of exact derivatives, how much of it can be known by differences. */
+/* What the oracle says of a slot; of exact derivatives, how much of it can be known by
+ * differences. */
 #include "trial.h"
 #include <string.h>
 
-/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those that are not err by, at most. */
+/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those
+ * that are not err by, at most. */
 static const double slope_apart = 1e-3, slope_room = 1e-6;
 
-/* Of exact derivatives the differences behind the point and ahead of it: where those are apart, nothing is known. Two that are alike
- * may still be off alike, where a great number rounds both, or where the height bends much within them: the others go over other widths. */
+/* Of exact derivatives the differences behind the point and ahead of it: where those are apart,
+ * nothing is known. Two that are alike may still be off alike, where a great number rounds both, or
+ * where the height bends much within them: the others go over other widths. */
 enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_NARROW, SPAN_COUNT };
 static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.05, 0.04}};
 
@@ -27,13 +30,15 @@ void trial_ask_oracle(Trial *t, const Point *point, bool front, Slot slot, Trial
 {
     Surface surface;
     SlotValues sides[SPAN_COUNT];
-    const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material)); /* of true displacement there are no others */
+    /* of true displacement there are no others */
+    const bool differs = t->bumps[slot] && (t->exact || oracle_displaced(t->material));
     memset(&w->room, 0, sizeof w->room);
     point_surface(point, front, &surface);
     oracle_judge_slopes(t->oracle, true);
     oracle_material(t->oracle, t->material, &surface, &w->value);
     oracle_judge_slopes(t->oracle, false);
-    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) && !(differs && point_is_far(point, far));
+    w->known = t->plan->oracle && !oracle_slopes_rough(t->oracle) &&
+               !(differs && point_is_far(point, far));
     for (int i = 0; differs && i < SPAN_COUNT; i++) {
         oracle_slope_span(t->oracle, spans[i][0], spans[i][1]);
         oracle_material(t->oracle, t->material, &surface, &sides[i]);

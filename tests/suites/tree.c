@@ -1,5 +1,6 @@
-/* Reads files by their names, and prints a line of JSON for each: the faults, and the value with everything that a Tree keeps of it,
- * {"faults": ["duplicate_key"], "tree": {"object": [["a", {"plain": "1"}], ["a", [{"text": "1"}]]]}}; refused: "tree": null. */
+/* Reads files by their names, and prints a line of JSON for each: the faults, and the value with
+ * everything that a Tree keeps of it, {"faults": ["duplicate_key"], "tree": {"object": [["a",
+ * {"plain": "1"}], ["a", [{"text": "1"}]]]}}; refused: "tree": null. */
 #include "compiler/base/file.h"
 #include "compiler/base/json_write.h"
 #include "tests/read_text.h"

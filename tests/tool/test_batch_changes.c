@@ -1,4 +1,5 @@
-/* Documents that change between the reading of a batch's materials and the writing of what they share. */
+/* Documents that change between the reading of a batch's materials and the writing of what they
+ * share. */
 #include "tests/test.h"
 #include "compiler/tool/batch.h"
 #include "tests/value/batch_set.h"
@@ -53,8 +54,9 @@ static bool run_changing(const BatchSet *set, Change *change, BatchResult *resul
 
 static void changes_are_noticed(void **state)
 {
-    static const char part[] = "defs: { tone: [0.1, 0.2, 0.3] }\n", text[] = "include: part.yaml\nmaterial: Phong\n"
-                                                                             "diffuse: { ref: tone }\nspecular: 0.1\n";
+    static const char part[] = "defs: { tone: [0.1, 0.2, 0.3] }\n",
+                      text[] = "include: part.yaml\nmaterial: Phong\n"
+                               "diffuse: { ref: tone }\nspecular: 0.1\n";
     BatchSet set;
     BatchResult result;
     Change change = {.text = part};

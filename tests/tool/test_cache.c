@@ -94,7 +94,8 @@ static void an_entry_of_another_length_is_not_served(void **state)
     char file[HEADER + sizeof blob + 8] = {0};
     Cache *cache = open_cache(folder, 0);
     cache_put(cache, key_of(7), blob, sizeof blob);
-    assert_int_equal(read_bytes(entry_path(folder, key_of(7)), file, sizeof file), HEADER + sizeof blob);
+    assert_int_equal(read_bytes(entry_path(folder, key_of(7)), file, sizeof file),
+                     HEADER + sizeof blob);
     for (size_t size = 0; size <= sizeof file; size++) {
         write_bytes(entry_path(folder, key_of(7)), file, size);
         if (size == HEADER + sizeof blob)
@@ -154,7 +155,8 @@ static bool use_read_only(const Folder *folder)
     Cache *cache = cache_open(folder->path, 1000, &why);
     char *bytes = cache ? cache_get(cache, key_of(8), &size) : NULL;
     cache_put(cache, key_of(9), blob, sizeof blob);
-    bool fine = bytes && size == sizeof blob && cache_trouble(cache) && !cache_get(cache, key_of(9), &size);
+    bool fine =
+        bytes && size == sizeof blob && cache_trouble(cache) && !cache_get(cache, key_of(9), &size);
     free(bytes);
     cache_close(cache);
     return fine;
@@ -198,7 +200,8 @@ static bool use_full(const Folder *folder)
     cache_put(cache, key_of(10), bytes, sizeof bytes);
     cache_put(cache, key_of(11), bytes, 1000);
     char *small = cache_get(cache, key_of(11), &size);
-    bool fine = small && size == 1000 && cache_trouble(cache) && !cache_get(cache, key_of(10), &size);
+    bool fine =
+        small && size == 1000 && cache_trouble(cache) && !cache_get(cache, key_of(10), &size);
     free(small);
     cache_close(cache);
     return fine;
@@ -233,7 +236,8 @@ static void what_is_no_folder_is_refused(void **state)
     cache_close(NULL);
 }
 
-/* A checksum is no signature: whoever may write an entry can forge one, as here, by hashing what he changed. */
+/* A checksum is no signature: whoever may write an entry can forge one, as here, by hashing what he
+ * changed. */
 static void what_others_may_write_is_not_read(void **state)
 {
     const Folder *folder = *state;
@@ -254,7 +258,8 @@ static void what_others_may_write_is_not_read(void **state)
     for (size_t i = 0; i < sizeof open_modes / sizeof *open_modes; i++) {
         assert_int_equal(chmod(folder->path, open_modes[i]), 0);
         assert_null(cache_open(folder->path, 0, &why));
-        assert_string_equal(why, "others may write to the folder, and could forge its entries (chmod go-w)");
+        assert_string_equal(
+            why, "others may write to the folder, and could forge its entries (chmod go-w)");
     }
     assert_int_equal(chmod(folder->path, 0755), 0);
     cache_close(open_cache(folder, 0));

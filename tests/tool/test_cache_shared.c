@@ -1,4 +1,5 @@
-/* The cache of many runs at once, and its limit: nothing wrong is served, and what was not used for longest goes. */
+/* The cache of many runs at once, and its limit: nothing wrong is served, and what was not used for
+ * longest goes. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <fcntl.h>
@@ -63,7 +64,8 @@ static void many_processes_share_a_folder(void **state)
     assert_int_equal(wrong, 0);
     cache_close(open_cache(folder, limit));
     assert_true((uint64_t)statistic(folder, "bytes") <= limit);
-    assert_int_equal(statistic(folder, "hits") + statistic(folder, "misses"), PROCESSES * 4 * ROUNDS);
+    assert_int_equal(statistic(folder, "hits") + statistic(folder, "misses"),
+                     PROCESSES * 4 * ROUNDS);
     assert_int_equal(statistic(folder, "damaged"), 0);
     assert_true(statistic(folder, "removed") > 0);
     assert_int_equal(statistic(folder, "failed"), 0);
@@ -98,7 +100,8 @@ static void many_threads_share_a_cache(void **state)
     assert_null(cache_trouble(cache));
     cache_close(cache);
     assert_true(statistic(*state, "bytes") <= 60000);
-    assert_int_equal(statistic(*state, "hits") + statistic(*state, "misses"), PROCESSES * 4 * ROUNDS);
+    assert_int_equal(statistic(*state, "hits") + statistic(*state, "misses"),
+                     PROCESSES * 4 * ROUNDS);
 }
 
 static void set_age(const Folder *folder, uint64_t n, int seconds)
@@ -181,8 +184,10 @@ static void trimming_leaves_other_files_alone(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        FOLDER_TEST(many_processes_share_a_folder),     FOLDER_TEST(many_threads_share_a_cache),
-        FOLDER_TEST(the_least_recently_used_go_first),  FOLDER_TEST(the_limit_holds_while_a_run_goes_on),
+        FOLDER_TEST(many_processes_share_a_folder),
+        FOLDER_TEST(many_threads_share_a_cache),
+        FOLDER_TEST(the_least_recently_used_go_first),
+        FOLDER_TEST(the_limit_holds_while_a_run_goes_on),
         FOLDER_TEST(trimming_leaves_other_files_alone),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
-/* The example of every map and material that --explain shows: nothing is said of it, and its picture is worth looking at: neither black
- * nor flat. A small sphere is drawn, and judged in its middle, where light alone makes little difference. */
+/* The example of every map and material that --explain shows: nothing is said of it, and its
+ * picture is worth looking at: neither black nor flat. A small sphere is drawn, and judged in its
+ * middle, where light alone makes little difference. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "grammar/tables.h"
@@ -70,23 +71,27 @@ static void examples_show_something(void **state)
     for (int kind = 0; kind < KIND_COUNT; kind++) {
         char *text = example_of(kind_table[kind].name);
         const Look look = look_of(text, !strcmp(kind_table[kind].name, "SunSkyLight"));
-        print_message("%-16s mean %.3f deviation %.3f\n", kind_table[kind].name, look.mean, look.deviation);
+        print_message("%-16s mean %.3f deviation %.3f\n", kind_table[kind].name, look.mean,
+                      look.deviation);
         assert_true(look.mean > black);
         assert_true(look.deviation > flat);
         free(text);
     }
 }
 
-/* The judge sees black. What is flat under the light is told by its warning: a transformer alone. */
+/* The judge sees black. What is flat under the light is told by its warning: a transformer
+ * alone. */
 static void nothing_is_seen(void **state)
 {
     (void)state;
-    const Look none = look_of("material: Phong\ndiffuse: 0\n", false), grey = look_of("material: Phong\n", false);
+    const Look none = look_of("material: Phong\ndiffuse: 0\n", false),
+               grey = look_of("material: Phong\n", false);
     assert_true(none.mean < 8 / 255.0 && none.deviation < 8 / 255.0);
     assert_true(grey.mean > 0.3);
 }
 
-/* Keys are no maps: their examples are documents of which nothing is said, and that have the key. */
+/* Keys are no maps: their examples are documents of which nothing is said, and that have the
+ * key. */
 static void examples_of_keys_are_documents(void **state)
 {
     (void)state;
@@ -107,7 +112,8 @@ static void examples_of_keys_are_documents(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_show_something), cmocka_unit_test(nothing_is_seen),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_show_something),
+                                       cmocka_unit_test(nothing_is_seen),
                                        cmocka_unit_test(examples_of_keys_are_documents)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* Runs that are ended before each of their calls in turn, and within each write; then the next run finds whatever was left. What is right is
- * told by runs that nothing happens to. */
+/* Runs that are ended before each of their calls in turn, and within each write; then the next run
+ * finds whatever was left. What is right is told by runs that nothing happens to. */
 /* ctest: alone seconds=26 */
 #include "tests/test.h"
 #include "tests/kill/world.h"
@@ -12,11 +12,13 @@
 
 enum { OLD_SECONDS = 7200 };
 
-/* Temporary files of the cache are as old as those that lost their writer, and it was looked through long ago. */
+/* Temporary files of the cache are as old as those that lost their writer, and it was looked
+ * through long ago. */
 static bool temporary_found;
 static int age(const char *path, const struct stat *info, int kind, struct FTW *walk)
 {
-    const struct timespec times[2] = {{.tv_sec = time(NULL) - OLD_SECONDS}, {.tv_sec = time(NULL) - OLD_SECONDS}};
+    const struct timespec times[2] = {{.tv_sec = time(NULL) - OLD_SECONDS},
+                                      {.tv_sec = time(NULL) - OLD_SECONDS}};
     (void)info;
     if (kind == FTW_F && !strncmp(path + walk->base, ".tmp", 4)) {
         temporary_found = true;
@@ -54,8 +56,9 @@ static void check_after_kill(World *w, const Strike *at)
 }
 
 /* What can change a folder. Between two of these a kill leaves what it leaves behind the first. */
-static const char *const changes[] = {"open",   "openat",   "write",    "writev", "pwrite",    "mkdir", "mkdirat",
-                                      "linkat", "renameat", "unlinkat", "rmdir",  "ftruncate", NULL};
+static const char *const changes[] = {"open",  "openat",    "write",  "writev",   "pwrite",
+                                      "mkdir", "mkdirat",   "linkat", "renameat", "unlinkat",
+                                      "rmdir", "ftruncate", NULL};
 
 static void a_run_that_is_ended_at_any_call_is_made_good_by_the_next(void **state)
 {

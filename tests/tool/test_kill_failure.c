@@ -23,10 +23,13 @@ static void check_failure(World *w, const Strike *at)
         return;
     w->left += !status;
     w->halves += status == 1;
-    world_check(w, status == 0 || strcmp(w->calls[at->n], "renameat") == 0 || strcmp(w->calls[at->n], "unlinkat") == 0, at,
-                "it failed elsewhere than in the middle of its moves");
+    world_check(w,
+                status == 0 || strcmp(w->calls[at->n], "renameat") == 0 ||
+                    strcmp(w->calls[at->n], "unlinkat") == 0,
+                at, "it failed elsewhere than in the middle of its moves");
     world_check(w, !s->index || world_index_is_true(w), at, "the manifest is not true");
-    world_check(w, world_run(w, s->run, 0, NULL) == 0 && world_is(w, &w->after, true), at, "the next run does not make it good");
+    world_check(w, world_run(w, s->run, 0, NULL) == 0 && world_is(w, &w->after, true), at,
+                "the next run does not make it good");
 }
 
 /* Calls that a full disk lets fail. */
@@ -51,19 +54,22 @@ static void a_run_of_which_a_call_fails_does_nothing_or_is_finished_by_the_next(
             world_reset(w);
             check_failure(w, &(Strike){s, n, "full"});
         }
-        printf("%s: %ld calls failed, %d of them among the moves, %d while it removed what it had used\n", s->name, w->call_count,
-               w->halves, w->left);
+        printf("%s: %ld calls failed, %d of them among the moves, %d while it removed what it had "
+               "used\n",
+               s->name, w->call_count, w->halves, w->left);
     }
     assert_int_equal(w->wrong, 0);
 }
 
-/* A batch that is as it was looks, and no more: its folder may be another's, or on a disk that cannot be written. */
+/* A batch that is as it was looks, and no more: its folder may be another's, or on a disk that
+ * cannot be written. */
 static void an_unchanged_batch_writes_nothing(void **state)
 {
     World *w = *state;
     for (int i = 0; i < SCENARIOS; i++) {
         const Scenario *s = &scenarios[i];
-        if (!s->index || s->cache || !strcmp(s->name, "a batch with textures and a depfile elsewhere"))
+        if (!s->index || s->cache ||
+            !strcmp(s->name, "a batch with textures and a depfile elsewhere"))
             continue;
         world_prepare(w, s);
         const Strike at = {s, 1, "of a disk that is not written"};

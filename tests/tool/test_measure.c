@@ -1,4 +1,5 @@
-/* Measuring: known errors are found, times are times, the front is one, choices keep what they promise. */
+/* Measuring: known errors are found, times are times, the front is one, choices keep what they
+ * promise. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/measure/pareto.h"
@@ -28,7 +29,8 @@ static MatcDocument *read_document(const char *text)
     return document;
 }
 
-static void list_material(const char *text, const MatcOptions *options, double seconds, MeasuredList *list)
+static void list_material(const char *text, const MatcOptions *options, double seconds,
+                          MeasuredList *list)
 {
     Meter *meter = open_meter();
     MatcDocument *document = read_document(text);
@@ -97,14 +99,17 @@ static void variants_are_all_there(void **state)
 static void front_has_no_beaten_member(void **state)
 {
     (void)state;
-    FrontPoint points[] = {{1, 9, 0}, {2, 5, 0}, {2, 6, 0}, {3, 5, 0}, {4, 1, 0}, {5, NAN, 0}, {1, 9, 0}};
-    const bool wanted[] = {true, true, false, false, true, false, true}; /* equals do not beat each other */
+    FrontPoint points[] = {{1, 9, 0}, {2, 5, 0},   {2, 6, 0}, {3, 5, 0},
+                           {4, 1, 0}, {5, NAN, 0}, {1, 9, 0}};
+    /* equals do not beat each other */
+    const bool wanted[] = {true, true, false, false, true, false, true};
     front_mark(points, 7);
     for (int i = 0; i < 7; i++)
         assert_int_equal(points[i].front, wanted[i]);
 }
 
-/* 0.3 in a half float is 2^-12 off at most, for drivers may cut; the emissive of the thesis has steps of 1 / 127.5. */
+/* 0.3 in a half float is 2^-12 off at most, for drivers may cut; the emissive of the thesis has
+ * steps of 1 / 127.5. */
 static void known_errors_are_found(void **state)
 {
     (void)state;
@@ -134,7 +139,8 @@ static void aliasing_and_time_are_found(void **state)
                   "emissive: { map: Granite }\n",
                   &options, 2, &list);
     assert_int_equal(list.count, 1);
-    assert_true(list.at[0].aliased[SLOT_diffuse].rms > 0.05 && list.at[0].aliased[SLOT_diffuse].rms < 0.4);
+    assert_true(list.at[0].aliased[SLOT_diffuse].rms > 0.05 &&
+                list.at[0].aliased[SLOT_diffuse].rms < 0.4);
     assert_true(list.at[0].nanoseconds > 0 && list.constant > 0);
     assert_true(list.at[0].front);
     assert_true(list.at[0].error < 0.05); /* not far from the reference */
@@ -159,7 +165,8 @@ static void tables_are_well_formed(void **state)
     MatcOptions options = defaults();
     Meter *meter = open_meter();
     list_material("material: Phong\ndiffuse: 0.3\n", &options, 1, &list);
-    char *csv = measure_csv(&list, "a \"name\", quoted", meter->gl, true), *svg = pareto_svg(&list, "<&>", meter->gl);
+    char *csv = measure_csv(&list, "a \"name\", quoted", meter->gl, true),
+         *svg = pareto_svg(&list, "<&>", meter->gl);
     int lines = 0, fields = count_fields(csv);
     for (const char *line = csv; *line; line = strchr(line, '\n') + 1, lines++)
         assert_int_equal(count_fields(line), fields);
@@ -179,7 +186,8 @@ static void choice_keeps_the_promise(void **state)
     (void)state;
     ParetoAnswer answer = {0};
     MatcDocument *document = read_document("material: Phong\ndiffuse: 0.3\nemissive: 0.5\n");
-    const ParetoSubject subject = {.document = document, .gl = GL_KIND_osmesa, .range = measure_range};
+    const ParetoSubject subject = {
+        .document = document, .gl = GL_KIND_osmesa, .range = measure_range};
     MatcOptions options = defaults();
     assert_true(pareto_choose(&subject, 0.1, &options, &answer));
     assert_non_null(strstr(answer.text, "chosen: "));
@@ -196,10 +204,11 @@ static void choice_keeps_the_promise(void **state)
 static void long_coordinates_lose_nothing(void **state)
 {
     (void)state;
-    const char *far =
-        "material: Phong\ndiffuse: { map: Checker, input: { map: UVTransform, offsetU: -12345.678, scaleV: 3.3 } }\n"
-        "emissive: { map: Granite, input: { map: XYZTransform, transform: { translation: [5000.1, 70.7, 9.3], "
-        "scale: [1.7, 1.1, 1.3] } } }\n";
+    const char *far = "material: Phong\ndiffuse: { map: Checker, input: { map: UVTransform, "
+                      "offsetU: -12345.678, scaleV: 3.3 } }\n"
+                      "emissive: { map: Granite, input: { map: XYZTransform, transform: { "
+                      "translation: [5000.1, 70.7, 9.3], "
+                      "scale: [1.7, 1.1, 1.3] } } }\n";
     MeasuredList plain, parts;
     MatcOptions options = fastest("integer");
     list_material(far, &options, 1, &plain);
@@ -216,9 +225,12 @@ static void long_coordinates_lose_nothing(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(variants_are_all_there),        cmocka_unit_test(front_has_no_beaten_member),
-        cmocka_unit_test(known_errors_are_found),        cmocka_unit_test(aliasing_and_time_are_found),
-        cmocka_unit_test(tables_are_well_formed),        cmocka_unit_test(choice_keeps_the_promise),
+        cmocka_unit_test(variants_are_all_there),
+        cmocka_unit_test(front_has_no_beaten_member),
+        cmocka_unit_test(known_errors_are_found),
+        cmocka_unit_test(aliasing_and_time_are_found),
+        cmocka_unit_test(tables_are_well_formed),
+        cmocka_unit_test(choice_keeps_the_promise),
         cmocka_unit_test(long_coordinates_lose_nothing),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

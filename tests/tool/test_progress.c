@@ -7,8 +7,9 @@ static void lines_are_rare(void **state)
     static const struct {
         double now;
         const char *written;
-    } steps[] = {{100, "\r\033[Ka\r"}, {100.05, ""},         {100.099, ""}, {100.101, "\r\033[Ka\r"},
-                 {100.15, ""},         {105, "\r\033[Ka\r"}, {105.01, ""}};
+    } steps[] = {
+        {100, "\r\033[Ka\r"}, {100.05, ""},         {100.099, ""}, {100.101, "\r\033[Ka\r"},
+        {100.15, ""},         {105, "\r\033[Ka\r"}, {105.01, ""}};
     (void)state;
     Arena arena = {0};
     double last = 0;

@@ -1,5 +1,6 @@
-/* Programs that materials share: with the numbers that the manifest has for a material, the shared program draws the G-buffer that
- * the material's own program draws, with its numbers in the text. */
+/* Programs that materials share: with the numbers that the manifest has for a material, the shared
+ * program draws the G-buffer that the material's own program draws, with its numbers in the
+ * text. */
 /* ctest: unsanitized seconds=38 */
 #include "tests/test.h"
 #include "compiler/tool/batch.h"
@@ -32,7 +33,8 @@ typedef struct {
     Drawer core, compat;
     Point points[POINT_COUNT];
     BatchSet examples, trees;
-    GLuint words[2][FRAMEBUFFER_COLORS][POINT_COUNT * 4]; /* by the shared program and by the material's own */
+    /* by the shared program and by the material's own */
+    GLuint words[2][FRAMEBUFFER_COLORS][POINT_COUNT * 4];
     float slots[2][SLOT_COUNT][POINT_COUNT * 4];
 } Fixture;
 
@@ -107,8 +109,9 @@ typedef struct {
     MatcLayout *custom;
     Gbuffer g; /* of the material's own program */
     long materials, shared;
-    long words, steps, other; /* words that were compared, whose codes are neighbours, whose codes are not */
-    long numbers, far;        /* slots that come back, that differ */
+    /* words that were compared, whose codes are neighbours, whose codes are not */
+    long words, steps, other;
+    long numbers, far; /* slots that come back, that differ */
 } Run;
 
 static int number_of(const cJSON *object, const char *key)
@@ -139,7 +142,8 @@ static void check_offset(const Material *shared, const char *name, int offset)
 static void set_constants(const Run *r, Material *shared, const cJSON *block, const cJSON *numbers)
 {
     static unsigned char bytes[BLOCK_ROOM];
-    const cJSON *members = cJSON_GetObjectItemCaseSensitive(block, "members"), *member, *list = numbers->child;
+    const cJSON *members = cJSON_GetObjectItemCaseSensitive(block, "members"), *member,
+                *list = numbers->child;
     int size = number_of(block, "size");
     assert_true(size > 0 && size <= BLOCK_ROOM && size % 16 == 0);
     assert_int_equal(cJSON_GetArraySize(members), cJSON_GetArraySize(numbers));
@@ -157,7 +161,8 @@ static void set_constants(const Run *r, Material *shared, const cJSON *block, co
             memcpy(bytes + offset + 4 * lanes++, word ? (void *)&whole : (void *)&value, 4);
         }
         if (!target_table[r->target].blocks)
-            material_set(shared, &(MaterialValue){text_of(member, "name"), lanes, (float *)(void *)(bytes + offset)});
+            material_set(shared, &(MaterialValue){text_of(member, "name"), lanes,
+                                                  (float *)(void *)(bytes + offset)});
         else
             check_offset(shared, text_of(member, "name"), offset);
         list = list->next;
@@ -176,11 +181,13 @@ static void read_gbuffer(Run *r, int into)
             !framebuffer_read_words(r->drawer->gl, &g->targets, target, f->words[into][target]))
             fail_msg("%s", r->drawer->gl->error);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        if (layout_has_slot(g->layout, (Slot)slot) && !gbuffer_read(g, (Slot)slot, f->slots[into][slot]))
+        if (layout_has_slot(g->layout, (Slot)slot) &&
+            !gbuffer_read(g, (Slot)slot, f->slots[into][slot]))
             fail_msg("%s", g->error);
 }
 
-/* The program into the targets of the material's own; its numbers come from the manifest if it has a block. */
+/* The program into the targets of the material's own; its numbers come from the manifest if it has
+ * a block. */
 static void draw_shared(Run *r, const char *fragment, const cJSON *block, const cJSON *numbers)
 {
     Material shared;
@@ -195,20 +202,26 @@ static void draw_shared(Run *r, const char *fragment, const cJSON *block, const 
     material_delete(&shared);
 }
 
-static int case_of(const Run *r, GLuint word) { return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1)); }
+static int case_of(const Run *r, GLuint word)
+{
+    return (int)(word & ((1u << layout_case_bits(r->g.layout)) - 1));
+}
 
-/* A driver takes factors together that it sees, which moves a coordinate by an ULP or two: of one up to 100 that is less than
- * a code's width of any pattern of these sets; of one of 1e5 it is a hundredth of a cell. */
+/* A driver takes factors together that it sees, which moves a coordinate by an ULP or two: of one
+ * up to 100 that is less than a code's width of any pattern of these sets; of one of 1e5 it is a
+ * hundredth of a cell. */
 static bool is_near(const Point *point)
 {
     const double far = 100;
     double greatest = 0;
     for (int lane = 0; lane < 3; lane++)
-        greatest = fmax(greatest, fmax(fabs(point->input[INPUT_U][lane]), fabs(point->input[INPUT_X][lane])));
+        greatest = fmax(greatest,
+                        fmax(fabs(point->input[INPUT_U][lane]), fabs(point->input[INPUT_X][lane])));
     return greatest <= far;
 }
 
-/* Words of the same case of the layout: a driver folds the numbers that it sees, so a value may round to the next code. */
+/* Words of the same case of the layout: a driver folds the numbers that it sees, so a value may
+ * round to the next code. */
 static void compare_words(Run *r)
 {
     GLuint(*a)[POINT_COUNT * 4] = r->f->words[0], (*b)[POINT_COUNT * 4] = r->f->words[1];
@@ -218,16 +231,19 @@ static void compare_words(Run *r)
             if (!is_near(&r->f->points[i / 4]))
                 continue;
             if (case_of(r, a[0][i / 4 * 4]) != case_of(r, b[0][i / 4 * 4]))
-                continue; /* of numbers from a buffer it is not known that a slot is as absent ones are */
-            bool near = packed_agree(r->g.layout, target, i % 4, &(PackedPair){{a[target][i], b[target][i]}, {a[last][i | 3], b[last][i | 3]}});
+                /* of numbers from a buffer it is not known that a slot is as absent ones are */
+                continue;
+            bool near = packed_agree(
+                r->g.layout, target, i % 4,
+                &(PackedPair){{a[target][i], b[target][i]}, {a[last][i | 3], b[last][i | 3]}});
             r->words++;
             r->steps += near && a[target][i] != b[target][i];
             r->other += !near;
         }
 }
 
-/* What two neighbouring codes of a piece are apart: each is within the field's error of one value, and that may be rounded
- * otherwise by some ULP. */
+/* What two neighbouring codes of a piece are apart: each is within the field's error of one value,
+ * and that may be rounded otherwise by some ULP. */
 static double piece_bound(const Piece *piece, const float *value)
 {
     ErrorUnit unit = encoding_table[piece->field->encoding].unit;
@@ -276,8 +292,8 @@ static void compare_slots(Run *r, const char *path)
                 print_message("u %.9g %.9g x %.9g %.9g %.9g: ", r->f->points[i].input[INPUT_U][0],
                               r->f->points[i].input[INPUT_U][1], r->f->points[i].input[INPUT_X][0],
                               r->f->points[i].input[INPUT_X][1], r->f->points[i].input[INPUT_X][2]),
-                    print_message("%s, point %d, %s: (%g %g %g), not (%g %g %g)\n", path, i, slot_table[slot].name,
-                                  a[0], a[1], a[2], b[0], b[1], b[2]);
+                    print_message("%s, point %d, %s: (%g %g %g), not (%g %g %g)\n", path, i,
+                                  slot_table[slot].name, a[0], a[1], a[2], b[0], b[1], b[2]);
         }
 }
 
@@ -287,8 +303,8 @@ static void draw_material(Run *r, const cJSON *material, const cJSON *use)
     char path[SET_PATH];
     Document d;
     size_t size;
-    const cJSON *program =
-        cJSON_GetArrayItem(cJSON_GetObjectItemCaseSensitive(r->set->manifest, "programs"), number_of(use, "program"));
+    const cJSON *program = cJSON_GetArrayItem(
+        cJSON_GetObjectItemCaseSensitive(r->set->manifest, "programs"), number_of(use, "program"));
     const cJSON *block = cJSON_GetObjectItemCaseSensitive(program, "constants");
     if (!block && number_of(program, "materials") == 1)
         return; /* it is its own already */
@@ -324,13 +340,15 @@ static void open_layout(Run *r)
 }
 
 /* All materials of the set, compiled for a target and a layout. */
-static void run_set(Fixture *f, BatchSet *set, Target target, const char *layout, const char *constants)
+static void run_set(Fixture *f, BatchSet *set, Target target, const char *layout,
+                    const char *constants)
 {
     char options[SET_PATH];
     const cJSON *material;
     bool old = !target_table[target].in_out;
     Run r = {.f = f, .set = set, .drawer = old ? &f->compat : &f->core, .target = target};
-    snprintf(options, sizeof options, "--target=%s --layout=%s --constants=%s --emit=glsl,layout --no-validate",
+    snprintf(options, sizeof options,
+             "--target=%s --layout=%s --constants=%s --emit=glsl,layout --no-validate",
              target_table[target].name, layout, constants);
     if (!batch_set_run(set, MATC_PROGRAM, options))
         fail_msg("matc -d %s fails", options);
@@ -344,10 +362,11 @@ static void run_set(Fixture *f, BatchSet *set, Target target, const char *layout
         draw_material(&r, material, cJSON_GetObjectItemCaseSensitive(material, "programs")->child);
         r.materials++;
     }
-    print_message("%s, %s, %s: %ld materials, %ld shared; of %ld words %ld are a step apart, %ld more; of %ld slots "
+    print_message("%s, %s, %s: %ld materials, %ld shared; of %ld words %ld are a step apart, %ld "
+                  "more; of %ld slots "
                   "%ld are other\n",
-                  target_table[target].name, layout, constants, r.materials, r.shared, r.words, r.steps, r.other,
-                  r.numbers, r.far);
+                  target_table[target].name, layout, constants, r.materials, r.shared, r.words,
+                  r.steps, r.other, r.numbers, r.far);
     matc_layout_free(r.custom);
     assert_int_equal(r.materials, set->count);
     assert_true(r.shared > set->count / 2);

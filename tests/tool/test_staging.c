@@ -52,7 +52,9 @@ static void add_list(const Interrupted *run)
     Bytes intents = {0};
     intent_add(&intents, &(Intent){.kind = INTENT_hide, .number = 1, .name = "manifest.json"});
     intent_add(&intents, &(Intent){.kind = INTENT_put, .number = 0, .name = "a.frag"});
-    intent_add(&intents, &(Intent){.kind = INTENT_remove, .hash = key_of_bytes("stale", 5), .name = "b.frag"});
+    intent_add(
+        &intents,
+        &(Intent){.kind = INTENT_remove, .hash = key_of_bytes("stale", 5), .name = "b.frag"});
     intent_add(&intents, &(Intent){.kind = INTENT_put, .number = 1, .name = "manifest.json"});
     assert_null(intents_write(&run->stage, &intents));
     bytes_free(&intents);
@@ -95,7 +97,10 @@ static const char *open_next(const Interrupted *run)
     return why;
 }
 
-static bool is_staged(const Interrupted *run) { return !faccessat(run->folder, run->stage.name, F_OK, 0); }
+static bool is_staged(const Interrupted *run)
+{
+    return !faccessat(run->folder, run->stage.name, F_OK, 0);
+}
 
 static void the_next_run_finishes_it(void **state)
 {

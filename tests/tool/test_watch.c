@@ -1,4 +1,5 @@
-/* Watching: every way in which a file comes to differ is seen, once, by notices and by looking alone. */
+/* Watching: every way in which a file comes to differ is seen, once, by notices and by looking
+ * alone. */
 #include "tests/test.h"
 #include "compiler/base/watch.h"
 #include "tests/value/folder.h"
@@ -20,7 +21,10 @@ typedef struct {
     bool poll_only;
 } Fixture;
 
-static void sleep_ms(int ms) { nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000L}, NULL); }
+static void sleep_ms(int ms)
+{
+    nanosleep(&(struct timespec){ms / 1000, ms % 1000 * 1000000L}, NULL);
+}
 
 static double now(void)
 {
@@ -60,7 +64,8 @@ static int make(void **state, bool poll_only)
     *state = f;
     f->poll_only = poll_only;
     strcpy(f->root, "/tmp/matc_watchXXXXXX");
-    if (!mkdtemp(f->root) || mkdir(in_root(f, "below"), 0700) || mkdir(in_root(f, "elsewhere"), 0700))
+    if (!mkdtemp(f->root) || mkdir(in_root(f, "below"), 0700) ||
+        mkdir(in_root(f, "elsewhere"), 0700))
         return -1;
     put(in_root(f, "elsewhere/d"), "d");
     for (int i = 0; i < FILES; i++) {
@@ -258,7 +263,9 @@ static void another_size_at_the_same_time_is_seen(void **state)
     Watch *watch = open_watch(f, FILES);
     assert_int_equal(stat(f->paths[0], &before), 0);
     put(f->paths[0], "longer");
-    assert_int_equal(utimensat(AT_FDCWD, f->paths[0], (const struct timespec[]){before.st_atim, before.st_mtim}, 0), 0);
+    assert_int_equal(utimensat(AT_FDCWD, f->paths[0],
+                               (const struct timespec[]){before.st_atim, before.st_mtim}, 0),
+                     0);
     assert_change(watch, 0);
     watch_close(watch);
 }
@@ -279,15 +286,16 @@ static void a_notice_is_quick(void **state)
     double start = now();
     assert_int_equal(pthread_create(&thread, NULL, save_later, f), 0);
     assert_change(watch, 0);
-    assert_true(now() - start < 800); /* 100, 50 of quiet, and what a busy machine adds; a look comes after 1000 */
+    /* 100, 50 of quiet, and what a busy machine adds; a look comes after 1000 */
+    assert_true(now() - start < 800);
     pthread_join(thread, NULL);
     watch_close(watch);
 }
 
 int main(void)
 {
-#define BOTH(name)                                                                                                     \
-    cmocka_unit_test_setup_teardown(name, make_with_notices, remove_all),                                              \
+#define BOTH(name)                                                                                 \
+    cmocka_unit_test_setup_teardown(name, make_with_notices, remove_all),                          \
         cmocka_unit_test_setup_teardown(name, make_without, remove_all)
 #define NOTICES(name) cmocka_unit_test_setup_teardown(name, make_with_notices, remove_all)
     const struct CMUnitTest tests[] = {

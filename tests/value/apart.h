@@ -30,5 +30,8 @@ static inline double angle(const float *drawn, const double *want)
 }
 
 /* A Checker of x may be either way. */
-static inline bool at_border(double x, double reach) { return fabs(2 * x - round(2 * x)) < 2 * reach; }
+static inline bool at_border(double x, double reach)
+{
+    return fabs(2 * x - round(2 * x)) < 2 * reach;
+}
 #endif

@@ -50,7 +50,10 @@ static void put_color(FILE *out, const char *digits, int variant)
     }
 }
 
-static bool is_color(const char *at) { return *at == '#' && strspn(at + 1, "0123456789abcdefABCDEF") == 6; }
+static bool is_color(const char *at)
+{
+    return *at == '#' && strspn(at + 1, "0123456789abcdefABCDEF") == 6;
+}
 
 /* The text with other numbers; from malloc. */
 static char *vary(const char *text, int variant)
@@ -134,8 +137,9 @@ bool batch_set_run(BatchSet *set, const char *matc, const char *options)
 {
     char command[4 * SET_PATH];
     size_t size;
-    snprintf(command, sizeof command, "cd '%s' && rm -rf out && ls d*.yaml > list && '%s' -j2 -d out %s @list",
-             set->folder, matc, options);
+    snprintf(command, sizeof command,
+             "cd '%s' && rm -rf out && ls d*.yaml > list && '%s' -j2 -d out %s @list", set->folder,
+             matc, options);
     cJSON_Delete(set->manifest);
     set->manifest = NULL;
     if (system(command))

@@ -25,7 +25,8 @@ const char *subject_name(int subject)
     if (subject < SUBJECT_WAVES)
         return kind_table[subject].name;
     if (subject < SUBJECT_SLOTS)
-        return subject - SUBJECT_WAVES < WAVE_COUNT ? wave_table[subject - SUBJECT_WAVES].name : "Chain";
+        return subject - SUBJECT_WAVES < WAVE_COUNT ? wave_table[subject - SUBJECT_WAVES].name
+                                                    : "Chain";
     if (subject < SUBJECT_WORDS)
         return slot_table[subject - SUBJECT_SLOTS].name;
     return subject < SUBJECT_DEFAULT ? word_table[subject - SUBJECT_WORDS].name : "default";
@@ -61,7 +62,8 @@ static void walk(const Node *node, Subjects *subjects)
     for (int i = 0; i < kind_table[node->kind].count; i++) {
         const Value *value = &node->params[i];
         walk_value(value, subjects);
-        if (param_is_word(&param_table[kind_table[node->kind].first + i]) && value->kind == VALUE_number)
+        if (param_is_word(&param_table[kind_table[node->kind].first + i]) &&
+            value->kind == VALUE_number)
             subjects->has[SUBJECT_WORDS + (int)value->number[0]] = true;
     }
 }
@@ -106,7 +108,8 @@ static void walk_material(const Node *material, Slot slot, Subjects *subjects)
         walk_phong(material, slot, subjects);
     else
         for (int i = 0; i < kind_table[material->kind].count; i++)
-            if (param_table[kind_table[material->kind].first + i].type == PARAM_Material && material->params[i].kind == VALUE_node)
+            if (param_table[kind_table[material->kind].first + i].type == PARAM_Material &&
+                material->params[i].kind == VALUE_node)
                 walk_material(material->params[i].node, slot, subjects);
 }
 
@@ -122,17 +125,20 @@ int subject_governing(const Subjects *subjects, Choice trigonometry)
     const bool own = trigonometry == CHOICE_trigonometry_bounded;
     int best = SUBJECT_DEFAULT;
     for (int i = 0; i < SUBJECT_COUNT; i++)
-        if (subjects->has[i] && !(own && bound_table[i].drivers) && bound_table[i].bound > bound_table[best].bound)
+        if (subjects->has[i] && !(own && bound_table[i].drivers) &&
+            bound_table[i].bound > bound_table[best].bound)
             best = i;
     return best;
 }
 
 bool subjects_slopes(const Subjects *subjects, Choice derivatives)
 {
-    return subjects->displaced || (subjects->has[KIND_BumpMap] && derivatives != CHOICE_derivatives_finite);
+    return subjects->displaced ||
+           (subjects->has[KIND_BumpMap] && derivatives != CHOICE_derivatives_finite);
 }
 
 bool subjects_noise(const Subjects *subjects)
 {
-    return subjects->has[KIND_Turbulence] || subjects->has[KIND_VolumeTurbulence] || subjects->has[KIND_Granite];
+    return subjects->has[KIND_Turbulence] || subjects->has[KIND_VolumeTurbulence] ||
+           subjects->has[KIND_Granite];
 }

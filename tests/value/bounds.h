@@ -1,4 +1,5 @@
-/* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a value is made of. */
+/* How far a shader may be from the oracle: tests/bounds.def, by the kinds, waves and slots that a
+ * value is made of. */
 #ifndef MATC_VALUE_BOUNDS_H
 #define MATC_VALUE_BOUNDS_H
 #include "compiler/front/graph.h"

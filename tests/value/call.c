@@ -8,16 +8,16 @@ enum { WIDTH = 7, HEIGHT = 5, BYTES = 4 * WIDTH * HEIGHT, SIDE = 256, RANDOM_COU
 
 /* Any bytes, and any numbers about 0. */
 #define ROW(a) a, 255 - a, (a * 37) % 256, (a * 91 + 13) % 256
-static const uint8_t picture[BYTES] = {ROW(3),   ROW(250), ROW(17),  ROW(128), ROW(99),  ROW(200), ROW(64),
-                                       ROW(31),  ROW(77),  ROW(5),   ROW(190), ROW(220), ROW(141), ROW(12),
-                                       ROW(88),  ROW(166), ROW(233), ROW(54),  ROW(109), ROW(0),   ROW(255),
-                                       ROW(70),  ROW(180), ROW(25),  ROW(133), ROW(47),  ROW(211), ROW(92),
-                                       ROW(158), ROW(8),   ROW(240), ROW(115), ROW(36),  ROW(174), ROW(60)};
+static const uint8_t picture[BYTES] = {
+    ROW(3),   ROW(250), ROW(17),  ROW(128), ROW(99),  ROW(200), ROW(64),  ROW(31),  ROW(77),
+    ROW(5),   ROW(190), ROW(220), ROW(141), ROW(12),  ROW(88),  ROW(166), ROW(233), ROW(54),
+    ROW(109), ROW(0),   ROW(255), ROW(70),  ROW(180), ROW(25),  ROW(133), ROW(47),  ROW(211),
+    ROW(92),  ROW(158), ROW(8),   ROW(240), ROW(115), ROW(36),  ROW(174), ROW(60)};
 #undef ROW
-static const float relief[WIDTH * HEIGHT] = {0.5f,  -0.25f, 1.5f,  0.1f,  -0.7f, 0.33f, 0.9f,   -1.1f, 0.05f,
-                                             0.6f,  -0.4f,  1.25f, 0.75f, -0.9f, 0.2f,  -0.05f, 0.45f, 1.0f,
-                                             -0.6f, 0.8f,   0.15f, -1.3f, 0.7f,  0.3f,  -0.8f,  0.55f, 1.1f,
-                                             -0.2f, 0.4f,   -0.5f, 0.95f, 0.0f,  -1.0f, 0.65f,  0.25f};
+static const float relief[WIDTH * HEIGHT] = {
+    0.5f,  -0.25f, 1.5f, 0.1f,   -0.7f, 0.33f, 0.9f,  -1.1f, 0.05f, 0.6f,  -0.4f, 1.25f,
+    0.75f, -0.9f,  0.2f, -0.05f, 0.45f, 1.0f,  -0.6f, 0.8f,  0.15f, -1.3f, 0.7f,  0.3f,
+    -0.8f, 0.55f,  1.1f, -0.2f,  0.4f,  -0.5f, 0.95f, 0.0f,  -1.0f, 0.65f, 0.25f};
 const ReferenceTexture call_textures[CALL_TEXTURES] = {
     {.width = WIDTH, .height = HEIGHT, .lanes = 4, .bytes = picture},
     {.width = WIDTH, .height = HEIGHT, .lanes = 1, .floats = relief}};
@@ -32,9 +32,10 @@ static bool set_tables(Material *material)
     }
     for (int i = 0; i < 4 * RANDOM_COUNT; i++)
         random[i] = reference_random_table()[(i / 4 + i % 4) % RANDOM_COUNT];
-    const TextureSpec specs[] = {{.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .wrap = GL_REPEAT},
-                                 {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .wrap = GL_REPEAT},
-                                 {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .wrap = GL_REPEAT}};
+    const TextureSpec specs[] = {
+        {.width = SIDE, .height = SIDE, .lanes = 1, .floats = permutation, .wrap = GL_REPEAT},
+        {.width = RANDOM_COUNT, .height = 1, .lanes = 4, .floats = random, .wrap = GL_REPEAT},
+        {.width = SIDE, .height = SIDE, .lanes = 1, .bytes = xor, .wrap = GL_REPEAT}};
     return material_set_texture(material, "matc_permutation", &specs[0]) &&
            material_set_texture(material, "matc_random", &specs[1]) &&
            material_set_texture(material, "matc_xor", &specs[2]);
@@ -44,10 +45,11 @@ static bool set_tables(Material *material)
 static bool set_textures(Material *material, Tuple *tuples, int source, bool linear)
 {
     const ReferenceTexture *t = &call_textures[source];
-    return material_set_texture(
-               material, "arguments",
-               &(TextureSpec){
-                   .width = CALL_ARGUMENTS, .height = CALL_COUNT, .lanes = CALL_LANES, .floats = &tuples[0][0][0]}) &&
+    return material_set_texture(material, "arguments",
+                                &(TextureSpec){.width = CALL_ARGUMENTS,
+                                               .height = CALL_COUNT,
+                                               .lanes = CALL_LANES,
+                                               .floats = &tuples[0][0][0]}) &&
            material_set_texture(material, "source",
                                 &(TextureSpec){.width = t->width,
                                                .height = t->height,
@@ -90,7 +92,10 @@ void caller_close(Caller *c)
     c->gl = NULL;
 }
 
-static void put(Caller *c, const char *text) { strncat(c->text, text, CALL_TEXT - 1 - strlen(c->text)); }
+static void put(Caller *c, const char *text)
+{
+    strncat(c->text, text, CALL_TEXT - 1 - strlen(c->text));
+}
 
 static void put_uniforms(Caller *c, const ChunkUniform *uniform)
 {
@@ -191,7 +196,8 @@ static bool draw(Caller *c, int function, Tuple *tuples, double (*results)[CALL_
     gl_use(c->gl);
     if (!make_program(c, function, &material))
         return false;
-    bool linear = function == FN_imageSampled || function == FN_imageCentred || function == FN_imageSampledOver;
+    bool linear = function == FN_imageSampled || function == FN_imageCentred ||
+                  function == FN_imageSampledOver;
     bool drawn = set_textures(&material, tuples, sampled ? (int)tuples[0][0][0] : 0, linear);
     framebuffer_use(c->gl, words ? &c->words : &c->floats);
     material_use(&material);

@@ -1,4 +1,5 @@
-/* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the arguments from a texture. */
+/* Calls a library function of GLSL with many tuples of arguments at once: one fragment a tuple, the
+ * arguments from a texture. */
 #ifndef MATC_VALUE_CALL_H
 #define MATC_VALUE_CALL_H
 #include "compiler/base/session.h"
@@ -35,8 +36,10 @@ void caller_close(Caller *caller);
 /* The same texels for the references. */
 extern const ReferenceTexture call_textures[CALL_TEXTURES];
 
-/* The function and what it needs, for the job's choices, into `text`: what call_draw will compile. */
+/* The function and what it needs, for the job's choices, into `text`: what call_draw will
+ * compile. */
 bool call_gather(Caller *caller, int function, const Job *job);
-/* CALL_COUNT results, a word as its number. A sampler argument is the texture's number in the first tuple. */
+/* CALL_COUNT results, a word as its number. A sampler argument is the texture's number in the first
+ * tuple. */
 bool call_draw(Caller *caller, int function, Tuple *tuples, double (*results)[CALL_LANES]);
 #endif

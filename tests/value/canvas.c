@@ -60,12 +60,14 @@ static GLuint make_program(Canvas *c, const Drawing *d, bool words)
 {
     static char library[LIBRARY_ROOM];
     char head[256], body[MAIN_ROOM];
-    bool reads_words = d->source && framebuffer_has_words(d->source, 0), reads = d->source || d->texture;
+    bool reads_words = d->source && framebuffer_has_words(d->source, 0),
+         reads = d->source || d->texture;
     if (!canvas_library(d->functions, NULL, library, sizeof library)) {
         gl_fail(c->gl, "no such function: %s", d->functions);
         return 0;
     }
-    snprintf(head, sizeof head, "#version 330 core\nuniform %ssampler2D source;\nuniform uint first;\nout %s color;\n",
+    snprintf(head, sizeof head,
+             "#version 330 core\nuniform %ssampler2D source;\nuniform uint first;\nout %s color;\n",
              reads_words ? "u" : "", words ? "uvec4" : "vec4");
     snprintf(body, sizeof body,
              "void main() {\n"
@@ -78,8 +80,8 @@ static GLuint make_program(Canvas *c, const Drawing *d, bool words)
              : reads_words ? "uvec4 w = texelFetch(source, pixel, 0);"
                            : "vec4 t = texelFetch(source, pixel, 0);",
              d->expression);
-    return program_make(
-        c->gl, &(ProgramText){.vertex = {"#version 330 core\n", screen_text}, .fragment = {head, library, body}});
+    return program_make(c->gl, &(ProgramText){.vertex = {"#version 330 core\n", screen_text},
+                                              .fragment = {head, library, body}});
 }
 
 /* The program, with all that it reads. 0: see error. */

@@ -1,4 +1,5 @@
-/* Draws expressions of matc's library functions over a square: what a GLSL function makes of every code there is. */
+/* Draws expressions of matc's library functions over a square: what a GLSL function makes of every
+ * code there is. */
 #ifndef MATC_VALUE_CANVAS_H
 #define MATC_VALUE_CANVAS_H
 #include "grammar/tables.h"
@@ -18,15 +19,16 @@ typedef struct {
  *     uint index    the pixel's number, counted from `first`
  *     vec4 t        the texel there of `source`, of floats; or uvec4 w where it is one of words */
 typedef struct {
-    const char *functions; /* names of library functions, a space between; what they need comes along */
+    /* names of library functions, a space between; what they need comes along */
+    const char *functions;
     const char *expression;
     unsigned first;
     const Framebuffer *source; /* its target is read, or NULL */
     GLuint texture;            /* of floats, is read where there is no source; or 0 */
 } Drawing;
 
-/* The GLSL 3.30 of library functions and of what they need, users last, by the first choice of every axis but that of `choice`, which
- * may be NULL. False: there is no such function. */
+/* The GLSL 3.30 of library functions and of what they need, users last, by the first choice of
+ * every axis but that of `choice`, which may be NULL. False: there is no such function. */
 bool canvas_library(const char *functions, const Choice *choice, char *library, size_t room);
 
 /* False: see error. Close it in any case. */

@@ -3,62 +3,64 @@
 #include "compiler/library/java_random.h"
 #include <math.h>
 
-#define POSITION(size, far)                                                                                            \
-    {                                                                                                                  \
-        FORM_position, size, far                                                                                       \
+#define POSITION(size, far)                                                                        \
+    {                                                                                              \
+        FORM_position, size, far                                                                   \
     }
-#define RANGE(low, high)                                                                                               \
-    {                                                                                                                  \
-        FORM_range, low, high                                                                                          \
+#define RANGE(low, high)                                                                           \
+    {                                                                                              \
+        FORM_range, low, high                                                                      \
     }
-#define WIDTH(least, most)                                                                                             \
-    {                                                                                                                  \
-        FORM_width, least, most                                                                                        \
+#define WIDTH(least, most)                                                                         \
+    {                                                                                              \
+        FORM_width, least, most                                                                    \
     }
-#define WIDE(least, most)                                                                                              \
-    {                                                                                                                  \
-        FORM_wide, least, most                                                                                         \
+#define WIDE(least, most)                                                                          \
+    {                                                                                              \
+        FORM_wide, least, most                                                                     \
     }
-#define WHOLE(low, high)                                                                                               \
-    {                                                                                                                  \
-        FORM_whole, low, high                                                                                          \
+#define WHOLE(low, high)                                                                           \
+    {                                                                                              \
+        FORM_whole, low, high                                                                      \
     }
-#define RATIO                                                                                                          \
-    {                                                                                                                  \
-        FORM_ratio, 0, 0                                                                                               \
+#define RATIO                                                                                      \
+    {                                                                                              \
+        FORM_ratio, 0, 0                                                                           \
     }
-#define UNIT                                                                                                           \
-    {                                                                                                                  \
-        FORM_unit, 0, 0                                                                                                \
+#define UNIT                                                                                       \
+    {                                                                                              \
+        FORM_unit, 0, 0                                                                            \
     }
-#define REST                                                                                                           \
-    {                                                                                                                  \
-        FORM_rest, 0, 0                                                                                                \
+#define REST                                                                                       \
+    {                                                                                              \
+        FORM_rest, 0, 0                                                                            \
     }
-#define PICTURE                                                                                                        \
-    {                                                                                                                  \
-        FORM_texture, 0, 0                                                                                             \
+#define PICTURE                                                                                    \
+    {                                                                                              \
+        FORM_texture, 0, 0                                                                         \
     }
-#define RELIEF                                                                                                         \
-    {                                                                                                                  \
-        FORM_texture, 1, 0                                                                                             \
+#define RELIEF                                                                                     \
+    {                                                                                              \
+        FORM_texture, 1, 0                                                                         \
     }
-#define SIZE                                                                                                           \
-    {                                                                                                                  \
-        FORM_size, 0, 0                                                                                                \
+#define SIZE                                                                                       \
+    {                                                                                              \
+        FORM_size, 0, 0                                                                            \
     }
-#define AFFINE                                                                                                         \
-    {                                                                                                                  \
-        FORM_affine, 0, 0                                                                                              \
+#define AFFINE                                                                                     \
+    {                                                                                              \
+        FORM_affine, 0, 0                                                                          \
     }
-#define SKY                                                                                                            \
-    {                                                                                                                  \
-        FORM_sky, 0, 0                                                                                                 \
+#define SKY                                                                                        \
+    {                                                                                              \
+        FORM_sky, 0, 0                                                                             \
     }
 const FunctionCase function_cases[] = {
-#define CASE(function, bound, unit, reach, ...) {FN_##function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
+#define CASE(function, bound, unit, reach, ...)                                                    \
+    {FN_##function, bound, UNIT_##unit, reach, {__VA_ARGS__}},
 #include "tests/functions.def"
-#define POINTS(map, bound, unit, reach, ...) {FN_FIRST_MAP + KIND_##map, bound, UNIT_##unit, reach, {__VA_ARGS__}},
+#define POINTS(map, bound, unit, reach, ...)                                                       \
+    {FN_FIRST_MAP + KIND_##map, bound, UNIT_##unit, reach, {__VA_ARGS__}},
 #include "grammar/maps.def"
 };
 const int case_count = sizeof function_cases / sizeof *function_cases;

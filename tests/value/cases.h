@@ -1,5 +1,5 @@
-/* What is asked of each library function, and at which arguments: tests/functions.def, and of volume maps the POINTS lines of
- * grammar/maps.def. */
+/* What is asked of each library function, and at which arguments: tests/functions.def, and of
+ * volume maps the POINTS lines of grammar/maps.def. */
 #ifndef MATC_VALUE_CASES_H
 #define MATC_VALUE_CASES_H
 #include "tuple.h"
@@ -28,6 +28,7 @@ extern const FunctionCase function_cases[];
 extern const int case_count;
 /* Of a volume map without a POINTS line: everywhere in its parameters' ranges. */
 FunctionCase case_of_ranges(Kind kind);
-/* The beginning of a case's random numbers, by its function's name: what another row is or where it stands changes nothing. */
+/* The beginning of a case's random numbers, by its function's name: what another row is or where it
+ * stands changes nothing. */
 uint64_t case_random(const FunctionCase *row, int seed);
 #endif

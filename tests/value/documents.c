@@ -5,7 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
 
 static void add_matches(DocumentList *list, const char *folder, const char *pattern)
 {
@@ -13,11 +16,13 @@ static void add_matches(DocumentList *list, const char *folder, const char *patt
     glob_t found = {0};
     snprintf(full, sizeof full, "%s/%s", folder, pattern);
     if (glob(full, 0, NULL, &found) == 0) {
-        list->paths = realloc(list->paths, ((size_t)list->count + found.gl_pathc) * sizeof *list->paths);
+        list->paths =
+            realloc(list->paths, ((size_t)list->count + found.gl_pathc) * sizeof *list->paths);
         if (!list->paths)
             abort();
         for (size_t i = 0; i < found.gl_pathc; i++)
-            if (!strstr(found.gl_pathv[i], "/layouts/") && !strstr(found.gl_pathv[i], "/engine/")) /* no documents */
+            /* no documents */
+            if (!strstr(found.gl_pathv[i], "/layouts/") && !strstr(found.gl_pathv[i], "/engine/"))
                 list->paths[list->count++] = strdup(found.gl_pathv[i]);
     }
     globfree(&found);
@@ -35,14 +40,16 @@ static DocumentList documents_of(const char *folder, const char *const patterns[
 
 DocumentList documents_list(const char *folder)
 {
-    static const char *const patterns[] = {"examples/*.yaml", "examples/*.json", "examples/*/*.yaml", "examples/*/*.json", NULL};
+    static const char *const patterns[] = {"examples/*.yaml", "examples/*.json",
+                                           "examples/*/*.yaml", "examples/*/*.json", NULL};
     return documents_of(folder, patterns);
 }
 
 DocumentList documents_tried(const char *folder)
 {
-    static const char *const patterns[] = {"examples/*.yaml",   "examples/*.json",    "examples/*/*.yaml",
-                                           "examples/*/*.json", "tests/value/*.yaml", NULL};
+    static const char *const patterns[] = {"examples/*.yaml",    "examples/*.json",
+                                           "examples/*/*.yaml",  "examples/*/*.json",
+                                           "tests/value/*.yaml", NULL};
     return documents_of(folder, patterns);
 }
 
@@ -81,9 +88,11 @@ static bool take_text(Document *d, const char *path, const char *text, size_t si
     matc_options_init(&d->options);
     d->options.pixels = true;
     d->document = matc_read(path, text, size, &d->options);
-    d->session = (Session){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
+    d->session =
+        (Session){.options = &d->options, .arena = &d->arena, .optimize = 2, .check = true};
     Source source = {.name = path, .text = text, .size = size};
-    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room, source);
+    ARENA_PUSH(&d->arena, d->session.sources, d->session.source_count, d->session.source_room,
+               source);
     d->graph = compile_front(&d->session, 0, &d->tree);
     return d->graph && d->graph->material_count && matc_error_count(d->document) == 0;
 }

@@ -1,4 +1,5 @@
-/* The example documents, read twice: through the library's surface for its shaders, and as a Graph for the oracle. */
+/* The example documents, read twice: through the library's surface for its shaders, and as a Graph
+ * for the oracle. */
 #ifndef MATC_VALUE_DOCUMENTS_H
 #define MATC_VALUE_DOCUMENTS_H
 #include "compiler/front/graph.h"
@@ -12,7 +13,8 @@ typedef struct {
 
 /* Every .yaml and .json below `folder`/examples. */
 DocumentList documents_list(const char *folder);
-/* These and tests/value's, which have what no example has: compact has no place for all of it, so there are no goldens. */
+/* These and tests/value's, which have what no example has: compact has no place for all of it, so
+ * there are no goldens. */
 DocumentList documents_tried(const char *folder);
 /* Every .yaml in the folder itself. */
 DocumentList documents_in(const char *folder);
@@ -39,6 +41,7 @@ const char *document_fault(Document *d);
 const char *document_name(const Document *d);
 void document_close(Document *d);
 
-/* Changes what a uniform of the graph is set to: all who ask for its value, draws and oracle, get this one. */
+/* Changes what a uniform of the graph is set to: all who ask for its value, draws and oracle, get
+ * this one. */
 void document_set_uniform(Document *d, int uniform, const double value[4]);
 #endif

@@ -19,7 +19,8 @@ static int height_of(const Drawer *d) { return d->width == GRID_WIDTH ? GRID_HEI
 static FieldVertex vertex_of(const Drawer *d, int i, const double part[2], const Point *point)
 {
     FieldVertex vertex = {.at = {(float)(2 * (i % d->width + 0.5 + part[0]) / d->width - 1),
-                                 (float)(2 * (i / d->width + 0.5 + part[1]) / height_of(d) - 1), 0, 1}};
+                                 (float)(2 * (i / d->width + 0.5 + part[1]) / height_of(d) - 1), 0,
+                                 1}};
     memcpy(vertex.input, point->input, sizeof vertex.input);
     return vertex;
 }
@@ -27,7 +28,8 @@ static FieldVertex vertex_of(const Drawer *d, int i, const double part[2], const
 /* The triangles turn clockwise: their back is seen. */
 static bool upload(Drawer *d, const Point *points)
 {
-    static const double middle[2] = {0, 0}, corner[CORNERS][2] = {{-0.3, -0.3}, {0, 0.4}, {0.3, -0.3}};
+    static const double middle[2] = {0, 0},
+                        corner[CORNERS][2] = {{-0.3, -0.3}, {0, 0.4}, {0.3, -0.3}};
     FieldVertex *vertices = calloc((size_t)d->count * CORNERS, sizeof *vertices);
     if (!vertices)
         abort();
@@ -50,7 +52,8 @@ static bool open_with(Drawer *d, const Point *points, int targets, GLenum format
         return false;
     const FramebufferSpec spec = {d->width, height_of(d), targets, format, false};
     d->store = store_new(d->gl);
-    return (d->store && upload(d, points) && framebuffer_make(d->gl, &spec, &d->target)) || fail(d, d->gl->error);
+    return (d->store && upload(d, points) && framebuffer_make(d->gl, &spec, &d->target)) ||
+           fail(d, d->gl->error);
 }
 
 bool drawer_open(Drawer *d, bool core, const Point *points, int count)
@@ -128,13 +131,15 @@ bool drawer_draw_to(Drawer *d, Material *material, bool front, const Framebuffer
 
 bool drawer_fill(Drawer *d, Material *material, const Point corners[3], float *rgba)
 {
-    FieldVertex vertices[CORNERS] = {{.at = {-1, -1, 0, 1}}, {.at = {3, -1, 0, 1}}, {.at = {-1, 3, 0, 1}}};
+    FieldVertex vertices[CORNERS] = {
+        {.at = {-1, -1, 0, 1}}, {.at = {3, -1, 0, 1}}, {.at = {-1, 3, 0, 1}}};
     Field field;
     for (int i = 0; i < CORNERS; i++)
         memcpy(vertices[i].input, corners[i].input, sizeof vertices[i].input);
     gl_use(d->gl);
-    bool drawn = (field_make(d->gl, vertices, CORNERS, GL_TRIANGLES, &field) || fail(d, d->gl->error)) &&
-                 draw(d, material, &field, &d->target);
+    bool drawn =
+        (field_make(d->gl, vertices, CORNERS, GL_TRIANGLES, &field) || fail(d, d->gl->error)) &&
+        draw(d, material, &field, &d->target);
     field_delete(d->gl, &field);
     return drawn && (framebuffer_read(d->gl, &d->target, 0, rgba) || fail(d, d->gl->error));
 }

@@ -54,7 +54,8 @@ void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][
 void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4])
 {
     static const Input texture[2] = {INPUT_UX, INPUT_UY}, normal[2] = {INPUT_NX, INPUT_NY};
-    static const double uv[2][2] = {{0.5, 0}, {0.125, -0.25}}; /* to the right neighbour, to the upper one */
+    /* to the right neighbour, to the upper one */
+    static const double uv[2][2] = {{0.5, 0}, {0.125, -0.25}};
     static const Input tangents[2][2] = {{INPUT_DUX, INPUT_DUY}, {INPUT_DVX, INPUT_DVY}};
     double by[2][3], swings[2][2][3];
     point_bends(point, by[0], by[1]);
@@ -64,6 +65,7 @@ void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4])
         for (int lane = 0; lane < 3; lane++)
             inputs[normal[to]][lane] = uv[to][0] * by[0][lane] + uv[to][1] * by[1][lane];
         for (int i = 0; i < 6; i++)
-            inputs[tangents[i / 3][to]][i % 3] = uv[to][0] * swings[i / 3][0][i % 3] + uv[to][1] * swings[i / 3][1][i % 3];
+            inputs[tangents[i / 3][to]][i % 3] =
+                uv[to][0] * swings[i / 3][0][i % 3] + uv[to][1] * swings[i / 3][1][i % 3];
     }
 }

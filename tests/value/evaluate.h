@@ -6,9 +6,11 @@
 
 enum { EVALUATE_TEXTURES = 64 };
 
-/* The textures of an IR, as the reference functions take them; false: there are more than EVALUATE_TEXTURES. */
+/* The textures of an IR, as the reference functions take them; false: there are more than
+ * EVALUATE_TEXTURES. */
 bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVALUATE_TEXTURES]);
 void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4]);
-/* What a curved surface changes by to the next pixels: texture coordinates and the normal, which has point_bends. */
+/* What a curved surface changes by to the next pixels: texture coordinates and the normal, which
+ * has point_bends. */
 void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4]);
 #endif

@@ -13,8 +13,9 @@ typedef struct {
     int lane; /* -1: all */
 } Leaf;
 
-static const Leaf leaves[] = {{"x", INPUT_X, 0},  {"y", INPUT_X, 1},  {"z", INPUT_X, 2},         {"v", INPUT_X, -1},
-                              {"w", INPUT_P, -1}, {"u", INPUT_U, -1}, {"front", INPUT_front, -1}};
+static const Leaf leaves[] = {{"x", INPUT_X, 0},         {"y", INPUT_X, 1},  {"z", INPUT_X, 2},
+                              {"v", INPUT_X, -1},        {"w", INPUT_P, -1}, {"u", INPUT_U, -1},
+                              {"front", INPUT_front, -1}};
 enum { LEAF_COUNT = sizeof leaves / sizeof *leaves };
 
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
@@ -72,7 +73,9 @@ static Ref make(Ir *ir, const char *word, const Ref *args, int count)
         return build_vec_of(ir, type_of_lanes[word[3] - '0'], args, count);
     for (int op = 0; op < OP_COUNT; op++)
         if (!strcmp(op_text((Op)op), word))
-            return ir_make(ir, (IrNode){.op = op, .type = ir_type(ir, args[op == OP_select]), .count = count}, args);
+            return ir_make(
+                ir, (IrNode){.op = op, .type = ir_type(ir, args[op == OP_select]), .count = count},
+                args);
     for (int function = 0; function < FUNCTION_COUNT; function++)
         if (function_row(function)->name && !strcmp(function_row(function)->name, word))
             return build_call_of(ir, function, args, count);
@@ -129,7 +132,10 @@ static void print_const(Text *out, const Ir *ir, Ref ref)
     text_put(out, lanes > 1 ? "[" : "");
     for (int i = 0; i < lanes; i++)
         text_format(out, "%s%.10g", i ? ", " : "", numbers[i]);
-    text_put(out, lanes > 1 ? "]" : ir_type(ir, ref) == TYPE_int ? "i" : ir_type(ir, ref) == TYPE_uint ? "u" : "");
+    text_put(out, lanes > 1                       ? "]"
+                  : ir_type(ir, ref) == TYPE_int  ? "i"
+                  : ir_type(ir, ref) == TYPE_uint ? "u"
+                                                  : "");
 }
 
 /* An input, or one of its lanes that has a name. */
@@ -139,7 +145,8 @@ static bool print_leaf(Text *out, const Ir *ir, Ref ref)
     int lane = node->op == OP_swizzle && ir_lanes(ir, ref) == 1 ? (int)node->payload : -1;
     Ref input = lane < 0 ? ref : ir_arg(ir, ref, 0);
     for (int i = 0; i < LEAF_COUNT; i++)
-        if (ir_is(ir, input, OP_input) && ir_at(ir, input)->payload == leaves[i].input && leaves[i].lane == lane) {
+        if (ir_is(ir, input, OP_input) && ir_at(ir, input)->payload == leaves[i].input &&
+            leaves[i].lane == lane) {
             text_put(out, leaves[i].name);
             return true;
         }

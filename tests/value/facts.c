@@ -95,7 +95,8 @@ static void take_constants(Facts *facts, const cJSON *constants, bool plain)
     const cJSON *row;
     if (!plain)
         take_block(facts, constants, "block");
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(constants, "members")) if (plain) take(facts, FACT_uniform, row, NULL);
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(constants, "members")) if (plain)
+        take(facts, FACT_uniform, row, NULL);
     else take_uniform(facts, row, "Constants");
 }
 
@@ -109,17 +110,21 @@ bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex)
         return false;
     }
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "inputs")) take_input(fragment, row);
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "uniforms")) take_uniform(fragment, row, "Material");
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "uniforms"))
+        take_uniform(fragment, row, "Material");
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "textures"))
     {
         Facts *stage = cJSON_GetObjectItem(row, "stage") ? vertex : fragment;
         snprintf(take(stage, FACT_texture, row, "binding")->type, FACT_TEXT, "sampler2D");
     }
     cJSON_ArrayForEach(row, cJSON_GetObjectItem(root, "outputs")) take_output(fragment, row);
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "attributes")) take(vertex, FACT_attribute, row, "location");
-    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "uniforms")) take_uniform(vertex, row, "Draw");
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "attributes"))
+        take(vertex, FACT_attribute, row, "location");
+    cJSON_ArrayForEach(row, cJSON_GetObjectItem(shader, "uniforms"))
+        take_uniform(vertex, row, "Draw");
     take_block(fragment, cJSON_GetObjectItem(root, "block"), "name");
-    take_constants(fragment, cJSON_GetObjectItem(root, "constants"), !strcmp(text_of(root, "target"), "glsl110"));
+    take_constants(fragment, cJSON_GetObjectItem(root, "constants"),
+                   !strcmp(text_of(root, "target"), "glsl110"));
     take_block(vertex, cJSON_GetObjectItem(shader, "block"), "name");
     cJSON_Delete(root);
     return true;

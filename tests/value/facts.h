@@ -1,4 +1,5 @@
-/* What a program reads and writes, as rows: as its reflection tells it, as its SPIR-V has it, as the driver answers. */
+/* What a program reads and writes, as rows: as its reflection tells it, as its SPIR-V has it, as
+ * the driver answers. */
 #ifndef MATC_VALUE_FACTS_H
 #define MATC_VALUE_FACTS_H
 #include "runtime/gl/context.h"
@@ -34,12 +35,15 @@ typedef struct {
 /* NULL: there is none of that kind and name. */
 const Fact *facts_find(const Facts *facts, FactKind kind, const char *name);
 
-/* Of the JSON of --emit=reflect: the fragment program's facts, the vertex program's. False: it is no reflection. */
+/* Of the JSON of --emit=reflect: the fragment program's facts, the vertex program's. False: it is
+ * no reflection. */
 bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex);
-/* Of a module of one entry point: all that its variables and decorations say. False: it is no module. */
+/* Of a module of one entry point: all that its variables and decorations say. False: it is no
+ * module. */
 bool facts_of_spirv(const uint32_t *words, size_t bytes, Facts *facts);
-/* Of a linked program, fragment and vertex together: what the driver keeps. `load` finds a function of GL by its name; outputs are asked
- * for by the names fragment0 and so on. */
+/* Of a linked program, fragment and vertex together: what the driver keeps. `load` finds a function
+ * of GL by its name; outputs are asked for by the names fragment0 and so on. */
 typedef void (*FactsProc)(void);
-void facts_of_program(GlContext *gl, GLuint program, FactsProc (*load)(void *state, const char *name), Facts *facts);
+void facts_of_program(GlContext *gl, GLuint program,
+                      FactsProc (*load)(void *state, const char *name), Facts *facts);
 #endif

@@ -57,9 +57,12 @@ static Asking ask(GlContext *gl, FactsProc (*load)(void *state, const char *name
         const char *name;
         void *function;
     } rows[] = {
-        {"glGetActiveAttrib", &a.active_attribute},    {"glGetAttribLocation", &a.attribute_location},
-        {"glGetFragDataLocation", &a.output_location}, {"glGetActiveUniformsiv", &a.uniform_values},
-        {"glGetActiveUniformBlockiv", &a.block_value}, {"glGetActiveUniformBlockName", &a.block_name},
+        {"glGetActiveAttrib", &a.active_attribute},
+        {"glGetAttribLocation", &a.attribute_location},
+        {"glGetFragDataLocation", &a.output_location},
+        {"glGetActiveUniformsiv", &a.uniform_values},
+        {"glGetActiveUniformBlockiv", &a.block_value},
+        {"glGetActiveUniformBlockName", &a.block_name},
         {"glGetUniformiv", &a.uniform_value},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -79,7 +82,8 @@ static void add_attributes(GlContext *gl, const Asking *a, GLuint program, Facts
         GLenum type;
         a->active_attribute(program, (GLuint)i, sizeof name, NULL, &size, &type, name);
         if (strncmp(name, "gl_", 3) != 0)
-            spell(type, add(facts, FACT_attribute, name, a->attribute_location(program, name))->type);
+            spell(type,
+                  add(facts, FACT_attribute, name, a->attribute_location(program, name))->type);
     }
 }
 
@@ -117,7 +121,8 @@ static void add_blocks(GlContext *gl, const Asking *a, GLuint program, Facts *fa
     }
 }
 
-void facts_of_program(GlContext *gl, GLuint program, FactsProc (*load)(void *state, const char *name), Facts *facts)
+void facts_of_program(GlContext *gl, GLuint program,
+                      FactsProc (*load)(void *state, const char *name), Facts *facts)
 {
     enum { TARGETS = 8 };
     Asking a = ask(gl, load);

@@ -1,5 +1,6 @@
-/* Rows out of SPIR-V, by its specification: one sweep over the instructions notes what is said of each id; then the variables are looked
- * at. An instruction's first word has its length in words in the upper half, its opcode in the lower. */
+/* Rows out of SPIR-V, by its specification: one sweep over the instructions notes what is said of
+ * each id; then the variables are looked at. An instruction's first word has its length in words in
+ * the upper half, its opcode in the lower. */
 #include "grammar/layout_tables.h"
 #include "facts.h"
 #include <stdio.h>
@@ -93,7 +94,11 @@ static void spell(const Module *m, uint32_t type, char text[FACT_TEXT])
         snprintf(text, FACT_TEXT, "float");
         break;
     case OP_TYPE_VECTOR:
-        snprintf(text, FACT_TEXT, "%svec%u", opcode(lane) == OP_TYPE_FLOAT ? "" : lane[3] ? "i" : "u", at[3]);
+        snprintf(text, FACT_TEXT, "%svec%u",
+                 opcode(lane) == OP_TYPE_FLOAT ? ""
+                 : lane[3]                     ? "i"
+                                               : "u",
+                 at[3]);
         break;
     case OP_TYPE_MATRIX:
         snprintf(text, FACT_TEXT, "mat%u", at[3]);
@@ -138,7 +143,10 @@ static void add_block(Module *m, const Id *variable, uint32_t type)
 
 static const char *built_in_name(int number)
 {
-    return number == 17 ? "gl_FrontFacing" : number == 22 ? "gl_FragDepth" : number == 15 ? "gl_FragCoord" : "?";
+    return number == 17   ? "gl_FrontFacing"
+           : number == 22 ? "gl_FragDepth"
+           : number == 15 ? "gl_FragCoord"
+                          : "?";
 }
 
 /* False: a resource is in another descriptor set than 0. */
@@ -149,8 +157,9 @@ static bool add_variable(Module *m, const Id *variable)
     if (storage == CLASS_INPUT || storage == CLASS_OUTPUT) {
         bool built_in = variable->number[BUILT_IN] != NO_PLACE;
         FactKind kind = built_in ? FACT_system : storage == CLASS_INPUT ? FACT_input : FACT_output;
-        Fact *fact = add(m, kind, built_in ? built_in_name(variable->number[BUILT_IN]) : variable->name,
-                         variable->number[LOCATION]);
+        Fact *fact =
+            add(m, kind, built_in ? built_in_name(variable->number[BUILT_IN]) : variable->name,
+                variable->number[LOCATION]);
         if (!built_in)
             spell(m, type, fact->type);
         if (kind == FACT_output)
@@ -161,7 +170,8 @@ static bool add_variable(Module *m, const Id *variable)
         spell(m, type, add(m, FACT_texture, variable->name, variable->number[BINDING])->type);
     if (storage == CLASS_UNIFORM)
         add_block(m, variable, type);
-    return (storage != CLASS_CONSTANT && storage != CLASS_UNIFORM) || variable->number[DESCRIPTOR_SET] == 0;
+    return (storage != CLASS_CONSTANT && storage != CLASS_UNIFORM) ||
+           variable->number[DESCRIPTOR_SET] == 0;
 }
 
 bool facts_of_spirv(const uint32_t *words, size_t bytes, Facts *facts)

@@ -8,7 +8,8 @@
 
 enum { FOLDER_PATH = 2048, FOLDER_HANDLES = 16 };
 
-static inline int folder_remove_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
+static inline int folder_remove_one(const char *path, const struct stat *info, int kind,
+                                    struct FTW *walk)
 {
     (void)info, (void)kind, (void)walk;
     return remove(path);
@@ -20,13 +21,15 @@ static inline void folder_remove(const char *path)
     nftw(path, folder_remove_one, FOLDER_HANDLES, FTW_DEPTH | FTW_PHYS);
 }
 
-/* Where nftw's files are copied to, and how much of their paths is the folder that they come from. */
+/* Where nftw's files are copied to, and how much of their paths is the folder that they come
+ * from. */
 static struct {
     const char *to;
     size_t skip;
 } folder_copied;
 
-static inline int folder_copy_one(const char *path, const struct stat *info, int kind, struct FTW *walk)
+static inline int folder_copy_one(const char *path, const struct stat *info, int kind,
+                                  struct FTW *walk)
 {
     char to[FOLDER_PATH];
     size_t size;

@@ -21,14 +21,16 @@ static bool make_all(Gbuffer *g)
            fail(g, gl->error);
 }
 
-bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material, const MatcOptions *options)
+bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material,
+                  const MatcOptions *options)
 {
     Job job;
     *g = (Gbuffer){.drawer = drawer};
     if (choice_job(options, &job))
         return fail(g, "no such option");
     g->layout = job.layout;
-    g->program = matc_compile(document->document, material, MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
+    g->program = matc_compile(document->document, material,
+                              MATC_FRAGMENT | MATC_VERTEX | MATC_UNPACK, options);
     if (!matc_ok(g->program))
         return fail(g, matc_program_diagnostics(g->program, MATC_TEXT));
     g->unpack = matc_output(g->program, MATC_UNPACK, NULL);
@@ -39,7 +41,8 @@ bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int mate
     return make_all(g);
 }
 
-bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRow *layout, const MatcOptions *options)
+bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRow *layout,
+                         const MatcOptions *options)
 {
     Job job;
     Products products;
@@ -51,7 +54,8 @@ bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *d, const LayoutRo
     d->session.check = true;
     Ir *ir = compile_ir(&d->session, d->graph, d->graph->materials[0].node, &job);
     if (!ir || !compile_back(&d->session, ir, &job, &products))
-        return fail(g, d->session.diags.count ? d->session.diags.at[0].message : "it does not compile");
+        return fail(g, d->session.diags.count ? d->session.diags.at[0].message
+                                              : "it does not compile");
     g->unpack = emit_unpack(&d->session, &job);
     g->shading = (Shading){.fragment = products.fragment, .target = job.target, .graph = d->graph};
     return make_all(g);

@@ -1,4 +1,5 @@
-/* A G-buffer of any layout: points are drawn into it by matc's program, and read back by matc's GLSL, slot by slot. */
+/* A G-buffer of any layout: points are drawn into it by matc's program, and read back by matc's
+ * GLSL, slot by slot. */
 #ifndef MATC_VALUE_GBUFFER_H
 #define MATC_VALUE_GBUFFER_H
 #include "documents.h"
@@ -18,8 +19,10 @@ typedef struct {
 } Gbuffer;
 
 /* Compiles a material of the document with the options. False: see error. Close it in any case. */
-bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material, const MatcOptions *options);
-/* The first material with any layout, for a document without uniforms; its options' layout does not count. */
+bool gbuffer_open(Gbuffer *g, Drawer *drawer, const Document *document, int material,
+                  const MatcOptions *options);
+/* The first material with any layout, for a document without uniforms; its options' layout does not
+ * count. */
 bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *document, const LayoutRow *layout,
                          const MatcOptions *options);
 void gbuffer_close(Gbuffer *g);

@@ -5,7 +5,10 @@
 #include <stdbool.h>
 
 /* The distance of half floats around a number. */
-static inline double half_step(double v) { return ldexp(1, fmax(ilogb(fmax(fabs(v), 1e-30)), -14) - 10); }
+static inline double half_step(double v)
+{
+    return ldexp(1, fmax(ilogb(fmax(fabs(v), 1e-30)), -14) - 10);
+}
 /* Zero, or within the normal numbers: no infinity, no NaN, no denormal. */
 static inline bool half_is_plain(double v)
 {

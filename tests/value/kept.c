@@ -35,12 +35,16 @@ static const FieldRow *field_of(const Comparison *c, Slot slot, int lane)
     return NULL;
 }
 
-/* The field's error, of the value or, where lanes share an exponent, of the greatest; `least`: what has no code near. */
+/* The field's error, of the value or, where lanes share an exponent, of the greatest; `least`: what
+ * has no code near. */
 static double bound_of(const FieldRow *field, Slot slot, int lane, const float *want)
 {
-    const double high = field_high(field), least = field->encoding == ENCODING_logarithm ? 1. / 32 : ldexp(1, -20);
+    const double high = field_high(field),
+                 least = field->encoding == ENCODING_logarithm ? 1. / 32 : ldexp(1, -20);
     double of = fabs(want[lane]);
-    for (int i = 0; field->encoding == ENCODING_sharedExponent && i < type_table[slot_table[slot].type].lanes; i++)
+    for (int i = 0;
+         field->encoding == ENCODING_sharedExponent && i < type_table[slot_table[slot].type].lanes;
+         i++)
         of = fmax(of, fabs(want[i]));
     if (encoding_table[field->encoding].unit == UNIT_relative)
         return (field_error(field) + 5e-6) * fmin(of, high) + least;
@@ -85,17 +89,18 @@ static bool draw_values(Comparison *c, Drawer *drawer, const KeptMaterial *mater
     MatcOptions own = *material->options;
     own.pass = "value";
     own.slot = slot_table[slot].name;
-    MatcProgram *program = matc_compile(material->document->document, material->material, MATC_FRAGMENT, &own);
+    MatcProgram *program =
+        matc_compile(material->document->document, material->material, MATC_FRAGMENT, &own);
     Shading shading = {.fragment = matc_output(program, MATC_FRAGMENT, NULL),
                        .target = TARGET_glsl330,
                        .program = program,
                        .graph = material->document->graph};
     Material drawn = {0};
-    bool fine =
-        matc_ok(program) && drawer_material(drawer, &shading, &drawn) && drawer_draw(drawer, &drawn, true, &c->want, 1);
+    bool fine = matc_ok(program) && drawer_material(drawer, &shading, &drawn) &&
+                drawer_draw(drawer, &drawn, true, &c->want, 1);
     if (!fine)
-        snprintf(c->kept->error, sizeof c->kept->error, "%.500s%.500s", matc_program_diagnostics(program, MATC_TEXT),
-                 drawer->error);
+        snprintf(c->kept->error, sizeof c->kept->error, "%.500s%.500s",
+                 matc_program_diagnostics(program, MATC_TEXT), drawer->error);
     material_delete(&drawn);
     matc_program_free(program);
     return fine;
@@ -112,12 +117,14 @@ static int drawn_case(const Gbuffer *g, int count)
     const GLuint first = words[0][0];
     if (!framebuffer_read_words(g->drawer->gl, &g->targets, last, &words[0][0]))
         abort();
-    const int number = layout_case_of(g->layout, first, words[0][format_table[g->layout->formats[last]].lanes - 1]);
+    const int number = layout_case_of(g->layout, first,
+                                      words[0][format_table[g->layout->formats[last]].lanes - 1]);
     free(words);
     return number;
 }
 
-static bool compare_all(Comparison *c, Gbuffer *g, const KeptMaterial *material, const bool matters[SLOT_COUNT])
+static bool compare_all(Comparison *c, Gbuffer *g, const KeptMaterial *material,
+                        const bool matters[SLOT_COUNT])
 {
     c->layout = g->layout;
     if (!gbuffer_draw(g, true)) {
@@ -132,14 +139,15 @@ static bool compare_all(Comparison *c, Gbuffer *g, const KeptMaterial *material,
         if (slot == SLOT_normal || !(matters ? matters[slot] : has))
             continue;
         c->kept->fields += has;
-        if ((has && !gbuffer_read(g, (Slot)slot, c->got)) || !draw_values(c, g->drawer, material, (Slot)slot) ||
-            !compare_slot(c, (Slot)slot))
+        if ((has && !gbuffer_read(g, (Slot)slot, c->got)) ||
+            !draw_values(c, g->drawer, material, (Slot)slot) || !compare_slot(c, (Slot)slot))
             return false;
     }
     return true;
 }
 
-bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material, const bool matters[SLOT_COUNT])
+bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material,
+                const bool matters[SLOT_COUNT])
 {
     Gbuffer g;
     Comparison c = {.kept = kept, .count = drawer->count};

@@ -1,4 +1,5 @@
-/* What a layout keeps: a material's slots drawn as they are, beside what comes back of the G-buffer. */
+/* What a layout keeps: a material's slots drawn as they are, beside what comes back of the
+ * G-buffer. */
 #ifndef MATC_VALUE_KEPT_H
 #define MATC_VALUE_KEPT_H
 #include "gbuffer.h"
@@ -19,8 +20,10 @@ typedef struct {
     const MatcOptions *options;
 } KeptMaterial;
 
-/* Draws a material's slots and its G-buffer, at the drawer's points, and compares each slot that matters with what comes back:
- * as far as its field promises; where the layout has none, as absent. `matters` NULL: those that the layout has. Normals are
- * another test's. The drawer has POINT_COUNT points. False: see error. */
-bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material, const bool matters[SLOT_COUNT]);
+/* Draws a material's slots and its G-buffer, at the drawer's points, and compares each slot that
+ * matters with what comes back: as far as its field promises; where the layout has none, as absent.
+ * `matters` NULL: those that the layout has. Normals are another test's. The drawer has POINT_COUNT
+ * points. False: see error. */
+bool kept_check(Kept *kept, Drawer *drawer, const KeptMaterial *material,
+                const bool matters[SLOT_COUNT]);
 #endif

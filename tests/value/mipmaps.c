@@ -21,10 +21,11 @@ static void fill_levels(Mipmaps *m)
                 for (int lane = 0; lane < MIPMAPS_LANES; lane++) {
                     double(*below)[MIPMAPS_SIDE][MIPMAPS_LANES] = m->texel[level ? level - 1 : 0];
                     int x = 2 * column, y = 2 * row;
-                    m->texel[level][row][column][lane] = !level ? byte_at(column, row, lane) / 255.
-                                                                : (below[y][x][lane] + below[y][x + 1][lane] +
-                                                                   below[y + 1][x][lane] + below[y + 1][x + 1][lane]) /
-                                                                      4;
+                    m->texel[level][row][column][lane] =
+                        !level ? byte_at(column, row, lane) / 255.
+                               : (below[y][x][lane] + below[y][x + 1][lane] +
+                                  below[y + 1][x][lane] + below[y + 1][x + 1][lane]) /
+                                     4;
                 }
 }
 
@@ -45,7 +46,8 @@ bool mipmaps_write(Mipmaps *m, int side, const char *folder)
     return !why;
 }
 
-/* The texel that a whole number stands for, by walking there from the picture's own; NOWHERE: none. */
+/* The texel that a whole number stands for, by walking there from the picture's own; NOWHERE:
+ * none. */
 static int wrapped(Address address, double place, int side)
 {
     int texel = (int)floor(place);

@@ -1,4 +1,5 @@
-/* Pictures of a few texels, with mipmaps that are made by hand and read by no code of the compiler's. */
+/* Pictures of a few texels, with mipmaps that are made by hand and read by no code of the
+ * compiler's. */
 #ifndef MATC_VALUE_MIPMAPS_H
 #define MATC_VALUE_MIPMAPS_H
 #include <stdbool.h>
@@ -6,7 +7,8 @@
 enum { MIPMAPS_SIDE = 8, MIPMAPS_LEVELS = 4, MIPMAPS_LANES = 3 };
 typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
 
-/* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one below; row 0 is at v = 0. */
+/* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one
+ * below; row 0 is at v = 0. */
 typedef struct {
     int side;
     Address address;
@@ -16,7 +18,8 @@ typedef struct {
 
 /* Writes side.png into the folder: any bytes, far from each other. */
 bool mipmaps_write(Mipmaps *mipmaps, int side, const char *folder);
-/* Mixed of the four texels around a place of a level, of which whole numbers are the texels' own; of a border there is nothing. */
+/* Mixed of the four texels around a place of a level, of which whole numbers are the texels' own;
+ * of a border there is nothing. */
 double mipmaps_bilinear(const Mipmaps *mipmaps, int level, double x, double y, int lane);
 
 #endif

@@ -5,16 +5,21 @@
 #include <string.h>
 
 /* A volume's point is its highest. */
-static void move(const Surface *surface, bool volume, const OracleDisplacement *d, double position[3])
+static void move(const Surface *surface, bool volume, const OracleDisplacement *d,
+                 double position[3])
 {
     static const Group groups[] = {GROUP_DU, GROUP_DV, GROUP_N};
     const bool first = d->by[0] < d->by[1], second = d->by[2] < d->by[3];
     const double top = fmax(first ? d->by[1] : -INFINITY, second ? d->by[3] : -INFINITY);
-    const double by[3] = {volume ? 0 : d->by[0], volume ? 0 : d->by[1], !volume ? d->by[2] : first || second ? top : 0};
+    const double by[3] = {volume ? 0 : d->by[0], volume ? 0 : d->by[1],
+                          !volume           ? d->by[2]
+                          : first || second ? top
+                                            : 0};
     memcpy(position, &surface->root[channel_id(GROUP_P, 0)], 3 * sizeof *position);
     for (int k = 0; k < 3; k++) {
         const double *along = &surface->root[channel_id(groups[k], 0)];
-        const double size = fmax(sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]), 1e-30);
+        const double size =
+            fmax(sqrt(along[0] * along[0] + along[1] * along[1] + along[2] * along[2]), 1e-30);
         for (int lane = 0; lane < 3; lane++)
             position[lane] += by[k] * along[lane] / size;
     }

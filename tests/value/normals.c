@@ -38,7 +38,8 @@ const NormalRow normal_table[] = {
 };
 const int normal_rows = sizeof normal_table / sizeof *normal_table;
 
-/* A generator of 64 bits, its state mixed by a multiplication and shifts: the same directions in every run. */
+/* A generator of 64 bits, its state mixed by a multiplication and shifts: the same directions in
+ * every run. */
 static double random_number(uint64_t *state)
 {
     uint64_t x = *state += 0x9E3779B97F4A7C15u;
@@ -97,8 +98,9 @@ static void store(const NormalRow *row, const double n[3], double read[3])
     case STORE_xyz:
     case STORE_xyz_halves:
         for (int i = 0; i < 3; i++)
-            read[i] =
-                row->store == STORE_xyz ? 2 * floor((n[i] / 2 + 0.5) * steps + 0.5) / steps - 1 : through_half(n[i]);
+            read[i] = row->store == STORE_xyz
+                          ? 2 * floor((n[i] / 2 + 0.5) * steps + 0.5) / steps - 1
+                          : through_half(n[i]);
         normalise(read);
         break;
     default:
@@ -139,5 +141,6 @@ double normals_off(double measured, double wanted)
 
 bool normals_are_singular(const NormalRow *row)
 {
-    return (row->store == STORE_spheremap || row->store == STORE_spheremap_halves) && !row->hemisphere;
+    return (row->store == STORE_spheremap || row->store == STORE_spheremap_halves) &&
+           !row->hemisphere;
 }

@@ -1,5 +1,6 @@
-/* Encodings of unit normals beside the figures of numerics.md 1.1: how far a normal is from itself after being stored. For the
- * benchmark, which prints them, and the test, which holds them to the figures. */
+/* Encodings of unit normals beside the figures of numerics.md 1.1: how far a normal is from itself
+ * after being stored. For the benchmark, which prints them, and the test, which holds them to the
+ * figures. */
 #ifndef MATC_TESTS_NORMALS_H
 #define MATC_TESTS_NORMALS_H
 #include <stdbool.h>
@@ -36,8 +37,10 @@ extern const int normal_rows;
 
 /* Over so many random directions, the same ones in every run, in double precision. */
 NormalAngles normals_measure(const NormalRow *row, int directions);
-/* By how much of a figure a measured number misses it, beyond what the figure's digits leave open; 0 where there is none. */
+/* By how much of a figure a measured number misses it, beyond what the figure's digits leave open;
+ * 0 where there is none. */
 double normals_off(double measured, double figure);
-/* The direction that looks away is among them, where a spheremap is singular: its greatest angle is chance. */
+/* The direction that looks away is among them, where a spheremap is singular: its greatest angle is
+ * chance. */
 bool normals_are_singular(const NormalRow *row);
 #endif

@@ -8,29 +8,39 @@ const Reach reach_float = {4. / (1 << 23), 4. / (1 << 23)};
 const Reach reach_steep = {12. / (1 << 23), 12. / (1 << 23)};
 const Reach reach_double = {1e-13, 1e-13};
 
-/* A sequence of numbers in [0, 1) for each dimension, evenly spread: multiples of an irrational number. */
+/* A sequence of numbers in [0, 1) for each dimension, evenly spread: multiples of an irrational
+ * number. */
 typedef struct {
     int index;
 } Spread;
 
 static double spread(const Spread *s, int dimension)
 {
-    static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898, 0.6457513110645907,
-                                  0.3166247903554,     0.605551275463989,  0.1231056256176605, 0.358898943540674,
-                                  0.795831523312719,   0.385164807134504,  0.567764362830022,  0.08276253029821967,
-                                  0.4031242374328485,  0.5574385243020004, 0.8556546004010439, 0.2801098892805187};
+    static const double root[] = {
+        0.41421356237309505, 0.7320508075688772, 0.2360679774997898, 0.6457513110645907,
+        0.3166247903554,     0.605551275463989,  0.1231056256176605, 0.358898943540674,
+        0.795831523312719,   0.385164807134504,  0.567764362830022,  0.08276253029821967,
+        0.4031242374328485,  0.5574385243020004, 0.8556546004010439, 0.2801098892805187};
     return fraction((s->index + 1) * root[dimension]);
 }
 
 static void random_direction(float v[3], const Spread *s, int dimension, float length)
 {
-    double z = 2 * spread(s, dimension) - 1, angle = 2 * M_PI * spread(s, dimension + 1), r = sqrt(1 - z * z);
+    double z = 2 * spread(s, dimension) - 1, angle = 2 * M_PI * spread(s, dimension + 1),
+           r = sqrt(1 - z * z);
     v[0] = (float)(length * r * cos(angle));
     v[1] = (float)(length * r * sin(angle));
     v[2] = (float)(length * z);
 }
 
-enum { DIMENSION_U = 0, DIMENSION_X = 2, DIMENSION_P = 5, DIMENSION_N = 8, DIMENSION_DU = 10, DIMENSION_DV = 13 };
+enum {
+    DIMENSION_U = 0,
+    DIMENSION_X = 2,
+    DIMENSION_P = 5,
+    DIMENSION_N = 8,
+    DIMENSION_DU = 10,
+    DIMENSION_DV = 13
+};
 
 /* A point in [-size, size] with a normal, tangents at any angle to it, of any length. */
 static Point random_point(int index, double size)
@@ -85,7 +95,9 @@ static Point *add(Points *points, double size)
 /* A border and the floats next to it. */
 static float beside(float border, int side)
 {
-    return side < 0 ? nextafterf(border, -INFINITY) : side > 0 ? nextafterf(border, INFINITY) : border;
+    return side < 0   ? nextafterf(border, -INFINITY)
+           : side > 0 ? nextafterf(border, INFINITY)
+                      : border;
 }
 
 static void add_borders(Points *points)
@@ -101,9 +113,10 @@ static void add_borders(Points *points)
 
 static void add_specials(Points *points)
 {
-    static const float special[] = {0,    -0.f,      1e-8f, -1e-8f, 1e-30f,     -1e-30f,    65535,  65536,  -65536,
-                                    1e6f, -1e6f,     1e5f,  1e3f,   123456.78f, -98765.43f, 1e-4f,  2e-4f,  -3e-4f,
-                                    0.1f, 16777216., -1e9f, 1e12f,  -1e18f,     1e30f,      -1e30f, 1e-38f, -1e-40f};
+    static const float special[] = {
+        0,    -0.f,      1e-8f, -1e-8f, 1e-30f,     -1e-30f,    65535,  65536,  -65536,
+        1e6f, -1e6f,     1e5f,  1e3f,   123456.78f, -98765.43f, 1e-4f,  2e-4f,  -3e-4f,
+        0.1f, 16777216., -1e9f, 1e12f,  -1e18f,     1e30f,      -1e30f, 1e-38f, -1e-40f};
     for (int i = 0; i < (int)(sizeof special / sizeof *special); i++) {
         set_axis(add(points, 2), i % 3, special[i]);
         set_all(add(points, 2), special[i]);
@@ -117,7 +130,8 @@ bool point_is_far(const Point *point, float distance)
 {
     bool is = false;
     for (int i = 0; i < 3; i++)
-        is |= fabsf(point->input[INPUT_X][i]) > distance || fabsf(point->input[INPUT_P][i]) > distance ||
+        is |= fabsf(point->input[INPUT_X][i]) > distance ||
+              fabsf(point->input[INPUT_P][i]) > distance ||
               fabsf(point->input[INPUT_U][i]) > distance;
     return is;
 }
@@ -133,8 +147,10 @@ void points_make_others(Point points[POINT_COUNT], int seed)
         add(&made, (double[]){0.1, 10, 40}[i % 3]);
     while (made.count < POINT_COUNT)
         add(&made, 2);
-    for (int i = 0; i < POINT_COUNT; i++) /* one normal in eye and world: eyeFromWorld is the identity */
-        memcpy(points[i].input[INPUT_eyeN], points[i].input[INPUT_N], sizeof points[i].input[INPUT_N]);
+    /* one normal in eye and world: eyeFromWorld is the identity */
+    for (int i = 0; i < POINT_COUNT; i++)
+        memcpy(points[i].input[INPUT_eyeN], points[i].input[INPUT_N],
+               sizeof points[i].input[INPUT_N]);
 }
 
 void points_make(Point points[POINT_COUNT]) { points_make_others(points, 0); }
@@ -167,7 +183,9 @@ void point_bends(const Point *point, double by_u[3], double by_v[3])
 void point_swings(const Point *point, double slopes[2][2][3])
 {
     for (int i = 0; i < 12; i++)
-        slopes[i / 6][i / 3 % 2][i % 3] = 0.3 * point->input[i / 3 % 2 ? INPUT_XU : INPUT_XV][(i + i / 6) % 3] - 0.2 * point->input[INPUT_N][i % 3];
+        slopes[i / 6][i / 3 % 2][i % 3] =
+            0.3 * point->input[i / 3 % 2 ? INPUT_XU : INPUT_XV][(i + i / 6) % 3] -
+            0.2 * point->input[INPUT_N][i % 3];
 }
 
 static void surface_of(const PointSet *points, int i, Surface *surface)
@@ -182,19 +200,23 @@ static void surface_of(const PointSet *points, int i, Surface *surface)
 enum { AXES = 8, FRAME_LANES = 3 * LANES_OF_GROUP, CORNERS = 16, MANY_CORNERS = 96 };
 
 /* Rows of a Hadamard matrix: any two of the eight axes meet in all four combinations of signs. */
-static double corner_sign(int corner, int axis) { return __builtin_parity((unsigned)(corner & (axis + 1))) ? -1 : 1; }
+static double corner_sign(int corner, int axis)
+{
+    return __builtin_parity((unsigned)(corner & (axis + 1))) ? -1 : 1;
+}
 
 static void shift(double *number, double part, const Reach *reach, double least)
 {
     *number += part * fmax(reach->relative * fabs(*number), least);
 }
 
-/* Coordinates to the corners of boxes whose sizes no period of a pattern divides; normal and tangents by their rounding
- * alone: a zero vector stays one. */
+/* Coordinates to the corners of boxes whose sizes no period of a pattern divides; normal and
+ * tangents by their rounding alone: a zero vector stays one. */
 static void move(Surface *surface, int corner, const Reach *reach)
 {
-    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U,     LANES_OF_GROUP * GROUP_U + 1, LANES_OF_GROUP * GROUP_X,
-                                   LANES_OF_GROUP * GROUP_X + 1, LANES_OF_GROUP * GROUP_X + 2, LANES_OF_GROUP * GROUP_P,
+    static const int axes[AXES] = {LANES_OF_GROUP * GROUP_U,     LANES_OF_GROUP * GROUP_U + 1,
+                                   LANES_OF_GROUP * GROUP_X,     LANES_OF_GROUP * GROUP_X + 1,
+                                   LANES_OF_GROUP * GROUP_X + 2, LANES_OF_GROUP * GROUP_P,
                                    LANES_OF_GROUP * GROUP_P + 1, LANES_OF_GROUP * GROUP_P + 2};
     double part = 1 - fraction(corner * 0.61803398874989485);
     for (int i = 0; i < AXES; i++)
@@ -291,13 +313,15 @@ bool point_is_extreme(const Point *point)
 void point_describe(const Point *p, char *text, size_t room)
 {
     const float(*i)[3] = p->input;
-    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1], i[INPUT_X][0],
-             i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1], i[INPUT_P][2]);
+    snprintf(text, room, "%.9g %.9g  %.9g %.9g %.9g  %.9g %.9g %.9g", i[INPUT_U][0], i[INPUT_U][1],
+             i[INPUT_X][0], i[INPUT_X][1], i[INPUT_X][2], i[INPUT_P][0], i[INPUT_P][1],
+             i[INPUT_P][2]);
 }
 
 double hull_miss(const Hull *hull, Slot slot, int lane, double number)
 {
-    double value = hull->value.lane[slot][lane], low = hull->low.lane[slot][lane], high = hull->high.lane[slot][lane];
+    double value = hull->value.lane[slot][lane], low = hull->low.lane[slot][lane],
+           high = hull->high.lane[slot][lane];
     double width = high - low, scale = fmax(1, fabs(value));
     if (!isfinite(number))
         return INFINITY;

@@ -13,7 +13,8 @@ Rig *rig_new(bool core)
     s->gl = gl_open(GL_KIND_osmesa, core, s->error, sizeof s->error);
     if (!s->gl)
         return s;
-    FramebufferSpec full = {RIG_SIDE, RIG_SIDE, STAGE_TARGETS, GL_RGBA32F, true}, half = full, depth = full;
+    FramebufferSpec full = {RIG_SIDE, RIG_SIDE, STAGE_TARGETS, GL_RGBA32F, true}, half = full,
+                    depth = full;
     half.color_format = GL_RGBA16F;
     depth.color_count = 0;
     s->store = store_new(s->gl);
@@ -76,7 +77,8 @@ bool rig_unpack(Rig *s, const Scene *scene, const Framebuffer *source)
                                &layout_table[LAYOUT_thesis], RIG_SIDE, RIG_SIDE};
     bool fine = gl_use(s->gl) && reader_make(s->store, &what, &reader);
     for (int slot = 0; slot < SLOT_COUNT && fine; slot++)
-        fine = !reader.holds[slot] || reader_read(&reader, source, (Slot)slot, &s->slot[slot][0][0]);
+        fine =
+            !reader.holds[slot] || reader_read(&reader, source, (Slot)slot, &s->slot[slot][0][0]);
     if (fine)
         reader_delete(&reader);
     return fine && gl_check(s->gl, "reading a G-buffer");

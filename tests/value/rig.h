@@ -1,4 +1,5 @@
-/* A context with targets, in which scenes are drawn and G-buffers are read back by matc's own GLSL. */
+/* A context with targets, in which scenes are drawn and G-buffers are read back by matc's own
+ * GLSL. */
 #ifndef MATC_VALUE_RIG_H
 #define MATC_VALUE_RIG_H
 #include "runtime/draw/reader.h"
@@ -28,7 +29,8 @@ bool rig_begin(Rig *rig, const Framebuffer *target);
 /* Reads all of the target. */
 bool rig_finish(Rig *rig, const Framebuffer *target);
 /* From begin to finish; without a mesh, the whole screen is drawn. */
-bool rig_draw(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh, const Framebuffer *target);
+bool rig_draw(Rig *rig, Scene *scene, const Space *space, const Mesh *mesh,
+              const Framebuffer *target);
 /* Reads a G-buffer by the program that matc gives for that. */
 bool rig_unpack(Rig *rig, const Scene *scene, const Framebuffer *source);
 #endif

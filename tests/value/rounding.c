@@ -11,7 +11,8 @@ typedef struct {
     ReferenceTexture textures[EVALUATE_TEXTURES];
 } Rounded;
 
-static void rounded_open(Rounded *r, Document *document, int material, const MatcOptions *options, int level)
+static void rounded_open(Rounded *r, Document *document, int material, const MatcOptions *options,
+                         int level)
 {
     Session session = {.options = options, .arena = &r->arena, .optimize = level};
     Job job;
@@ -31,7 +32,8 @@ static double miss_of(const Rounded *r, const DrawnNumber *drawn, double bound)
     evaluate_inputs(drawn->point, drawn->front, inputs);
     evaluate_double(r->ir, &context, (const double(*)[4])inputs, &exact);
     const double value = exact.value[0][drawn->lane];
-    const Evaluated at = {r->ir, &context, (const double(*)[4])inputs, (const double(*)[4])exact.value};
+    const Evaluated at = {r->ir, &context, (const double(*)[4])inputs,
+                          (const double(*)[4])exact.value};
     if (hull_miss(drawn->hull, drawn->slot, drawn->lane, value) > bound)
         return INFINITY;
     for (int count = FEW; count <= MANY && miss > bound; count *= MANY / FEW) {
@@ -42,8 +44,8 @@ static double miss_of(const Rounded *r, const DrawnNumber *drawn, double bound)
     return miss;
 }
 
-double rounding_miss(Document *document, int material, const MatcOptions *options, const DrawnNumber *drawn,
-                     double bound)
+double rounding_miss(Document *document, int material, const MatcOptions *options,
+                     const DrawnNumber *drawn, double bound)
 {
     MatcOptions baked = *options;
     double miss = INFINITY;

@@ -5,7 +5,10 @@
 
 enum { LANES = 4, WORDS_OF_CODE = 257 };
 
-static size_t texel_numbers(const Image *image) { return (size_t)image->width * (size_t)image->height * LANES; }
+static size_t texel_numbers(const Image *image)
+{
+    return (size_t)image->width * (size_t)image->height * LANES;
+}
 
 static int limited(int number, int most) { return number < 0 ? 0 : number > most ? most : number; }
 
@@ -15,9 +18,11 @@ static void shift(const Image *image, const void *kept, const int codes[LANES])
     const uint16_t *words = kept;
     for (size_t i = 0; i < texel_numbers(image); i++)
         if (image->bits == 8)
-            ((uint8_t *)image->texels)[i] = (uint8_t)limited(bytes[i] + codes[i % LANES], UINT8_MAX);
+            ((uint8_t *)image->texels)[i] =
+                (uint8_t)limited(bytes[i] + codes[i % LANES], UINT8_MAX);
         else
-            ((uint16_t *)image->texels)[i] = (uint16_t)limited(words[i] + WORDS_OF_CODE * codes[i % LANES], UINT16_MAX);
+            ((uint16_t *)image->texels)[i] =
+                (uint16_t)limited(words[i] + WORDS_OF_CODE * codes[i % LANES], UINT16_MAX);
 }
 
 static void *copy_of(const Image *image)
@@ -29,11 +34,12 @@ static void *copy_of(const Image *image)
     return memcpy(copy, image->texels, size);
 }
 
-void sampler_widen(Oracle *oracle, const Graph *graph, int material, const PointSet *points, Hull *hulls)
+void sampler_widen(Oracle *oracle, const Graph *graph, int material, const PointSet *points,
+                   Hull *hulls)
 {
-    static const int signs[][LANES] = {
-        {1, 1, 1, 1},   {-1, -1, -1, -1}, {1, -1, 1, -1}, {-1, 1, -1, 1},
-        {1, 1, -1, -1}, {-1, -1, 1, 1},   {0, 0, 0, 0}}; /* the last one puts them back */
+    static const int signs[][LANES] = {{1, 1, 1, 1},   {-1, -1, -1, -1}, {1, -1, 1, -1},
+                                       {-1, 1, -1, 1}, {1, 1, -1, -1},   {-1, -1, 1, 1},
+                                       {0, 0, 0, 0}}; /* the last one puts them back */
     void **kept = calloc((size_t)graph->image_count + 1, sizeof *kept);
     if (!kept)
         abort();

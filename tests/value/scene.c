@@ -9,8 +9,9 @@
 
 Space space_flat(void)
 {
-    return (Space){
-        .world_from_local = mat4_identity(), .eye_from_world = mat4_identity(), .clip_from_eye = mat4_identity()};
+    return (Space){.world_from_local = mat4_identity(),
+                   .eye_from_world = mat4_identity(),
+                   .clip_from_eye = mat4_identity()};
 }
 
 Space space_camera(const float eye[3], const float target[3], float height)
@@ -31,7 +32,10 @@ void space_change_depth(Space *space, SpaceDepth kind)
         m[4 * i + 2] = kind == SPACE_oblique ? oblique[i] - m[4 * i + 3] : reversed[i];
 }
 
-Mat4 space_clip_from_world(const Space *space) { return mat4_multiply(&space->clip_from_eye, &space->eye_from_world); }
+Mat4 space_clip_from_world(const Space *space)
+{
+    return mat4_multiply(&space->clip_from_eye, &space->eye_from_world);
+}
 
 void space_transform(const Mat4 *matrix, const double point[3], double w, double result[4])
 {
@@ -110,7 +114,8 @@ Surface space_surface(const Space *space, const Hit *hit, bool mesh)
 void space_place(Space *space)
 {
     const Mat4 stretch = {{1.3f, 0, 0, 0, 0, 0.8f, 0, 0, 0, 0, 2.1f, 0, 0, 0, 0, 1}};
-    Mat4 turn = mat4_look_at((float[3]){0.2f, 0.1f, -0.15f}, (float[3]){0.6f, 0.3f, -0.75f}, (float[3]){0, 1, 0.3f});
+    Mat4 turn = mat4_look_at((float[3]){0.2f, 0.1f, -0.15f}, (float[3]){0.6f, 0.3f, -0.75f},
+                             (float[3]){0, 1, 0.3f});
     space->world_from_local = mat4_multiply(&turn, &stretch);
     for (int k = 0; k < 3; k++) {
         double world[4], local[3] = {k ? 2 * (k == 1) : -1, k ? 2 * (k == 2) : -1, 0};
@@ -146,8 +151,10 @@ static bool read_document(Scene *scene, const char *text)
         size = fread(whole, 1, sizeof whole, file);
         fclose(file);
     }
-    scene->document = matc_read(path ? text : "test.yaml", path ? whole : text, size, &scene->options);
-    return matc_material_count(scene->document) == 1 || fail(scene, matc_diagnostics(scene->document, MATC_TEXT), "");
+    scene->document =
+        matc_read(path ? text : "test.yaml", path ? whole : text, size, &scene->options);
+    return matc_material_count(scene->document) == 1 ||
+           fail(scene, matc_diagnostics(scene->document, MATC_TEXT), "");
 }
 
 bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions *options)
@@ -159,7 +166,8 @@ bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions
     scene->options.target = options->target;
     scene->options.normals = options->normals;
     scene->options.aa = options->aa ? options->aa : "none"; /* points, which the oracle has */
-    scene->options.layout = "thesis";                       /* floats, which are compared as they are */
+    /* floats, which are compared as they are */
+    scene->options.layout = "thesis";
     scene->options.check = true;
     if (!read_document(scene, text))
         return false;
@@ -188,5 +196,6 @@ void scene_use(Scene *scene, const Space *space)
 
 bool scene_values(const Scene *scene, const Surface *surface, SlotValues *values)
 {
-    return evaluate_material(scene->document, 0, &scene->options, (SurfacePoints){surface, 1}, values);
+    return evaluate_material(scene->document, 0, &scene->options, (SurfacePoints){surface, 1},
+                             values);
 }

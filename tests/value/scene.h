@@ -1,4 +1,5 @@
-/* Documents drawn as an engine draws them: from a camera, by matc's own vertex programs; and what the C reference says. */
+/* Documents drawn as an engine draws them: from a camera, by matc's own vertex programs; and what
+ * the C reference says. */
 #ifndef MATC_VALUE_SCENE_H
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"
@@ -12,10 +13,11 @@ Space space_flat(void);
 /* A perspective camera; `height` is the tangent of half its angle, the picture is square. */
 Space space_camera(const float eye[3], const float target[3], float height);
 Mat4 space_clip_from_world(const Space *space);
-/* Turns, stretches by three numbers and moves what is drawn; the plane becomes that of SHAPE_plane. */
+/* Turns, stretches by three numbers and moves what is drawn; the plane becomes that of
+ * SHAPE_plane. */
 void space_place(Space *space);
-/* As usual; a near plane as a water's reflection wants it, (0.2, 0.3, -1, -0.5) in the eye's space; z from 1 at the near plane
- * to 0 at infinity. */
+/* As usual; a near plane as a water's reflection wants it, (0.2, 0.3, -1, -0.5) in the eye's space;
+ * z from 1 at the near plane to 0 at infinity. */
 typedef enum { SPACE_usual, SPACE_oblique, SPACE_reversed } SpaceDepth;
 void space_change_depth(Space *space, SpaceDepth kind);
 /* mat4 times (x, y, z, w), in double. */
@@ -29,14 +31,16 @@ typedef struct {
     bool before;                         /* the eye: the plane is seen */
 } Hit;
 Hit space_meet(const Space *space, double x, double y);
-/* The plane there; of a mesh whose u and v are from 0 to 1, local positions are those of SHAPE_plane. */
+/* The plane there; of a mesh whose u and v are from 0 to 1, local positions are those of
+ * SHAPE_plane. */
 Surface space_surface(const Space *space, const Hit *hit, bool mesh);
 /* Of a position in the world, in the depth buffer. */
 double space_depth(const Space *space, const double position[3]);
 void surface_set3(Surface *surface, Group group, const double lanes[3]);
 
 typedef struct {
-    const char *pass, *slot, *target, *aa, *normals; /* as MatcOptions; NULL is the default, of aa none */
+    /* as MatcOptions; NULL is the default, of aa none */
+    const char *pass, *slot, *target, *aa, *normals;
 } SceneOptions;
 
 /* A material's program, with its own vertex program. */
@@ -48,7 +52,8 @@ typedef struct {
     char error[4096];
 } Scene;
 
-/* `text` is YAML, or the path of a document if it ends in .yaml. False: see error. Close it in any case. */
+/* `text` is YAML, or the path of a document if it ends in .yaml. False: see error. Close it in any
+ * case. */
 bool scene_open(Scene *scene, Store *store, const char *text, const SceneOptions *options);
 void scene_close(Scene *scene);
 /* Makes it the current program and sets all that is not the material's. */

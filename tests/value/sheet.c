@@ -39,7 +39,8 @@ void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surfa
     point_surface(&sheet->at, true, surface);
     for (Group group = 0; group < GROUP_R; group++)
         for (int lane = 0; lane < type_table[input_table[input[group]].type].lanes; lane++)
-            surface->root[channel_id(group, lane)] = varying(sheet, (int)input[group], lane, right, up);
+            surface->root[channel_id(group, lane)] =
+                varying(sheet, (int)input[group], lane, right, up);
 }
 
 /* The corners of drawer_fill, in pixels from the middle of the lower left one. */
@@ -87,7 +88,8 @@ static bool fail(Filtered *filtered, const char *text)
 bool filtered_open(Filtered *f, Drawers *drawers)
 {
     MatcOptions options;
-    const char *param = strcmp(f->slot, "normal") ? f->slot : "input"; /* where Phong takes its normal from */
+    /* where Phong takes its normal from */
+    const char *param = strcmp(f->slot, "normal") ? f->slot : "input";
     snprintf(f->text, sizeof f->text, "material: Phong\n%s: %s\n", param, f->map);
     if (!document_open_text(&f->document, f->text))
         return fail(f, document_fault(&f->document));

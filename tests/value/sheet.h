@@ -1,5 +1,6 @@
-/* Documents drawn over pixels that cover something: from each to the next every varying changes evenly, so that a pixel's footprint is
- * a parallelogram that is known to the last bit of its floats. And what the C reference says of points within it. */
+/* Documents drawn over pixels that cover something: from each to the next every varying changes
+ * evenly, so that a pixel's footprint is a parallelogram that is known to the last bit of its
+ * floats. And what the C reference says of points within it. */
 #ifndef MATC_VALUE_SHEET_H
 #define MATC_VALUE_SHEET_H
 #include "documents.h"
@@ -7,14 +8,17 @@
 
 enum { SHEET_WIDTH = GRID_WIDTH, SHEET_HEIGHT = GRID_HEIGHT, SHEET_PIXELS = POINT_COUNT };
 
-/* The varyings at the middle of the lower left pixel, and how they change to the right and to the upper neighbour. */
+/* The varyings at the middle of the lower left pixel, and how they change to the right and to the
+ * upper neighbour. */
 typedef struct {
     Point at, right, up;
 } Sheet;
 
-/* Flat: front side, the normal (0, 0, 1), the tangents the x and y axes, all coordinates 0 and without change. */
+/* Flat: front side, the normal (0, 0, 1), the tangents the x and y axes, all coordinates 0 and
+ * without change. */
 void sheet_init(Sheet *sheet);
-/* Position, in the world as in the object, and texture coordinate alike: lane `lane` is `middle` in the middle of the sheet. */
+/* Position, in the world as in the object, and texture coordinate alike: lane `lane` is `middle` in
+ * the middle of the sheet. */
 void sheet_set(Sheet *sheet, int lane, double middle, double right, double up);
 /* Part of the way to the right and upper neighbour from the middle of a pixel. */
 void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surface *surface);

@@ -36,17 +36,20 @@ typedef struct {
     size_t count;
 } Words;
 
-/* The first instruction from `at` on that has this opcode and, as its operand `place`, this id; the words' end. */
+/* The first instruction from `at` on that has this opcode and, as its operand `place`, this id; the
+ * words' end. */
 static size_t find(const Words *w, size_t at, uint32_t op, size_t place, uint32_t id)
 {
-    while (at < w->count && ((w->words[at] & 0xFFFF) != op || (place && w->words[at + place] != id)))
+    while (at < w->count &&
+           ((w->words[at] & 0xFFFF) != op || (place && w->words[at + place] != id)))
         at += w->words[at] >> 16;
     return at;
 }
 
 static int decoration(const Words *w, uint32_t id, uint32_t which)
 {
-    for (size_t at = HEAD; (at = find(w, at, OP_DECORATE, 1, id)) < w->count; at += w->words[at] >> 16)
+    for (size_t at = HEAD; (at = find(w, at, OP_DECORATE, 1, id)) < w->count;
+         at += w->words[at] >> 16)
         if (w->words[at + 2] == which)
             return (int)w->words[at + 3];
     return -1;
@@ -54,7 +57,8 @@ static int decoration(const Words *w, uint32_t id, uint32_t which)
 
 static int offset_of(const Words *w, uint32_t id, uint32_t member)
 {
-    for (size_t at = HEAD; (at = find(w, at, OP_MEMBER, 1, id)) < w->count; at += w->words[at] >> 16)
+    for (size_t at = HEAD; (at = find(w, at, OP_MEMBER, 1, id)) < w->count;
+         at += w->words[at] >> 16)
         if (w->words[at + 2] == member && w->words[at + 3] == IS_OFFSET)
             return (int)w->words[at + 4];
     return -1;
@@ -64,8 +68,8 @@ static int offset_of(const Words *w, uint32_t id, uint32_t member)
 static size_t type_at(const Words *w, uint32_t id)
 {
     size_t at = HEAD;
-    while (at < w->count &&
-           ((w->words[at] & 0xFFFF) < OP_INT - 2 || (w->words[at] & 0xFFFF) > OP_POINTER || w->words[at + 1] != id))
+    while (at < w->count && ((w->words[at] & 0xFFFF) < OP_INT - 2 ||
+                             (w->words[at] & 0xFFFF) > OP_POINTER || w->words[at + 1] != id))
         at += w->words[at] >> 16;
     return at;
 }
@@ -79,7 +83,11 @@ static void put_type(const Words *w, uint32_t id, char *text)
         return;
     const uint32_t op = w->words[at] & 0xFFFF, size = w->words[at] >> 16;
     if (op == OP_INT || op == OP_FLOAT) {
-        snprintf(end, room, "%c%u", op == OP_FLOAT ? 'f' : w->words[at + 3] ? 'i' : 'u', w->words[at + 2]);
+        snprintf(end, room, "%c%u",
+                 op == OP_FLOAT     ? 'f'
+                 : w->words[at + 3] ? 'i'
+                                    : 'u',
+                 w->words[at + 2]);
     } else if (op == OP_VECTOR || op == OP_MATRIX) {
         put_type(w, w->words[at + 2], text);
         snprintf(text + strlen(text), SPIRV_TYPE - strlen(text), "x%u", w->words[at + 3]);
@@ -106,7 +114,8 @@ static void put_variable(const Words *w, size_t at, SpirvModule *module)
                        .location = decoration(w, id, IS_LOCATION),
                        .set = decoration(w, id, IS_SET),
                        .binding = decoration(w, id, IS_BINDING)};
-    if ((v.location < 0 && v.binding < 0) || pointer >= w->count || module->count == SPIRV_VARIABLES)
+    if ((v.location < 0 && v.binding < 0) || pointer >= w->count ||
+        module->count == SPIRV_VARIABLES)
         return;
     uint32_t type = w->words[pointer + 3];
     const size_t own = type_at(w, type);

@@ -10,10 +10,13 @@ typedef struct {
     SpirvStorage storage;
     int location, set, binding; /* -1: it has none */
     bool array;                 /* of what it has one for each vertex, `type` leaves that out */
-    char type[SPIRV_TYPE];      /* "f32x3", "{0:f32x4x4 64:f32x3x3}": members of blocks by their offsets */
+    /* "f32x3", "{0:f32x4x4 64:f32x3x3}": members of blocks by their offsets */
+    char type[SPIRV_TYPE];
 } SpirvVariable;
 typedef struct {
-    int model; /* of its one entry point: 0 vertices, 1 control, 2 evaluation, 3 geometry, 4 fragments, 5 compute; -1: it has none or several */
+    /* of its one entry point: 0 vertices, 1 control, 2 evaluation, 3 geometry, 4 fragments, 5
+     * compute; -1: it has none or several */
+    int model;
     int local_size;
     int count;
     SpirvVariable variables[SPIRV_VARIABLES]; /* those that have a location or a binding */

@@ -8,11 +8,15 @@ enum { HOSTILE = 4 /* one number in so many */, BORDERS = 8, AFFINE_VECTORS = 13
 
 static double uniform(uint64_t *state, double low, double high)
 {
-    double coarse = (double)java_random_signed(state), fine = ldexp((double)java_random_signed(state), -24);
+    double coarse = (double)java_random_signed(state),
+           fine = ldexp((double)java_random_signed(state), -24);
     return low + (high - low) * (.5 + .5 * (coarse + fine));
 }
 
-static unsigned pick(uint64_t *state, unsigned count) { return java_random_bits(state, 16) % count; }
+static unsigned pick(uint64_t *state, unsigned count)
+{
+    return java_random_bits(state, 16) % count;
+}
 
 /* The number, or one of its two neighbours. */
 static float beside(uint64_t *state, float v)
@@ -119,7 +123,8 @@ static void affine(uint64_t *state, Tuple tuple)
     for (int i = 0; i < 3; i++) {
         tuple[0][i] = place(state, 100, 1e4);
         for (int column = 0; column < 4; column++) {
-            double v = pick(state, HOSTILE) ? uniform(state, -10, 10) : pick(state, 3), a = upper_bits(v);
+            double v = pick(state, HOSTILE) ? uniform(state, -10, 10) : pick(state, 3),
+                   a = upper_bits(v);
             tuple[1 + 3 * column][i] = (float)a;
             tuple[2 + 3 * column][i] = (float)upper_bits(v - a);
             tuple[3 + 3 * column][i] = (float)(v - a - upper_bits(v - a));
@@ -161,8 +166,9 @@ void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state,
                 continue;
             }
             for (int lane = 0; lane < argument_lanes(letters[i]); lane++)
-                tuple[i][lane] = a->form == FORM_size ? (float)(lane ? call_textures->height : call_textures->width)
-                                                      : number(a, state);
+                tuple[i][lane] = a->form == FORM_size
+                                     ? (float)(lane ? call_textures->height : call_textures->width)
+                                     : number(a, state);
         }
 }
 
@@ -190,7 +196,8 @@ static double reach_of(Form form, double v)
     }
 }
 
-void tuple_move(double *args, const Argument *arguments, const char *letters, double reach, uint64_t *state)
+void tuple_move(double *args, const Argument *arguments, const char *letters, double reach,
+                uint64_t *state)
 {
     for (int i = 0; letters[i]; i++)
         for (int lane = 0; lane < argument_lanes(letters[i]); lane++, args++) {

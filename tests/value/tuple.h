@@ -1,4 +1,5 @@
-/* Tuples of arguments for a library function: what each argument may be, ordinary values and hostile ones. */
+/* Tuples of arguments for a library function: what each argument may be, ordinary values and
+ * hostile ones. */
 #ifndef MATC_VALUE_TUPLE_H
 #define MATC_VALUE_TUPLE_H
 #include "call.h"
@@ -29,7 +30,8 @@ int argument_lanes(char letter);
 void tuple_draw(const Argument *arguments, const char *letters, uint64_t *state, Tuple tuple);
 /* One after the other, as a reference wants them. */
 void tuple_flatten(Tuple tuple, const char *letters, double *args);
-/* Moves every number of a flat tuple that may be rounded by up to `reach` ULP, a place's and a range's ULP of 1 at
- * least, a direction's those of 1. */
-void tuple_move(double *args, const Argument *arguments, const char *letters, double reach, uint64_t *state);
+/* Moves every number of a flat tuple that may be rounded by up to `reach` ULP, a place's and a
+ * range's ULP of 1 at least, a direction's those of 1. */
+void tuple_move(double *args, const Argument *arguments, const char *letters, double reach,
+                uint64_t *state);
 #endif

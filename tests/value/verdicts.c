@@ -40,7 +40,8 @@ void verdicts_record(Verdicts *verdicts, const Seen *seen)
     verdicts->sharp += seen->sharp;
     for (int i = 0; i < SUBJECT_COUNT; i++) {
         Worst *w = &verdicts->worst[i];
-        bool counts = i == seen->governing || (seen->governing == SUBJECT_DEFAULT && !bound_table[i].bound);
+        bool counts =
+            i == seen->governing || (seen->governing == SUBJECT_DEFAULT && !bound_table[i].bound);
         if (!seen->subjects->has[i] || !counts || (w->seen && seen->worst <= w->miss))
             continue;
         w->seen = true;
@@ -55,10 +56,11 @@ void verdicts_print(const Verdicts *verdicts)
     printf("%-24s %9s %9s  worst at\n", "subject", "bound", "worst");
     for (int i = 0; i < SUBJECT_COUNT; i++)
         if (verdicts->worst[i].seen && bound_table[i].bound > 0)
-            printf("%-24s %9.2g %9.2g  %s\n", subject_name(i), bound_table[i].bound, verdicts->worst[i].miss,
-                   verdicts->worst[i].where);
+            printf("%-24s %9.2g %9.2g  %s\n", subject_name(i), bound_table[i].bound,
+                   verdicts->worst[i].miss, verdicts->worst[i].where);
         else if (verdicts->worst[i].seen)
-            printf("%-24s %9s %9.2g  %s\n", subject_name(i), "", verdicts->worst[i].miss, verdicts->worst[i].where);
+            printf("%-24s %9s %9.2g  %s\n", subject_name(i), "", verdicts->worst[i].miss,
+                   verdicts->worst[i].where);
     for (int i = 0; i < verdicts->fault_count; i++)
         fprintf(stderr, "%s (%d): %s\n", verdicts->faults[i].slot, verdicts->faults[i].count,
                 verdicts->faults[i].worst);

@@ -1,4 +1,5 @@
-/* What a run over many documents has seen: its faults, one a slot, and the worst value of every subject. Workers may add at once. */
+/* What a run over many documents has seen: its faults, one a slot, and the worst value of every
+ * subject. Workers may add at once. */
 #ifndef MATC_VALUE_VERDICTS_H
 #define MATC_VALUE_VERDICTS_H
 #include "tests/value/bounds.h"
@@ -41,7 +42,8 @@ typedef struct {
 void verdicts_open(Verdicts *verdicts); /* all zero before */
 void verdicts_fault(Verdicts *verdicts, const char *slot, double miss, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Keeps the worst of a draw, for the subject whose bound counts or, where none stands out, for all that take part. */
+/* Keeps the worst of a draw, for the subject whose bound counts or, where none stands out, for all
+ * that take part. */
 void verdicts_record(Verdicts *verdicts, const Seen *seen);
 /* A line for every subject, then one for every fault. */
 void verdicts_print(const Verdicts *verdicts);

@@ -8,7 +8,8 @@ float spread(int index) { return (float)(4 * fmod((index + 1) * 0.61803398874989
 static void place(Vertices *vertices, int i, const Mat4 *local_from_clip, int side)
 {
     int x = i % 8 * 8 + 5, y = i / 8 * 8 + 3;
-    double local[4], clip[3] = {2 * (x + 0.5) / side - 1, 2 * (y + 0.5) / side - 1, 0.9 + spread(i) / 50};
+    double local[4],
+        clip[3] = {2 * (x + 0.5) / side - 1, 2 * (y + 0.5) / side - 1, 0.9 + spread(i) / 50};
     space_transform(local_from_clip, clip, 1, local);
     for (int lane = 0; lane < 3; lane++)
         vertices->vertex[i].position[lane] = (float)(local[lane] / local[3]);
@@ -16,7 +17,8 @@ static void place(Vertices *vertices, int i, const Mat4 *local_from_clip, int si
 }
 
 /* Positions and tangents by the matrix. */
-static void transform(Surface *surface, Group group, const Mat4 *world_from_local, const float local[3])
+static void transform(Surface *surface, Group group, const Mat4 *world_from_local,
+                      const float local[3])
 {
     double world[4], from[3] = {local[0], local[1], local[2]};
     space_transform(world_from_local, from, group == GROUP_P, world);

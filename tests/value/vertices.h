@@ -1,4 +1,5 @@
-/* Vertices that are drawn as points, one a pixel: what a vertex program makes of their attributes is not interpolated. */
+/* Vertices that are drawn as points, one a pixel: what a vertex program makes of their attributes
+ * is not interpolated. */
 #ifndef MATC_VALUE_VERTICES_H
 #define MATC_VALUE_VERTICES_H
 #include "runtime/gl/mesh.h"

@@ -34,8 +34,9 @@ const int way_count = sizeof way_table / sizeof *way_table;
 
 const char *way_name(const Way *way, bool front, char text[64])
 {
-    snprintf(text, 64, "%s -O%d %s%s%s", target_table[way->target].name, way->optimize, choice_table[way->choice].name,
-             way->buffered ? " buffered" : "", front ? "" : " back");
+    snprintf(text, 64, "%s -O%d %s%s%s", target_table[way->target].name, way->optimize,
+             choice_table[way->choice].name, way->buffered ? " buffered" : "",
+             front ? "" : " back");
     return text;
 }
 
@@ -56,32 +57,40 @@ bool way_matters(const Way *way, const Subjects *subjects)
 {
     const Choice choice = way->choice;
     if (choice == CHOICE_aa_auto) /* means are aa=box's */
-        return subjects->has[KIND_ImageMap] || subjects->has[KIND_Checker] || subjects->has[KIND_Gradient];
+        return subjects->has[KIND_ImageMap] || subjects->has[KIND_Checker] ||
+               subjects->has[KIND_Gradient];
     if (axis_table[choice_table[choice].axis].first == (int)choice)
         return true;
     if (choice_table[choice].axis == AXIS_noise)
         return subjects_noise(subjects);
-    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap] || subjects->displaced;
+    return choice_table[choice].axis != AXIS_derivatives || subjects->has[KIND_BumpMap] ||
+           subjects->displaced;
 }
 
 ReferenceNoise way_noise(const Way *way)
 {
-    return job_noise(choice_table[way->choice].axis == AXIS_noise ? way->choice : CHOICE_noise_lattice, way->target);
+    return job_noise(choice_table[way->choice].axis == AXIS_noise ? way->choice
+                                                                  : CHOICE_noise_lattice,
+                     way->target);
 }
 
 Choice way_derivatives(const Way *way)
 {
-    return choice_table[way->choice].axis == AXIS_derivatives ? way->choice : CHOICE_derivatives_auto;
+    return choice_table[way->choice].axis == AXIS_derivatives ? way->choice
+                                                              : CHOICE_derivatives_auto;
 }
 
-/* The oracle answers for all slots at once, which takes most of the time. So the ways with one of its other noises or derivatives are in one
- * share of a material, all slots of them; those by the plain oracle, which every share needs, are spread. */
+/* The oracle answers for all slots at once, which takes most of the time. So the ways with one of
+ * its other noises or derivatives are in one share of a material, all slots of them; those by the
+ * plain oracle, which every share needs, are spread. */
 bool way_taken(const Way *way, Slot slot, int number)
 {
     enum { SHARES = 6 };
-    const int noise = (int)way_noise(way), derivatives = (int)way_derivatives(way) - CHOICE_derivatives_auto;
+    const int noise = (int)way_noise(way),
+              derivatives = (int)way_derivatives(way) - CHOICE_derivatives_auto;
     const bool plain = noise == REFERENCE_LATTICE && !derivatives;
-    return share_takes(plain ? (int)slot + (int)(way - way_table) : number + noise + 3 * derivatives, SHARES);
+    return share_takes(
+        plain ? (int)slot + (int)(way - way_table) : number + noise + 3 * derivatives, SHARES);
 }
 
 bool way_samples(const Way *way, const Subjects *subjects)
@@ -89,7 +98,8 @@ bool way_samples(const Way *way, const Subjects *subjects)
     return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
 }
 
-/* Of pictures of 16 bits, or of floats, a target without such textures keeps 11 bits, which drivers may cut off: 2^-11 of the value. */
+/* Of pictures of 16 bits, or of floats, a target without such textures keeps 11 bits, which drivers
+ * may cut off: 2^-11 of the value. */
 static double half_bound(const Document *document, Target target)
 {
     for (int i = 0; i < document->graph->image_count; i++) {
@@ -106,17 +116,22 @@ double way_bound(const Way *way, const Document *document, int governing)
     return fmax(bound_table[governing].bound, half_bound(document, way->target));
 }
 
-/* So far out that differences of the oracle's doubles are no measure of a derivative, or the bounded sine's bound is no more. */
+/* So far out that differences of the oracle's doubles are no measure of a derivative, or the
+ * bounded sine's bound is no more. */
 static const float far_for_slopes = 1000, far_for_sines = 1e5f;
-/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of what it gives, which a BumpMap takes, are
- * test_filtered_picture's where the target fetches no texels for them. */
+/* Where half a texel is lost beside the coordinate: the sampler's own are floats, too. Slopes of
+ * what it gives, which a BumpMap takes, are test_filtered_picture's where the target fetches no
+ * texels for them. */
 static const float far_for_samplers = 100;
-/* Where a filter's points, each of which rounds by itself, lie apart by other distances than they should: a hull moves all of them alike. */
+/* Where a filter's points, each of which rounds by itself, lie apart by other distances than they
+ * should: a hull moves all of them alike. */
 static const float far_for_filters = 1000;
-/* Where the point of a cell, a float, is off by more than what is asked there may vary by: a hull moves the place, and the cell's point stays. */
+/* Where the point of a cell, a float, is off by more than what is asked there may vary by: a hull
+ * moves the place, and the cell's point stays. */
 static const float far_for_centres = 3;
 
-/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there stays within a rounding. */
+/* Simplex noise is 0 at lattice points, where checkers have their edges: what it moves from there
+ * stays within a rounding. */
 static bool point_on_edges(const Point *point)
 {
     const float near = 1e-5f, *u = point->input[INPUT_U];
@@ -126,15 +141,18 @@ static bool point_on_edges(const Point *point)
 /* Whether the values are made of slopes that the oracle has from differences. */
 static bool has_slopes(const Way *way, const Subjects *subjects)
 {
-    return subjects_slopes(subjects, way->choice) && subjects->has[SUBJECT_SLOTS + (int)SLOT_normal];
+    return subjects_slopes(subjects, way->choice) &&
+           subjects->has[SUBJECT_SLOTS + (int)SLOT_normal];
 }
 
 bool way_judges(const Way *way, const Subjects *subjects, const Point *point)
 {
     const bool sampled = way_samples(way, subjects);
-    const bool by_slopes_of_samplers = (subjects->has[KIND_BumpMap] || subjects->displaced) && !target_table[way->target].words;
+    const bool by_slopes_of_samplers =
+        (subjects->has[KIND_BumpMap] || subjects->displaced) && !target_table[way->target].words;
     const bool filters = subjects->has[KIND_Laplace3D] || subjects->has[KIND_Smooth3D];
-    return !point_is_extreme(point) && !(has_slopes(way, subjects) && point_is_far(point, far_for_slopes)) &&
+    return !point_is_extreme(point) &&
+           !(has_slopes(way, subjects) && point_is_far(point, far_for_slopes)) &&
            !(way->choice == CHOICE_trigonometry_bounded && point_is_far(point, far_for_sines)) &&
            !(sampled && (by_slopes_of_samplers || point_is_far(point, far_for_samplers))) &&
            !(filters && point_is_far(point, far_for_filters)) &&

@@ -1,4 +1,5 @@
-/* Many threads that do the same: each takes its next part of what `user` points to by an atomic number. */
+/* Many threads that do the same: each takes its next part of what `user` points to by an atomic
+ * number. */
 #ifndef MATC_VALUE_WORKERS_H
 #define MATC_VALUE_WORKERS_H
 

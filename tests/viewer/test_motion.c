@@ -1,4 +1,5 @@
-/* Cameras of frames by closed forms, motions that are refused, which frames an option means, and what their files are called. */
+/* Cameras of frames by closed forms, motions that are refused, which frames an option means, and
+ * what their files are called. */
 #include "tests/test.h"
 #include "runtime/view/frames.h"
 #include <math.h>
@@ -32,9 +33,10 @@ static void turntables_turn(void **state)
 {
     (void)state;
     MatcDocument *document;
-    Scene *scene = read_text("camera: { camera: Perspective, position: [2, 0, 1], target: [1, 0, 0] }\n"
-                             "motion: { motion: Turntable, frames: 4, axis: [0, 0, 7] }\n",
-                             &document);
+    Scene *scene =
+        read_text("camera: { camera: Perspective, position: [2, 0, 1], target: [1, 0, 0] }\n"
+                  "motion: { motion: Turntable, frames: 4, axis: [0, 0, 7] }\n",
+                  &document);
     assert_non_null(scene);
     assert_int_equal(scene->motion.frames, 4);
     static const double at[4][2] = {{2, 0}, {1, 1}, {0, 0}, {1, -1}};
@@ -56,9 +58,10 @@ static void turntables_roll(void **state)
 {
     (void)state;
     MatcDocument *document;
-    Scene *scene = read_text("camera: { camera: Orthographic, position: [0, -5, 0], target: [0, 0, 0] }\n"
-                             "motion: { motion: Turntable, frames: 1, axis: [0, 1, 0], degrees: 180 }\n",
-                             &document);
+    Scene *scene =
+        read_text("camera: { camera: Orthographic, position: [0, -5, 0], target: [0, 0, 0] }\n"
+                  "motion: { motion: Turntable, frames: 1, axis: [0, 1, 0], degrees: 180 }\n",
+                  &document);
     SceneCamera camera;
     assert_non_null(scene);
     assert_true(scene_motion_camera(scene, 1, 2, &camera));
@@ -67,18 +70,21 @@ static void turntables_roll(void **state)
     forget(scene, document);
 }
 
-/* The page's example: x is 0, 1, 4 at the times 0, 1, 2, and 3/8 at 1/2; two keys are joined by a line, and the first and last frames are keys. */
+/* The page's example: x is 0, 1, 4 at the times 0, 1, 2, and 3/8 at 1/2; two keys are joined by a
+ * line, and the first and last frames are keys. */
 static void paths_go_through_their_keys(void **state)
 {
     (void)state;
     MatcDocument *document;
-    Scene *scene =
-        read_text("motion: { motion: Path, frames: 5, keys: [{ time: 0, position: [0, -5, 0], target: [0, 5, 0] }, "
-                  "{ time: 1, position: [1, -5, 0], target: [0, 5, 1] }, { time: 2, position: [4, -5, 0], target: [0, "
-                  "5, 2] }] }\n",
-                  &document);
+    Scene *scene = read_text("motion: { motion: Path, frames: 5, keys: [{ time: 0, position: [0, "
+                             "-5, 0], target: [0, 5, 0] }, "
+                             "{ time: 1, position: [1, -5, 0], target: [0, 5, 1] }, { time: 2, "
+                             "position: [4, -5, 0], target: [0, "
+                             "5, 2] }] }\n",
+                             &document);
     assert_non_null(scene);
-    static const double x[5] = {0, .375, 1, 2.375, 4}; /* at 3/2, with slopes 2 and 3: (1 + 4) / 2 + (2 - 3) / 8 */
+    /* at 3/2, with slopes 2 and 3: (1 + 4) / 2 + (2 - 3) / 8 */
+    static const double x[5] = {0, .375, 1, 2.375, 4};
     SceneCamera camera;
     for (int i = 0; i < 5; i++) {
         assert_true(scene_motion_camera(scene, i, 5, &camera));
@@ -88,9 +94,9 @@ static void paths_go_through_their_keys(void **state)
     assert_true(scene_motion_camera(scene, 0, 1, &camera));
     is_vector(camera.position, 0, -5, 0);
     forget(scene, document);
-    scene = read_text(
-        "motion: { motion: Path, keys: [{ time: 3, position: [0, -2, 0] }, { time: 5, position: [4, -2, 8] }] }\n",
-        &document);
+    scene = read_text("motion: { motion: Path, keys: [{ time: 3, position: [0, -2, 0] }, { time: "
+                      "5, position: [4, -2, 8] }] }\n",
+                      &document);
     assert_non_null(scene);
     assert_true(scene_motion_camera(scene, 1, 5, &camera));
     is_vector(camera.position, 1, -2, 2);
@@ -103,17 +109,21 @@ static void faults(void **state)
     static const struct {
         const char *text, *said;
     } cases[] = {
-        {"motion: { motion: Turntabel }\n", "1:19: error: no motion is called 'Turntabel'; did you mean 'Turntable'?"},
+        {"motion: { motion: Turntabel }\n",
+         "1:19: error: no motion is called 'Turntabel'; did you mean 'Turntable'?"},
         {"motion: { motion: Turntable, frames: 0 }\n", "1:38: error: frames"},
         {"motion: { motion: Turntable, axis: [0, 0, 0] }\n", "1:36: error: axis has no direction"},
         {"motion: { motion: Path }\n", "1:9: error: a path has two keys or more"},
         {"motion: { motion: Path, keys: [{ time: 1 }] }\n", "error: a path has two keys or more"},
-        {"motion: { motion: Path, keys: [{ time: 1 }, { time: 1 }] }\n", "1:53: error: the times of keys rise"},
+        {"motion: { motion: Path, keys: [{ time: 1 }, { time: 1 }] }\n",
+         "1:53: error: the times of keys rise"},
         {"motion: { motion: Path, keys: [{ time: 1, colour: 1 }, { time: 2 }] }\n",
          "1:43: error: Key has no parameter"},
-        {"motion: { motion: Path, keys: [{ position: [0, -1, 0] }, { time: 1, position: [0, 1, 0] }], frames: 3 }\n",
+        {"motion: { motion: Path, keys: [{ position: [0, -1, 0] }, { time: 1, position: [0, 1, 0] "
+         "}], frames: 3 }\n",
          "1:9: error: the camera has no direction in some frame"},
-        {"camera: { camera: Perspective, position: [0, -1, 0] }\nmotion: { motion: Turntable, axis: [1, 0, 0], frames: "
+        {"camera: { camera: Perspective, position: [0, -1, 0] }\nmotion: { motion: Turntable, "
+         "axis: [1, 0, 0], frames: "
          "4 }\n",
          NULL}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -153,7 +163,8 @@ static void frames_are_chosen(void **state)
     assert_null(frames_check(&moving, &frames, room));
     assert_int_equal(frames.whole, 8);
     assert_null(frames_read("0-8", &frames));
-    assert_string_equal(frames_check(&moving, &frames, room), "the motion has the frames 0 to 7, and no frame 8");
+    assert_string_equal(frames_check(&moving, &frames, room),
+                        "the motion has the frames 0 to 7, and no frame 8");
 }
 
 static void files_have_their_numbers(void **state)

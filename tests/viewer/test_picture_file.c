@@ -1,5 +1,6 @@
-/* Pictures as files, read back by what did not write them: PNG by libpng's simple interface and its chunks, OpenEXR by the compiler's reader
- * of images and by the bytes of its chunks. What cannot be written is told, and leaves nothing. */
+/* Pictures as files, read back by what did not write them: PNG by libpng's simple interface and its
+ * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. What cannot be
+ * written is told, and leaves nothing. */
 #include "tests/test.h"
 #include "runtime/view/picture_file.h"
 #include <OpenEXR/openexr.h>
@@ -39,7 +40,10 @@ static void write_file(const PictureSpec *spec)
     picture_file_close(file);
 }
 
-static unsigned whole_of(double lane, double most) { return (unsigned)floor(fmin(lane, 1) * most + .5); }
+static unsigned whole_of(double lane, double most)
+{
+    return (unsigned)floor(fmin(lane, 1) * most + .5);
+}
 
 static void read_png(const PictureSpec *spec)
 {
@@ -64,8 +68,9 @@ static void read_png(const PictureSpec *spec)
         for (int i = 0; i < WIDTH * spec->lanes; i++)
             samples[i] = spec->bits == 8 ? row[i] : (uint16_t)(row[2 * i] << 8 | row[2 * i + 1]);
         for (int i = 0; i < WIDTH * spec->lanes; i++)
-            assert_int_equal(samples[i], whole_of(lane_of(i / spec->lanes, y, i % spec->lanes, spec->bits),
-                                                  spec->bits == 8 ? 255 : 65535));
+            assert_int_equal(samples[i],
+                             whole_of(lane_of(i / spec->lanes, y, i % spec->lanes, spec->bits),
+                                      spec->bits == 8 ? 255 : 65535));
     }
     png_destroy_read_struct(&png, &info, NULL);
     fclose(in);
@@ -95,7 +100,8 @@ static void read_block(exr_context_t exr, const PictureSpec *spec, int top)
     assert_int_equal(exr_decoding_initialize(exr, 0, &chunk, &pipe), 0);
     assert_int_equal(pipe.channel_count, spec->lanes);
     for (int i = 0; i < pipe.channel_count; i++) {
-        assert_int_equal(pipe.channels[i].data_type, spec->bits == 16 ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
+        assert_int_equal(pipe.channels[i].data_type,
+                         spec->bits == 16 ? EXR_PIXEL_HALF : EXR_PIXEL_FLOAT);
         pipe.channels[i].user_data_type = EXR_PIXEL_FLOAT;
         pipe.channels[i].user_bytes_per_element = 4;
         pipe.channels[i].user_pixel_stride = 4;
@@ -146,7 +152,8 @@ static void what_fails_leaves_nothing(void **state)
     assert_non_null(file);
     assert_null(picture_file_row(file, pixel));
     assert_null(picture_file_row(file, pixel));
-    assert_string_equal(picture_file_finish(file, "/nowhere/at/all.exr"), "No such file or directory");
+    assert_string_equal(picture_file_finish(file, "/nowhere/at/all.exr"),
+                        "No such file or directory");
     picture_file_close(file);
     file = picture_file_open(&spec, &why);
     assert_null(picture_file_row(file, pixel));
@@ -155,7 +162,8 @@ static void what_fails_leaves_nothing(void **state)
     assert_int_equal(access(path, F_OK), -1);
 }
 
-/* A disk that is full, as far as a limit of files is one: the cause is said, and not what a library makes of it. */
+/* A disk that is full, as far as a limit of files is one: the cause is said, and not what a library
+ * makes of it. */
 static void full_disks_are_said(void **state)
 {
     (void)state;
@@ -189,9 +197,10 @@ int main(void)
     if (!mkdtemp(folder))
         abort();
     snprintf(path, sizeof path, "%s/picture", folder);
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pngs_hold_what_they_are_given), cmocka_unit_test(exrs_hold_what_they_are_given),
-        cmocka_unit_test(what_fails_leaves_nothing), cmocka_unit_test(full_disks_are_said)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pngs_hold_what_they_are_given),
+                                       cmocka_unit_test(exrs_hold_what_they_are_given),
+                                       cmocka_unit_test(what_fails_leaves_nothing),
+                                       cmocka_unit_test(full_disks_are_said)};
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     rmdir(folder);
     return failed;

@@ -1,4 +1,5 @@
-/* Pictures as the viewer writes them: libpng's reader gives back what was written, bytes are sRGB. */
+/* Pictures as the viewer writes them: libpng's reader gives back what was written, bytes are
+ * sRGB. */
 #include "tests/test.h"
 #include "runtime/gl/png_write.h"
 #include "runtime/view/slot.h"
@@ -62,7 +63,8 @@ static void encoding_is_srgb(void **state)
     (void)state;
     assert_true(slot_encoded(0) == 0 && slot_encoded(-1) == 0 && slot_encoded(NAN) == 0);
     assert_true(slot_encoded(1) == 1 && slot_encoded(INFINITY) == 1);
-    assert_true(fabs(slot_encoded(0.2158605) - 128 / 255.) < 1e-7 && fabs(slot_encoded(.002) - .02584) < 1e-7);
+    assert_true(fabs(slot_encoded(0.2158605) - 128 / 255.) < 1e-7 &&
+                fabs(slot_encoded(.002) - .02584) < 1e-7);
 }
 
 int main(void)

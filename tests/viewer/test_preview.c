@@ -1,4 +1,5 @@
-/* The preview's pictures against what they should show: a sphere in its lights by the Phong shading of semantics.md 4.1, every slot. */
+/* The preview's pictures against what they should show: a sphere in its lights by the Phong shading
+ * of semantics.md 4.1, every slot. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "grammar/tables.h"
@@ -7,11 +8,13 @@
 #include <stdio.h>
 
 /* The preview's room: lights in the eye's space, and light from all around. */
-static const Vector light_direction[] = {{{-.4968, .6211, .6062}}, {{.8729, .0970, .4783}}, {{.3651, .5477, -.7528}}};
+static const Vector light_direction[] = {
+    {{-.4968, .6211, .6062}}, {{.8729, .0970, .4783}}, {{.3651, .5477, -.7528}}};
 static const Vector light_color[] = {{{.88, .84, .77}}, {{.15, .19, .25}}, {{.42, .45, .5}}};
 static const Vector above = {{.42, .44, .48}}, below = {{.11, .104, .098}};
 
-/* A grey Phong without transparency: what it sends to the eye from where its normal is n, seen along `ray`. */
+/* A grey Phong without transparency: what it sends to the eye from where its normal is n, seen
+ * along `ray`. */
 typedef struct {
     double diffuse, specular, exponent, ambient, emissive;
 } Phong;
@@ -31,8 +34,8 @@ static double shade(const Phong *m, const View *view, Vector n, Vector ray, int 
     double sum = m->emissive + (m->diffuse + m->ambient) * around + m->specular * mirrored;
     for (int i = 0; i < 3; i++) {
         Vector e = light_direction[i];
-        Vector l =
-            unit(added(added(scaled(view->right, e.at[0]), scaled(view->up, e.at[1])), scaled(view->back, e.at[2])));
+        Vector l = unit(added(added(scaled(view->right, e.at[0]), scaled(view->up, e.at[1])),
+                              scaled(view->back, e.at[2])));
         double lobe = pow(fmax(dot(reflected, l), 0), m->exponent);
         sum += (m->diffuse + m->specular * lobe) * fmax(dot(n, l), 0) * light_color[i].at[lane];
     }
@@ -87,13 +90,15 @@ static void spheres_are_lit(void **state)
             worst = fmax(worst, fabs(p.rgb[k] - want));
             seen++;
         }
-        print_message("%s: %d values, within %.2f of 255, at most %.1f\n", cases[i].text, seen, worst, most);
+        print_message("%s: %d values, within %.2f of 255, at most %.1f\n", cases[i].text, seen,
+                      worst, most);
         assert_true(seen > SIDE * SIDE && worst <= most);
         discard(&p);
     }
 }
 
-/* What a mirror sees: the squares that stand for the lamps, 4 away, which light what faces them as much (a square's published form factor), before the horizon's light. -1: near an edge. */
+/* What a mirror sees: the squares that stand for the lamps, 4 away, which light what faces them as
+ * much (a square's published form factor), before the horizon's light. -1: near an edge. */
 static double mirrored(const View *view, Vector at, Vector way, int lane)
 {
     static const double halves[] = {3.2, 3.2, 2.4};
@@ -101,9 +106,12 @@ static double mirrored(const View *view, Vector at, Vector way, int lane)
     double sum = .6 * below.at[lane] * (1 - mirror) + above.at[lane] * mirror;
     for (int i = 0; i < 3; i++) {
         const double *e = light_direction[i].at;
-        const Vector to = unit(added(added(scaled(view->right, e[0]), scaled(view->up, e[1])), scaled(view->back, e[2])));
-        const Vector high = unit(added(view->up, scaled(to, -dot(view->up, to)))), wide = cross(to, high);
-        const double along = (4 - dot(at, to)) / dot(way, to), s = halves[i] / sqrt(halves[i] * halves[i] + 16);
+        const Vector to = unit(added(added(scaled(view->right, e[0]), scaled(view->up, e[1])),
+                                     scaled(view->back, e[2])));
+        const Vector high = unit(added(view->up, scaled(to, -dot(view->up, to)))),
+                     wide = cross(to, high);
+        const double along = (4 - dot(at, to)) / dot(way, to),
+                     s = halves[i] / sqrt(halves[i] * halves[i] + 16);
         const Vector met = added(at, scaled(way, along));
         const double off = fmax(fabs(dot(met, high)), fabs(dot(met, wide))) / halves[i];
         if (dot(way, to) <= 0 || off > 1.2)
@@ -120,7 +128,8 @@ static void mirrors_show_the_room(void **state)
 {
     (void)state;
     enum { SIDE = 96 };
-    Drawn p = draw("{ material: Principled, metalness: 1, baseColor: 1, roughness: 0 }", "gbuffer", SIDE, SIDE);
+    Drawn p = draw("{ material: Principled, metalness: 1, baseColor: 1, roughness: 0 }", "gbuffer",
+                   SIDE, SIDE);
     const Vector back = from_angles(-112 * RADIANS, 22 * RADIANS);
     const View view = look(scaled(back, 4.55), back, 15 * RADIANS, SIDE, SIDE);
     double worst = 0;
@@ -129,20 +138,23 @@ static void mirrors_show_the_room(void **state)
         Vector normal, ray = ray_of(&view, k / 3 % SIDE, k / 3 / SIDE);
         if (!meet_sphere(&view, ray, &normal) || dot(normal, ray) > -.3)
             continue;
-        const double want = mirrored(&view, normal, added(ray, scaled(normal, -2 * dot(ray, normal))), k % 3);
+        const double want =
+            mirrored(&view, normal, added(ray, scaled(normal, -2 * dot(ray, normal))), k % 3);
         if (want < 0)
             continue;
         worst = fmax(worst, fabs(p.rgb[k] - byte_of(tone(want))));
         squares += want > .5;
         horizon += want <= .5;
     }
-    print_message("%d values of squares, %d of the horizon, within %.1f of 255\n", squares, horizon, worst);
+    print_message("%d values of squares, %d of the horizon, within %.1f of 255\n", squares, horizon,
+                  worst);
     assert_true(squares > 1000 && horizon > 4000 && worst <= 1);
     discard(&p);
 }
 
-/* A surface that only sends out light has the colour that its document says, byte for byte: decoded, drawn and encoded again. The
- * preview bends what is brighter than 0.7, which is byte 218. */
+/* A surface that only sends out light has the colour that its document says, byte for byte:
+ * decoded, drawn and encoded again. The preview bends what is brighter than 0.7, which is byte
+ * 218. */
 static void srgb_bytes_come_back(void **state)
 {
     (void)state;
@@ -151,7 +163,8 @@ static void srgb_bytes_come_back(void **state)
     for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
         const int red = bytes[i], green = 217 - red;
         char text[128];
-        snprintf(text, sizeof text, "{ colors: srgb, material: Phong, diffuse: 0, emissive: '#%02x%02x80' }", red,
+        snprintf(text, sizeof text,
+                 "{ colors: srgb, material: Phong, diffuse: 0, emissive: '#%02x%02x80' }", red,
                  green);
         Drawn p = draw(text, "gbuffer", SIDE, SIDE);
         const unsigned char *middle = p.rgb + 3 * (SIDE / 2 * SIDE + SIDE / 2);
@@ -173,7 +186,8 @@ static void slots_are_shown(void **state)
         {"diffuse", "diffuse: [0.5, 0.2, 0]", {187.5, 123.6, 0}}, /* of the sRGB curve */
         {"alpha", "diffuse: [1, 1, 1, 0.25]", {63.75, 63.75, 63.75}},
         {"specular", "specular: [0.5, 0.2, 1]", {187.5, 123.6, 255}},
-        {"shininess", "shininess: 0.75", {78.9, 78.9, 78.9}}, /* an exponent of 30.99: 255 log2(30.99) / 16 */
+        /* an exponent of 30.99: 255 log2(30.99) / 16 */
+        {"shininess", "shininess: 0.75", {78.9, 78.9, 78.9}},
         {"transparency", "transparency: [0.5, 0.2, 0]", {187.5, 123.6, 0}},
         {"transparencyShininess", "transparencyShininess: 0.75", {78.9, 78.9, 78.9}},
         {"interpolatedTransparency", "interpolatedTransparency: false", {0, 0, 0}},
@@ -184,21 +198,39 @@ static void slots_are_shown(void **state)
         {"normal", "{}", {127.5, 127.5, 255}}, /* it faces the eye */
         {"metalness", "{ material: Principled, metalness: 0.25 }", {63.75, 63.75, 63.75}},
         {"roughness", "{ material: Principled, roughness: 0.75 }", {191.25, 191.25, 191.25}},
-        {"reflectance", "{ material: Principled, ior: 3 }", {63.75, 63.75, 63.75}}, /* ((3 - 1) / (3 + 1))^2 */
+        /* ((3 - 1) / (3 + 1))^2 */
+        {"reflectance", "{ material: Principled, ior: 3 }", {63.75, 63.75, 63.75}},
         {"coat", "{ material: Principled, coat: 0.25 }", {63.75, 63.75, 63.75}},
-        {"coatTint", "{ material: Principled, coat: 1, coatDarkening: 0, coatColor: [0.5, 0.2, 0] }", {187.5, 123.6, 0}},
-        {"coatRoughness", "{ material: Principled, coat: 1, coatRoughness: 0.75 }", {191.25, 191.25, 191.25}},
+        {"coatTint",
+         "{ material: Principled, coat: 1, coatDarkening: 0, coatColor: [0.5, 0.2, 0] }",
+         {187.5, 123.6, 0}},
+        {"coatRoughness",
+         "{ material: Principled, coat: 1, coatRoughness: 0.75 }",
+         {191.25, 191.25, 191.25}},
         {"coatReflectance", "{ material: Principled, coat: 1, coatIor: 3 }", {63.75, 63.75, 63.75}},
         {"fuzz", "{ material: Principled, fuzz: 0.25 }", {63.75, 63.75, 63.75}},
-        {"fuzzColor", "{ material: Principled, fuzz: 1, fuzzColor: [0.5, 0.2, 0] }", {187.5, 123.6, 0}},
-        {"fuzzRoughness", "{ material: Principled, fuzz: 1, fuzzRoughness: 0.75 }", {191.25, 191.25, 191.25}},
-        {"anisotropy", "{ material: Principled, anisotropy: 0.5 }", {191.25, 127.5, 127.5}}, /* along the horizon, where the eye's x is */
+        {"fuzzColor",
+         "{ material: Principled, fuzz: 1, fuzzColor: [0.5, 0.2, 0] }",
+         {187.5, 123.6, 0}},
+        {"fuzzRoughness",
+         "{ material: Principled, fuzz: 1, fuzzRoughness: 0.75 }",
+         {191.25, 191.25, 191.25}},
+        /* along the horizon, where the eye's x is */
+        {"anisotropy", "{ material: Principled, anisotropy: 0.5 }", {191.25, 127.5, 127.5}},
         {"transmission", "{ material: Principled, transmission: 0.75 }", {191.25, 191.25, 191.25}},
         {"film", "{ material: Principled, film: 0.75 }", {191.25, 191.25, 191.25}},
-        {"filmPath", "{ material: Principled, film: 1, filmThickness: 0.625, filmIor: 2 }", {127.5, 127.5, 127.5}}, /* 2.5 of 5 micrometers */
+        /* 2.5 of 5 micrometers */
+        {"filmPath",
+         "{ material: Principled, film: 1, filmThickness: 0.625, filmIor: 2 }",
+         {127.5, 127.5, 127.5}},
         {"filmIor", "{ material: Principled, film: 1, filmIor: 1.5 }", {127.5, 127.5, 127.5}},
-        {"diffuseRoughness", "{ material: Principled, diffuseRoughness: 0.25 }", {63.75, 63.75, 63.75}},
-        {"coatNormal", "{ material: Principled, coat: 1, input: { map: BumpMap } }", {127.5, 127.5, 255}}, /* as smooth as the sphere */
+        {"diffuseRoughness",
+         "{ material: Principled, diffuseRoughness: 0.25 }",
+         {63.75, 63.75, 63.75}},
+        /* as smooth as the sphere */
+        {"coatNormal",
+         "{ material: Principled, coat: 1, input: { map: BumpMap } }",
+         {127.5, 127.5, 255}},
         {"model", "{ material: Principled }", {255, 255, 255}},
         {"model", "{}", {0, 0, 0}},
     };
@@ -207,11 +239,13 @@ static void slots_are_shown(void **state)
         char text[128];
         const char *given = cases[i].text;
         const bool whole = !strncmp(given, "{ material", 10), plain = !strcmp(given, "{}");
-        snprintf(text, sizeof text, whole ? "%s%s" : "{ material: Phong%s%s }", whole || plain ? "" : ", ", plain ? "" : given);
+        snprintf(text, sizeof text, whole ? "%s%s" : "{ material: Phong%s%s }",
+                 whole || plain ? "" : ", ", plain ? "" : given);
         Drawn p = draw_slot(text, "gbuffer", cases[i].slot, SIDE, SIDE);
         for (int lane = 0; lane < 3; lane++)
             if (fabs(p.rgb[MIDDLE + lane] - cases[i].bytes[lane]) > 1.5)
-                fail_msg("%s.%d: %d, not %g", cases[i].slot, lane, p.rgb[MIDDLE + lane], cases[i].bytes[lane]);
+                fail_msg("%s.%d: %d, not %g", cases[i].slot, lane, p.rgb[MIDDLE + lane],
+                         cases[i].bytes[lane]);
         assert_int_equal(p.rgb[0], p.rgb[2]); /* beside the sphere */
         assert_true(p.rgb[0] < 45);
         discard(&p);
@@ -221,7 +255,8 @@ static void slots_are_shown(void **state)
         assert_non_null(slot_look_find(slot_table[slot].name));
 }
 
-/* The light and the slot normal stand in eye space, whichever space the G-buffer's normals are in. */
+/* The light and the slot normal stand in eye space, whichever space the G-buffer's normals are
+ * in. */
 static void normals_of_the_world_look_alike(void **state)
 {
     (void)state;
@@ -247,7 +282,8 @@ static void normals_of_the_world_look_alike(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(spheres_are_lit), cmocka_unit_test(mirrors_show_the_room),
+        cmocka_unit_test(spheres_are_lit),
+        cmocka_unit_test(mirrors_show_the_room),
         cmocka_unit_test(srgb_bytes_come_back),
         cmocka_unit_test(slots_are_shown),
         cmocka_unit_test(normals_of_the_world_look_alike),

@@ -1,5 +1,5 @@
-/* Where the preview's cameras look: a sky by the C reference in directions from the camera's definition, points beside the middle, files
- * the right way up. */
+/* Where the preview's cameras look: a sky by the C reference in directions from the camera's
+ * definition, points beside the middle, files the right way up. */
 #include "tests/test.h"
 #include "tests/preview.h"
 #include <stdio.h>
@@ -21,11 +21,13 @@ static void want_sky(const Drawn *p, Vector ray, double want[3])
         want[lane] = byte_of(want[lane] * (1 - exp(-.9 * most)) / most);
 }
 
-/* The camera of the sky stands at the origin and looks 41 degrees up, towards the sun as far as steps of 5 degrees let it. */
+/* The camera of the sky stands at the origin and looks 41 degrees up, towards the sun as far as
+ * steps of 5 degrees let it. */
 static View sky_view(Vector sun, int width, int height)
 {
     double step = 5 * RADIANS, azimuth = step * round(atan2(sun.at[1], sun.at[0]) / step);
-    return look((Vector){{0, 0, 0}}, scaled(from_angles(azimuth, 41 * RADIANS), -1), 45 * RADIANS, width, height);
+    return look((Vector){{0, 0, 0}}, scaled(from_angles(azimuth, 41 * RADIANS), -1), 45 * RADIANS,
+                width, height);
 }
 
 /* What is near the horizon jumps to black. */
@@ -45,7 +47,8 @@ static void compare_sky(const Drawn *p, const View *view)
             worst = fmax(worst, fabs(p->rgb[3 * i + lane] - want[lane]));
         ground += want[0] + want[1] + want[2] == 0;
     }
-    print_message("%d x %d: within %.2f of 255, %d pixels of ground\n", view->width, view->height, worst, ground);
+    print_message("%d x %d: within %.2f of 255, %d pixels of ground\n", view->width, view->height,
+                  worst, ground);
     assert_true(worst <= .75 && ground > 0);
 }
 
@@ -68,9 +71,18 @@ static const struct {
     Vector sun;
     int width, height;
 } skies[] = {
-    {"{ material: SunSkyLight, sun: [0.4, -1, 0.5], turbidity: 3, radianceFactor: 0.05 }", {{.4, -1, .5}}, 64, 64},
-    {"{ material: SunSkyLight, sun: [-1, 0.1, 0.8], turbidity: 2.5, radianceFactor: 0.05 }", {{-1, .1, .8}}, 80, 48},
-    {"{ material: SunSkyLight, sun: [0.2, 0.9, 1.3], turbidity: 4, radianceFactor: 0.05 }", {{.2, .9, 1.3}}, 48, 80},
+    {"{ material: SunSkyLight, sun: [0.4, -1, 0.5], turbidity: 3, radianceFactor: 0.05 }",
+     {{.4, -1, .5}},
+     64,
+     64},
+    {"{ material: SunSkyLight, sun: [-1, 0.1, 0.8], turbidity: 2.5, radianceFactor: 0.05 }",
+     {{-1, .1, .8}},
+     80,
+     48},
+    {"{ material: SunSkyLight, sun: [0.2, 0.9, 1.3], turbidity: 4, radianceFactor: 0.05 }",
+     {{.2, .9, 1.3}},
+     48,
+     80},
 };
 
 static void skies_stand_upright(void **state)
@@ -94,7 +106,8 @@ static void cameras_look(void **state)
     Viewpoint viewpoint = camera_viewpoint_for(SHAPE_sphere);
     assert_true(camera_viewpoint_read("3,-4,2,1,0,0.5,40", &viewpoint));
     const SceneCamera camera = camera_at(&viewpoint);
-    const View view = look((Vector){{3, -4, 2}}, unit((Vector){{2, -4, 1.5}}), 20 * RADIANS, 200, 100);
+    const View view =
+        look((Vector){{3, -4, 2}}, unit((Vector){{2, -4, 1.5}}), 20 * RADIANS, 200, 100);
     assert_true(fabs(camera.half - view.tangent) < 1e-12);
     for (int i = 0; i < 3; i++) {
         assert_true(camera.position[i] == view.position.at[i]);
@@ -119,7 +132,8 @@ static void cameras_look(void **state)
                                         "1e9,0,0"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
         assert_false(camera_viewpoint_read(wrong[i], &viewpoint));
-    static const char *const right[] = {"front", "left", "top", "low", "close", "1,2,3", "1,2,3,0,0,0"};
+    static const char *const right[] = {"front", "left",  "top",        "low",
+                                        "close", "1,2,3", "1,2,3,0,0,0"};
     for (size_t i = 0; i < sizeof right / sizeof *right; i++)
         assert_true(camera_viewpoint_read(right[i], &viewpoint));
 }
@@ -133,7 +147,8 @@ static double brightness_of_file(const char *path, double v)
     MatcOptions options;
     matc_options_init(&options);
     options.pixels = true;
-    int size = snprintf(text, sizeof text, "{ material: Phong, emissive: { map: ImageMap, image: %s } }", path);
+    int size = snprintf(text, sizeof text,
+                        "{ material: Phong, emissive: { map: ImageMap, image: %s } }", path);
     MatcDocument *document = matc_read("file.yaml", text, (size_t)size, &options);
     assert_int_equal(matc_material_count(document), 1);
     snprintf(text, sizeof text, "u=0.5 v=%g", v);
@@ -153,8 +168,9 @@ static void the_program_writes_it_upright(void **state)
     char folder[] = "/tmp/matc-preview-XXXXXX", path[64], command[1024];
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/sky.png", folder);
-    snprintf(command, sizeof command, "'%s' --pass=sky --samples=1 --size=64 -o %s '%s' > /dev/null", MATVIEW_PROGRAM,
-             path, SOURCE_FOLDER "/examples/materials/sunSky.yaml");
+    snprintf(command, sizeof command,
+             "'%s' --pass=sky --samples=1 --size=64 -o %s '%s' > /dev/null", MATVIEW_PROGRAM, path,
+             SOURCE_FOLDER "/examples/materials/sunSky.yaml");
     assert_int_equal(system(command), 0);
     double low = brightness_of_file(path, .01), high = brightness_of_file(path, .97);
     assert_true(low == 0 && high > .3);

@@ -1,4 +1,5 @@
-/* Frames of a motion, drawn by one renderer, against each by a renderer of its own: every byte of their files. */
+/* Frames of a motion, drawn by one renderer, against each by a renderer of its own: every byte of
+ * their files. */
 /* ctest: seconds=34 */
 #include "tests/test.h"
 #include "compiler/base/file.h"
@@ -10,15 +11,18 @@
 #include <string.h>
 #include <unistd.h>
 
-#define SOLIDS                                                                                                         \
-    "image: { width: 48, height: 32 }\ncamera: { camera: %s, position: [0, -6, 4], target: [0, 0, .5] }\n"             \
-    "motion: { motion: Turntable, frames: 4 }\n"                                                                       \
-    "lights: [{ light: Point, position: [3, -2, 4], intensity: 12 }]\n"                                                \
-    "sky: { material: RGBA, r: .2, b: .4 }\n"                                                                          \
-    "objects:\n- { object: Plane, material: { material: Phong, diffuse: { map: Checker } } }\n"                        \
-    "- { object: Box, material: { material: Phong, diffuse: .5, specular: .3 }, transform: { translation: [-.8, 0, "   \
-    ".5] } }\n"                                                                                                        \
-    "- { object: Sphere, radius: .5, material: { material: Phong, transparency: .6 }, transform: { translation: [.6, " \
+#define SOLIDS                                                                                     \
+    "image: { width: 48, height: 32 }\ncamera: { camera: %s, position: [0, -6, 4], target: [0, "   \
+    "0, .5] }\n"                                                                                   \
+    "motion: { motion: Turntable, frames: 4 }\n"                                                   \
+    "lights: [{ light: Point, position: [3, -2, 4], intensity: 12 }]\n"                            \
+    "sky: { material: RGBA, r: .2, b: .4 }\n"                                                      \
+    "objects:\n- { object: Plane, material: { material: Phong, diffuse: { map: Checker } } }\n"    \
+    "- { object: Box, material: { material: Phong, diffuse: .5, specular: .3 }, transform: { "     \
+    "translation: [-.8, 0, "                                                                       \
+    ".5] } }\n"                                                                                    \
+    "- { object: Sphere, radius: .5, material: { material: Phong, transparency: .6 }, transform: " \
+    "{ translation: [.6, "                                                                         \
     ".4, 1] } }\n"
 
 static char folder[] = "/tmp/matc_framesXXXXXX";
@@ -42,7 +46,8 @@ static void assert_same_file(const char *a, const char *b)
     free(bytes[1]);
 }
 
-/* Into FOLDER/one and FOLDER/own, which have to be alike; what is made on the driver's side for a further frame. */
+/* Into FOLDER/one and FOLDER/own, which have to be alike; what is made on the driver's side for a
+ * further frame. */
 static int draw_both(GlContext *gl, Scene *scene, const ScenePictureOptions *options)
 {
     char one[64], own[64];
@@ -58,12 +63,14 @@ static int draw_both(GlContext *gl, Scene *scene, const ScenePictureOptions *opt
         if (pictures)
             assert_true(scene_pictures_turn(pictures, scene, &seen));
         else
-            assert_true((pictures = scene_pictures_open(gl, options)) && scene_pictures_show(pictures, &seen));
+            assert_true((pictures = scene_pictures_open(gl, options)) &&
+                        scene_pictures_show(pictures, &seen));
         assert_true(scene_pictures_draw(pictures, one, &picture));
         made = frame_calls.made;
         alone.camera = seen.camera;
         ScenePictures *other = scene_pictures_open(gl, options);
-        assert_true(other && scene_pictures_show(other, &alone) && scene_pictures_draw(other, own, &picture));
+        assert_true(other && scene_pictures_show(other, &alone) &&
+                    scene_pictures_draw(other, own, &picture));
         scene_pictures_close(other);
         assert_same_file(one, own);
     }
@@ -85,8 +92,10 @@ static void frames_of_one_renderer(void **state)
         matc_options_init(&compile);
         snprintf(text, sizeof text, SOLIDS, cameras[i]);
         Scene *scene = frame_scene(text, &compile, &document);
-        ScenePictureOptions options = {.render = {.compile = &compile, .edges = RENDER_EDGES_coverage}};
-        assert_int_equal(draw_both(gl, scene, &options), 1); /* the lines of edges, of another number */
+        ScenePictureOptions options = {
+            .render = {.compile = &compile, .edges = RENDER_EDGES_coverage}};
+        /* the lines of edges, of another number */
+        assert_int_equal(draw_both(gl, scene, &options), 1);
         options.render.tile[0] = options.render.tile[1] = 20;
         assert_int_equal(draw_both(gl, scene, &options), 1);
         options = (ScenePictureOptions){.render = {.compile = &compile, .transparency = "peeling"},

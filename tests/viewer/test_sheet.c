@@ -10,7 +10,8 @@
 static void columns_fill_rows(void **state)
 {
     (void)state;
-    static const int cases[][2] = {{1, 1}, {2, 2}, {3, 3}, {4, 2}, {6, 3}, {10, 5}, {12, 4}, {24, 6}};
+    static const int cases[][2] = {{1, 1}, {2, 2},  {3, 3},  {4, 2},
+                                   {6, 3}, {10, 5}, {12, 4}, {24, 6}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_int_equal(sheet_columns(cases[i][0]), cases[i][1]);
     for (int count = 1; count < 500; count++) {
@@ -40,7 +41,8 @@ static void add(Sheet *sheet, const char *name, int red, int green)
     free(rgb);
 }
 
-/* Places of the sheet where a picture of that colour begins: its pixel is one, and those to the left and above are none. */
+/* Places of the sheet where a picture of that colour begins: its pixel is one, and those to the
+ * left and above are none. */
 static int count_cells(const PngPicture *p, int red, int green, int *left, int *top)
 {
     int count = 0;
@@ -110,7 +112,8 @@ static void what_cannot_be_is_told(void **state)
     sheet_free(&sheet);
 }
 
-/* What has no room is known before it is drawn: whatever is still to come, a side is at least the root of the number of pictures. */
+/* What has no room is known before it is drawn: whatever is still to come, a side is at least the
+ * root of the number of pictures. */
 static void room_is_known_before(void **state)
 {
     (void)state;
@@ -129,11 +132,13 @@ static void room_is_known_before(void **state)
     }
 }
 
-/* Every letter that a name can have is there, and no two look alike; what is not there is a question mark. */
+/* Every letter that a name can have is there, and no two look alike; what is not there is a
+ * question mark. */
 static void letters_differ(void **state)
 {
     (void)state;
-    static const char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.-_?";
+    static const char letters[] =
+        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789.-_?";
     for (size_t i = 0; letters[i]; i++)
         for (size_t k = 0; letters[k]; k++) {
             int apart = 0, ink = 0;
@@ -141,7 +146,8 @@ static void letters_differ(void **state)
                 const int x = at % FONT_ADVANCE, y = at / FONT_ADVANCE;
                 apart += font_has_ink(letters[i], x, y) != font_has_ink(letters[k], x, y);
                 ink += font_has_ink(letters[i], x, y);
-                assert_false(x == FONT_ADVANCE - 1 && font_has_ink(letters[i], x, y)); /* the gap to the next one */
+                /* the gap to the next one */
+                assert_false(x == FONT_ADVANCE - 1 && font_has_ink(letters[i], x, y));
             }
             assert_true(ink > 3 && (apart > 0) == (i != k));
         }

@@ -21,7 +21,8 @@ static uint32_t hash_of(const double corner[3], int count)
     return h[2];
 }
 
-/* Two axes by the hash's bits from the third on, each forwards or backwards by the two lowest; the scale is that of the definition. */
+/* Two axes by the hash's bits from the third on, each forwards or backwards by the two lowest; the
+ * scale is that of the definition. */
 static void direction_of(const double corner[3], int count, double direction[3])
 {
     static const int first[16] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1};
@@ -62,7 +63,8 @@ static void octave(const double p[3], int count, double out[4])
         for (int i = 0; i < 3; i++)
             value += direction[i] * (d[i] - (k >> i & 1));
         for (int i = 0; i < 3; i++)
-            out[i] += share[0] * share[1] * share[2] * direction[i] + value * change[i] * share[(i + 1) % 3] * share[(i + 2) % 3];
+            out[i] += share[0] * share[1] * share[2] * direction[i] +
+                      value * change[i] * share[(i + 1) % 3] * share[(i + 2) % 3];
         out[3] += share[0] * share[1] * share[2] * value;
     }
 }

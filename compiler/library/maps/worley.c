@@ -1,4 +1,5 @@
-/* MaterialX's cells and Worley's noise: Jenkins' lookup3 of any count of numbers, in whole numbers, and distances in double. */
+/* MaterialX's cells and Worley's noise: Jenkins' lookup3 of any count of numbers, in whole numbers,
+ * and distances in double. */
 #include "compiler/library/reference.h"
 
 /* A coordinate has no fraction beyond it as a float. */
@@ -6,7 +7,8 @@ static const double farthest = 16777216;
 
 static uint32_t turned(uint32_t bits, int by) { return bits << by | bits >> (32 - by); }
 
-/* All but the last three numbers are mixed, three at a time; the last are mixed otherwise. Over 2^32 - 1. */
+/* All but the last three numbers are mixed, three at a time; the last are mixed otherwise. Over
+ * 2^32 - 1. */
 static double hashed(const double *numbers, int count)
 {
     static const int mixed[] = {4, 6, 8, 16, 19, 4}, last[] = {14, 11, 25, 16, 4, 14, 24};
@@ -60,7 +62,8 @@ static void nearest(const double *args, double out[4])
             numbers[i] = cell[i] + beside[i];
         for (int i = 0; i < count; i++) {
             numbers[count] = i;
-            away[i] = fmax(fmin(args[i], farthest), -farthest) - numbers[i] - (hashed(numbers, count + 1) - .5) * args[3] - .5;
+            away[i] = fmax(fmin(args[i], farthest), -farthest) - numbers[i] -
+                      (hashed(numbers, count + 1) - .5) * args[3] - .5;
             square += away[i] * away[i];
         }
         if (square >= least)

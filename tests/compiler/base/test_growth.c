@@ -10,21 +10,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Eight times as much takes 8 times as long, 8 log 8 at most; 64 times where something is quadratic. Between them lies what a
- * busy machine adds, caches that are too small for the longer one, tables that are grown. */
+/* Eight times as much takes 8 times as long, 8 log 8 at most; 64 times where something is
+ * quadratic. Between them lies what a busy machine adds, caches that are too small for the longer
+ * one, tables that are grown. */
 static const double MOST = 24;
-static const double LEAST_SECONDS = 5e-4; /* what a clock and a scheduler leave of a time; shorter ones count as that */
+/* what a clock and a scheduler leave of a time; shorter ones count as that */
+static const double LEAST_SECONDS = 5e-4;
 enum { RUNS = 3, TRIES = 4 };
 
-/* Sanitizers look for faults in the longer documents. They are not timed: their allocator takes each large block from the system and gives it
- * back, and the system's pages cost more than what is written into them. */
+/* Sanitizers look for faults in the longer documents. They are not timed: their allocator takes
+ * each large block from the system and gives it back, and the system's pages cost more than what is
+ * written into them. */
 static void timed(void)
 {
     if (SANITIZED)
         skip();
 }
 
-/* The longer run is repeated only if it seems too long: what else the machine does can only add to it. */
+/* The longer run is repeated only if it seems too long: what else the machine does can only add to
+ * it. */
 static double ratio(const GrowthRow *row)
 {
     double base = fmax(growth_seconds(row, row->count, RUNS), LEAST_SECONDS), least = INFINITY;
@@ -33,7 +37,8 @@ static double ratio(const GrowthRow *row)
     return least / base;
 }
 
-/* The same of a batch, whose shorter one has nothing to do but to begin: what is above that grows. */
+/* The same of a batch, whose shorter one has nothing to do but to begin: what is above that
+ * grows. */
 static double batch_ratio(const GrowthBatch *row)
 {
     double base = growth_batch_seconds(row, MATC_PROGRAM, row->count, 1), least = INFINITY;
@@ -54,7 +59,8 @@ static void every_document_takes_time_by_its_length(void **state)
         if (times <= MOST)
             continue;
         fprintf(stderr, "%s %s: %d parts take %.1f times as long as %d\n", growth_table[i].name,
-                growth_table[i].options, GROWTH_FACTOR * growth_table[i].count, times, growth_table[i].count);
+                growth_table[i].options, GROWTH_FACTOR * growth_table[i].count, times,
+                growth_table[i].count);
         failed++;
     }
     assert_int_equal(failed, 0);
@@ -103,6 +109,8 @@ int main(void)
         cmocka_unit_test(every_document_takes_time_by_its_length),
         cmocka_unit_test(every_batch_takes_time_by_its_documents),
     };
-    arena_keep_pages(); /* as matc does: a page that the system takes and gives anew costs more than what is written into it, and small documents have none */
+    /* as matc does: a page that the system takes and gives anew costs more than what is written
+     * into it, and small documents have none */
+    arena_keep_pages();
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

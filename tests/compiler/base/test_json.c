@@ -1,5 +1,5 @@
-/* Strict JSON: what is refused, and at which byte; what is accepted, and as which values. cJSON gives a second opinion of every text.
- * The whole of JSONTestSuite is in suites/. */
+/* Strict JSON: what is refused, and at which byte; what is accepted, and as which values. cJSON
+ * gives a second opinion of every text. The whole of JSONTestSuite is in suites/. */
 #include "tests/test.h"
 #include "tests/read_text.h"
 #include "compiler/tool/batch_state.h"
@@ -131,8 +131,10 @@ static const struct {
     {TEXT("[\"\\\"\\\\\\/\\b\\f\\n\\r\\t\"]"), TEXT("\"\\/\b\f\n\r\t"), false, ACCEPTS},
     {TEXT("[\"\\u0041\\u00e9\\u20AC\"]"), TEXT("A\xc3\xa9\xe2\x82\xac"), false, ACCEPTS},
     {TEXT("[\"\\ud83d\\uDE00\"]"), TEXT("\xf0\x9f\x98\x80"), false, ACCEPTS},
-    {TEXT("[\"\\ud800\\udc00\\udbff\\udfff\"]"), TEXT("\xf0\x90\x80\x80\xf4\x8f\xbf\xbf"), false, ACCEPTS},
-    {TEXT("[\"\\ud7ff\\ue000\\uffff\"]"), TEXT("\xed\x9f\xbf\xee\x80\x80\xef\xbf\xbf"), false, ACCEPTS},
+    {TEXT("[\"\\ud800\\udc00\\udbff\\udfff\"]"), TEXT("\xf0\x90\x80\x80\xf4\x8f\xbf\xbf"), false,
+     ACCEPTS},
+    {TEXT("[\"\\ud7ff\\ue000\\uffff\"]"), TEXT("\xed\x9f\xbf\xee\x80\x80\xef\xbf\xbf"), false,
+     ACCEPTS},
     {TEXT("[\"\x7f\"]"), TEXT("\x7f"), false, ACCEPTS},
     {TEXT("[\"\xef\xbf\xbe\"]"), TEXT("\xef\xbf\xbe"), false, ACCEPTS},
     {TEXT("[\"\xf0\x9f\x98\x80\"]"), TEXT("\xf0\x9f\x98\x80"), false, ACCEPTS},
@@ -153,7 +155,8 @@ static void test_refused(void **state)
     for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
         ReadText r;
         read_text(&r, "a.json", refused[i].text, refused[i].size);
-        if (r.tree || r.session.diags.errors != 1 || r.session.diags.at[0].span.start != refused[i].at)
+        if (r.tree || r.session.diags.errors != 1 ||
+            r.session.diags.at[0].span.start != refused[i].at)
             fail_msg("%s: %d errors, at %u for %u", refused[i].text, r.session.diags.errors,
                      r.session.diags.count ? r.session.diags.at[0].span.start : 0, refused[i].at);
         if (cjson_accepts(refused[i].text, refused[i].size) != (refused[i].cjson == ACCEPTS))
@@ -172,7 +175,8 @@ static void test_accepted(void **state)
             fail_msg("%s: refused: %s", accepted[i].text,
                      r.session.diags.count ? r.session.diags.at[0].message : "no list");
         const Tree *value = r.tree->items[0];
-        if (value->kind != TREE_scalar || value->plain != accepted[i].plain || value->count != accepted[i].value_size ||
+        if (value->kind != TREE_scalar || value->plain != accepted[i].plain ||
+            value->count != accepted[i].value_size ||
             memcmp(value->text, accepted[i].value, value->count + 1) != 0)
             fail_msg("%s: another value: %s", accepted[i].text, value->text);
         if (cjson_accepts(accepted[i].text, accepted[i].size) != (accepted[i].cjson == ACCEPTS))
@@ -181,7 +185,8 @@ static void test_accepted(void **state)
     }
 }
 
-/* "a":, "b":, ... each once more with a zero byte and the name of another: they are different keys, and no document has them. */
+/* "a":, "b":, ... each once more with a zero byte and the name of another: they are different keys,
+ * and no document has them. */
 static void test_zero_bytes(void **state)
 {
     (void)state;
@@ -234,10 +239,11 @@ static void test_places(void **state)
     read_text(&r, "a.json", text, sizeof text - 1);
     assert_non_null(r.tree);
     const Member *member = &r.tree->members[0];
-    const Span spans[] = {r.tree->span, member->span, member->value->span, member->value->items[0]->span,
-                          member->value->items[1]->span};
-    static const char *const expected[] = {"{ \"\xc3\xa9\" : [ 12 , \"\\u0041\" ] }", "\"\xc3\xa9\"",
-                                           "[ 12 , \"\\u0041\" ]", "12", "\"\\u0041\""};
+    const Span spans[] = {r.tree->span, member->span, member->value->span,
+                          member->value->items[0]->span, member->value->items[1]->span};
+    static const char *const expected[] = {"{ \"\xc3\xa9\" : [ 12 , \"\\u0041\" ] }",
+                                           "\"\xc3\xa9\"", "[ 12 , \"\\u0041\" ]", "12",
+                                           "\"\\u0041\""};
     for (int i = 0; i < 5; i++) {
         assert_int_equal(spans[i].end - spans[i].start, strlen(expected[i]));
         assert_memory_equal(text + spans[i].start, expected[i], strlen(expected[i]));
@@ -301,9 +307,10 @@ static void test_host(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_refused), cmocka_unit_test(test_accepted), cmocka_unit_test(test_zero_bytes),
-        cmocka_unit_test(test_long),    cmocka_unit_test(test_places),   cmocka_unit_test(test_duplicates),
-        cmocka_unit_test(test_depth),   cmocka_unit_test(test_host),
+        cmocka_unit_test(test_refused),    cmocka_unit_test(test_accepted),
+        cmocka_unit_test(test_zero_bytes), cmocka_unit_test(test_long),
+        cmocka_unit_test(test_places),     cmocka_unit_test(test_duplicates),
+        cmocka_unit_test(test_depth),      cmocka_unit_test(test_host),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

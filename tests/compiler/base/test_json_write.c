@@ -1,4 +1,5 @@
-/* Strings of JSON: whatever the bytes are, cJSON reads what was meant, and no control character is left. */
+/* Strings of JSON: whatever the bytes are, cJSON reads what was meant, and no control character is
+ * left. */
 #include "tests/test.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"
@@ -11,20 +12,25 @@
 
 enum { ROOM = 64 };
 
-/* Length of the character, by the numbers: its first byte says how many more there are, six bits each; the character must need that
- * many, and be one of Unicode's. 0: none. */
+/* Length of the character, by the numbers: its first byte says how many more there are, six bits
+ * each; the character must need that many, and be one of Unicode's. 0: none. */
 static int character(const char *string)
 {
     static const long least[] = {0, 0, 0x80, 0x800, 0x10000};
     const unsigned char *at = (const unsigned char *)string;
-    const int length = at[0] < 0x80 ? 1 : at[0] >> 5 == 6 ? 2 : at[0] >> 4 == 14 ? 3 : at[0] >> 3 == 30 ? 4 : 0;
+    const int length = at[0] < 0x80       ? 1
+                       : at[0] >> 5 == 6  ? 2
+                       : at[0] >> 4 == 14 ? 3
+                       : at[0] >> 3 == 30 ? 4
+                                          : 0;
     long number = length > 1 ? at[0] & (0x7F >> length) : at[0];
     for (int i = 1; i < length; i++) {
         if (at[i] >> 6 != 2)
             return 0;
         number = number << 6 | (at[i] & 0x3F);
     }
-    bool fine = length && number >= least[length] && number <= 0x10FFFF && !(number >= 0xD800 && number < 0xE000);
+    bool fine = length && number >= least[length] && number <= 0x10FFFF &&
+                !(number >= 0xD800 && number < 0xE000);
     return fine ? length : 0;
 }
 
@@ -80,8 +86,9 @@ static void test_pairs(void **state)
 static void test_sequences(void **state)
 {
     (void)state;
-    static const unsigned char bytes[] = {'"',  '\\', 'a',  0x1B, 0x7F, 0x80, 0x8F, 0x90, 0x9B, 0x9F, 0xA0,
-                                          0xBF, 0xC1, 0xC2, 0xE0, 0xE2, 0xED, 0xEF, 0xF0, 0xF4, 0xF5, 0xFF};
+    static const unsigned char bytes[] = {'"',  '\\', 'a',  0x1B, 0x7F, 0x80, 0x8F, 0x90,
+                                          0x9B, 0x9F, 0xA0, 0xBF, 0xC1, 0xC2, 0xE0, 0xE2,
+                                          0xED, 0xEF, 0xF0, 0xF4, 0xF5, 0xFF};
     const int count = (int)sizeof bytes;
     Arena arena = {0};
     for (int i = 0; i < count * count * count * count; i++) {
@@ -144,7 +151,8 @@ static void test_documents(void **state)
         json = cJSON_ParseWithOpts(matc_diagnostics(document, MATC_JSON), NULL, true);
         assert_non_null(json);
         assert_string_equal(cJSON_GetObjectItem(json->child, "file")->valuestring, expected);
-        assert_non_null(strstr(cJSON_GetObjectItem(json->child, "message")->valuestring, "\x1B\xC2\x9B\x1F"));
+        assert_non_null(
+            strstr(cJSON_GetObjectItem(json->child, "message")->valuestring, "\x1B\xC2\x9B\x1F"));
         cJSON_Delete(json);
         for (const char *at = matc_diagnostics(document, MATC_TEXT), *end; *at; at = end + 1) {
             char line[ROOM * 8];

@@ -1,4 +1,5 @@
-/* A process that keeps its pages takes none anew for what it compiles again. Pages are counted by the system, not timed. */
+/* A process that keeps its pages takes none anew for what it compiles again. Pages are counted by
+ * the system, not timed. */
 /* ctest: small-pages */
 #include "tests/test.h"
 #include "compiler/base/arena.h"
@@ -38,7 +39,10 @@ static void pages_are_taken_once(void **state)
     FILE *out = open_memstream(&text, &size);
     fputs("material: Phong\ndiffuse:\n  map: Blend\n  blend:\n", out);
     for (int i = 0; i < ITEMS; i++)
-        fprintf(out, "  - { value: %d, input: { map: Checker, input: { map: UVTransform, scaleU: %d } } }\n", i, i + 1);
+        fprintf(
+            out,
+            "  - { value: %d, input: { map: Checker, input: { map: UVTransform, scaleU: %d } } }\n",
+            i, i + 1);
     fclose(out);
     arena_keep_pages();
     const long before = pages();

@@ -1,5 +1,6 @@
-/* What matc reads and writes is the same in every locale: all that the library says of documents, layouts and words, in C and in
- * a locale that writes 1,5 and counts a byte above ASCII as a letter, which a process has, or a thread. */
+/* What matc reads and writes is the same in every locale: all that the library says of documents,
+ * layouts and words, in C and in a locale that writes 1,5 and counts a byte above ASCII as a
+ * letter, which a process has, or a thread. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"
@@ -32,7 +33,10 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     return 0;
 }
 
-static int by_name(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
+static int by_name(const void *a, const void *b)
+{
+    return strcmp(*(char *const *)a, *(char *const *)b);
+}
 
 static MatcOptions quick(void)
 {
@@ -44,7 +48,10 @@ static MatcOptions quick(void)
 
 /* -- everything that is said */
 
-static void say(FILE *out, const char *what, const char *text) { fprintf(out, "%s: %s\n", what, text ? text : "none"); }
+static void say(FILE *out, const char *what, const char *text)
+{
+    fprintf(out, "%s: %s\n", what, text ? text : "none");
+}
 
 static void say_document(FILE *out, const char *path, const char *text, size_t size)
 {
@@ -152,7 +159,8 @@ static void expect_same(const char *a, const char *b)
         if (*a == '\n')
             line_a = a + 1, line_b = b + 1;
     if (*a || *b)
-        fail_msg("\"%.*s\" is \"%.*s\"", (int)strcspn(line_a, "\n"), line_a, (int)strcspn(line_b, "\n"), line_b);
+        fail_msg("\"%.*s\" is \"%.*s\"", (int)strcspn(line_a, "\n"), line_a,
+                 (int)strcspn(line_b, "\n"), line_b);
 }
 
 static void a_process_may_have_any_locale(void **state)
@@ -219,14 +227,16 @@ static bool make_locale(const char *folder)
     snprintf(path, sizeof path, "%s/latin", folder);
     FILE *charmap = fopen(path, "w");
     assert_non_null(charmap);
-    fputs("<code_set_name> LATIN\n<mb_cur_min> 1\n<mb_cur_max> 1\n<escape_char> /\n<comment_char> %\nCHARMAP\n",
+    fputs("<code_set_name> LATIN\n<mb_cur_min> 1\n<mb_cur_max> 1\n<escape_char> /\n<comment_char> "
+          "%\nCHARMAP\n",
           charmap);
     for (int i = 0; i < 256; i++)
         fprintf(charmap, "<U%04X> /x%02x\n", i, i);
     fputs("END CHARMAP\n", charmap);
     fclose(charmap);
     snprintf(command, sizeof command,
-             "localedef -c --no-archive -i tests/locale/comma -f %s/latin %s/comma >/dev/null 2>&1", folder, folder);
+             "localedef -c --no-archive -i tests/locale/comma -f %s/latin %s/comma >/dev/null 2>&1",
+             folder, folder);
     if (system(command) == -1) /* it warns of what is not defined, and ends with 1 */
         return false;
     setenv("LOCPATH", folder, 1);

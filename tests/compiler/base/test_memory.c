@@ -1,5 +1,6 @@
-/* Memory that documents take: matc reads some of every kind, and its greatest resident size, less that for a document of one line, is
- * held against a multiple of the text's size (docs/stability.md, Memory). */
+/* Memory that documents take: matc reads some of every kind, and its greatest resident size, less
+ * that for a document of one line, is held against a multiple of the text's size
+ * (docs/stability.md, Memory). */
 /* ctest: unsanitized small-pages seconds=15 */
 #include "tests/test.h"
 #include "compiler/base/text.h"
@@ -46,16 +47,22 @@ static const Row rows[] = {
     {"materials.yaml", "materials:\n", " d%x: {material: Phong}\n", "", 0, DOCUMENT},
     {"maps.yaml", "material: Phong\ndefs:\n", " d%x: {map: Wood}\n", "", 0, DOCUMENT},
     {"checkers.yaml", "material: Phong\ndefs:\n", " d%x: {map: Checker}\n", "", 0, DOCUMENT},
-    {"julias.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "{input: {map: Julia}},", "]}", 0, DOCUMENT},
+    {"julias.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "{input: {map: Julia}},",
+     "]}", 0, DOCUMENT},
     {"constants.yaml", "material: Phong\ndefs:\n", " d%x: 1\n", "", 0, DOCUMENT},
-    {"waves.yaml", "material: Phong\ndefs:\n", " d%x: {map: Wood, waveForm: Sin}\n", "", 0, DOCUMENT},
+    {"waves.yaml", "material: Phong\ndefs:\n", " d%x: {map: Wood, waveForm: Sin}\n", "", 0,
+     DOCUMENT},
     {"items.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "{},", "]}", 0, DOCUMENT},
     {"no_items.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "'',", "]}", 0, DOCUMENT},
-    {"no_maps.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "{input: {}},", "]}", 0, DOCUMENT},
+    {"no_maps.yaml", "material: Phong\ndiffuse: {map: Blend, blend: [", "{input: {}},", "]}", 0,
+     DOCUMENT},
     /* faults that name something long, again and again */
-    {"long_map.yaml", "material: Phong\ndefs: {x: &a ", "{input: {map: *a}},", "]}}", SIZE / 2, DOCUMENT},
-    {"long_color.yaml", "material: Phong\ndefs: {x: &a ", "{input: [*a]},", "]}}", SIZE / 2, DOCUMENT},
-    {"long_ref.yaml", "material: Phong\ndefs: {x: &a ", "{input: {ref: *a}},", "]}}", SIZE / 2, DOCUMENT},
+    {"long_map.yaml", "material: Phong\ndefs: {x: &a ", "{input: {map: *a}},", "]}}", SIZE / 2,
+     DOCUMENT},
+    {"long_color.yaml", "material: Phong\ndefs: {x: &a ", "{input: [*a]},", "]}}", SIZE / 2,
+     DOCUMENT},
+    {"long_ref.yaml", "material: Phong\ndefs: {x: &a ", "{input: {ref: *a}},", "]}}", SIZE / 2,
+     DOCUMENT},
 };
 
 static void put_many(Text *text, const char *many)
@@ -128,7 +135,8 @@ static void test_documents(void **state)
         const double multiple = memory < alone ? 0 : (double)(memory - alone) / (double)size;
         printf("%-20s %5.1f\n", rows[i].name, multiple);
         if (memory > alone + size * (size_t)rows[i].multiple + NOISE)
-            fail_msg("%s: %.1f bytes for a byte, more than %d", rows[i].name, multiple, rows[i].multiple);
+            fail_msg("%s: %.1f bytes for a byte, more than %d", rows[i].name, multiple,
+                     rows[i].multiple);
     }
     remove(folder);
 }

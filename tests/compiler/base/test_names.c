@@ -1,5 +1,5 @@
-/* Names, strings and keys, each once and numbered as they came (names.c, sets.c): many more than a first table holds, every one is found
- * again under its number, and nothing else is. */
+/* Names, strings and keys, each once and numbered as they came (names.c, sets.c): many more than a
+ * first table holds, every one is found again under its number, and nothing else is. */
 #include "tests/test.h"
 #include "compiler/base/names.h"
 #include "compiler/base/sets.h"
@@ -39,7 +39,8 @@ static void every_name_is_found_under_its_number(void **state)
 /* Names of one beginning, of no letters, of other cases. */
 static void names_that_are_alike_are_several(void **state)
 {
-    static const char *const alike[] = {"", "a", "A", "aa", "a ", "\xC3\xA4", "name", "name1", "name10", "Name"};
+    static const char *const alike[] = {"",         "a",    "A",     "aa",     "a ",
+                                        "\xC3\xA4", "name", "name1", "name10", "Name"};
     (void)state;
     Arena arena = {0};
     Names names = {0};
@@ -106,7 +107,8 @@ static void two_keys_differ_in_any_bit(void **state)
     assert_int_equal(strlen(text), KEY_TEXT - 1);
     assert_true(key_equal(key, key_read(text)));
     for (int bit = 0; bit < 128; bit++) {
-        Key other = {key.low ^ (bit < 64 ? 1ull << bit : 0), key.high ^ (bit < 64 ? 0 : 1ull << (bit - 64))};
+        Key other = {key.low ^ (bit < 64 ? 1ull << bit : 0),
+                     key.high ^ (bit < 64 ? 0 : 1ull << (bit - 64))};
         assert_false(key_equal(key, other));
         key_text(other, text);
         assert_true(key_equal(other, key_read(text)));

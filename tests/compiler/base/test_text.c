@@ -1,4 +1,5 @@
-/* Texts: numbers are the shortest decimals that read back, and are read to nearest; formats of any length fit. */
+/* Texts: numbers are the shortest decimals that read back, and are read to nearest; formats of any
+ * length fit. */
 #include "tests/test.h"
 #include "compiler/base/text.h"
 #include <float.h>
@@ -59,9 +60,10 @@ static void numbers_are_short_and_read_back(void **state)
 {
     (void)state;
     Arena arena = {0};
-    static const double special[] = {0,    -0.,     1,        0.1,      1e6,     999999.9,    9.9999999,       0.001,
-                                     1e-3, 8.5e-4,  16777216, 16777217, FLT_MAX, FLT_MIN,     FLT_TRUE_MIN,    1e15,
-                                     1e21, 0.00125, 1 / 3.,   2 / 3.,   1e5 / 3, 123456.7891, 9007199254740993};
+    static const double special[] = {
+        0,    -0.,     1,        0.1,      1e6,     999999.9,    9.9999999,       0.001,
+        1e-3, 8.5e-4,  16777216, 16777217, FLT_MAX, FLT_MIN,     FLT_TRUE_MIN,    1e15,
+        1e21, 0.00125, 1 / 3.,   2 / 3.,   1e5 / 3, 123456.7891, 9007199254740993};
     for (size_t i = 0; i < sizeof special / sizeof *special; i++)
         for (int sign = -1; sign < 2; sign += 2) {
             check(&arena, (float)(sign * special[i]), true);
@@ -75,8 +77,9 @@ static void numbers_are_short_and_read_back(void **state)
         if (isfinite(any))
             check(&arena, any, true);
         check(&arena, (float)ldexp((double)(draw(&seed) >> 11), -(int)(43 + draw(&seed) % 22)),
-              true);                                                        /* ordinary ones */
-        check(&arena, (float)ldexp(1, (int)(draw(&seed) % 60) - 30), true); /* where the gaps change */
+              true); /* ordinary ones */
+        /* where the gaps change */
+        check(&arena, (float)ldexp(1, (int)(draw(&seed) % 60) - 30), true);
         check(&arena, (double)(draw(&seed) % 256) / 255, false);
         check(&arena, (double)(draw(&seed) >> 11) / 9007199254740992., false);
     }
@@ -90,7 +93,8 @@ static void check_read(const char *text)
         fail_msg("%s is read as %.17g, not %.17g", text, value, wanted);
 }
 
-/* By the C library's reader, which rounds to nearest: up to 15 digits, and beyond, take two ways. */
+/* By the C library's reader, which rounds to nearest: up to 15 digits, and beyond, take two
+ * ways. */
 static void numbers_are_read_to_nearest(void **state)
 {
     (void)state;
@@ -124,9 +128,11 @@ static void numbers_are_read_to_nearest(void **state)
         assert_false(text_number(none[i], strlen(none[i]), &value));
     for (int i = 0; i < ROUNDS; i++) {
         const int digits = 1 + (int)(draw(&seed) % 18), places = (int)(draw(&seed) % 19);
-        snprintf(text, sizeof text, "%.*f", places, (double)(draw(&seed) >> 11) * pow(10, -(int)(draw(&seed) % 16)));
+        snprintf(text, sizeof text, "%.*f", places,
+                 (double)(draw(&seed) >> 11) * pow(10, -(int)(draw(&seed) % 16)));
         check_read(text);
-        snprintf(text, sizeof text, "-0.%0*llu", digits, (unsigned long long)(draw(&seed) % 1000000000000000000u));
+        snprintf(text, sizeof text, "-0.%0*llu", digits,
+                 (unsigned long long)(draw(&seed) % 1000000000000000000u));
         check_read(text);
     }
 }
@@ -153,7 +159,8 @@ static void formats_of_any_length_fit(void **state)
     arena_free(&arena);
 }
 
-/* Well-formed sequences, by the table of the Unicode standard: first and last of every row, and what lies beside. */
+/* Well-formed sequences, by the table of the Unicode standard: first and last of every row, and
+ * what lies beside. */
 static void only_unicode_is_utf8(void **state)
 {
     (void)state;

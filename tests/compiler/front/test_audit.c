@@ -1,6 +1,8 @@
-/* Which rows of the tables stand in what proves them, so that a new row without a proof fails: maps, materials and their parameters, functions and
- * values of formulas, definitions that come with matc. What an example has is drawn and compared by test_value, differentiated by test_slope and kept as
- * a golden; test_tables tries every parameter, test_explain draws every example of --explain, test_expression and test_formula have every function. */
+/* Which rows of the tables stand in what proves them, so that a new row without a proof fails:
+ * maps, materials and their parameters, functions and values of formulas, definitions that come
+ * with matc. What an example has is drawn and compared by test_value, differentiated by test_slope
+ * and kept as a golden; test_tables tries every parameter, test_explain draws every example of
+ * --explain, test_expression and test_formula have every function. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/document.h"
@@ -31,7 +33,9 @@ static Kind kind_named(const char *name, bool material)
         const char *other = alias < 0    ? kind_table[i].name
                             : preset < 0 ? alias_table[alias].alias
                                          : preset_table[preset].name;
-        const Kind its = alias < 0 ? (Kind)i : preset < 0 ? alias_table[alias].kind : preset_table[preset].kind;
+        const Kind its = alias < 0    ? (Kind)i
+                         : preset < 0 ? alias_table[alias].kind
+                                      : preset_table[preset].kind;
         if (!strcmp(other, name) && (kind_table[its].lowering == LOWERING_MATERIAL) == material)
             kind = its;
     }
@@ -100,12 +104,13 @@ static void see_document(Seen *seen, const MatcDocument *document)
     free(been);
 }
 
-static void see_text(Seen *seen, const char *path, const char *text, size_t size, const MatcOptions *options)
+static void see_text(Seen *seen, const char *path, const char *text, size_t size,
+                     const MatcOptions *options)
 {
     MatcDocument *document = matc_read(path, text, size, options);
     for (int i = 0; i < QUANTITY_COUNT; i++) /* constants and attributes are other steps by then */
-        seen->quantity[i] |=
-            (!quantity_table[i].lanes || quantity_table[i].attribute) && strstr(text, quantity_table[i].name);
+        seen->quantity[i] |= (!quantity_table[i].lanes || quantity_table[i].attribute) &&
+                             strstr(text, quantity_table[i].name);
     if (document->graph && document->graph->node_count)
         see_document(seen, document);
     matc_document_free(document);
@@ -167,9 +172,13 @@ static bool moved(const Seen *seen, const char *param)
     return found;
 }
 
-static bool moves(const char *param) { return !strncmp(param, "displacement", strlen("displacement")); }
+static bool moves(const char *param)
+{
+    return !strncmp(param, "displacement", strlen("displacement"));
+}
 
-/* What is of vertices alone: test_displacement, test_scene_volume; random documents are judged at points. */
+/* What is of vertices alone: test_displacement, test_scene_volume; random documents are judged at
+ * points. */
 static bool is_of_vertices(const char *param)
 {
     return !strcmp(param, "displacementBound") || !strcmp(param, "displacementVolume") ||
@@ -182,9 +191,12 @@ static void expect_all(const Seen *seen, const char *where, bool vertices)
     for (int i = 0; i < KIND_COUNT; i++)
         expect(seen->kind[i] || i == KIND_Constant, where, "kind", kind_table[i].name);
     for (int i = 0; i < PARAM_COUNT; i++) {
-        snprintf(name, sizeof name, "%s.%s", kind_table[param_table[i].kind].name, param_table[i].name);
-        const bool there = moves(param_table[i].name) ? moved(seen, param_table[i].name) : seen->param[i];
-        expect(there || param_table[i].kind == KIND_Constant || (!vertices && is_of_vertices(param_table[i].name)),
+        snprintf(name, sizeof name, "%s.%s", kind_table[param_table[i].kind].name,
+                 param_table[i].name);
+        const bool there =
+            moves(param_table[i].name) ? moved(seen, param_table[i].name) : seen->param[i];
+        expect(there || param_table[i].kind == KIND_Constant ||
+                   (!vertices && is_of_vertices(param_table[i].name)),
                where, "parameter", name);
     }
     for (int i = 0; i < TERM_COUNT; i++)
@@ -215,7 +227,8 @@ static void random_documents_have_all(void **state)
 
 /* -- areas, schema, pages */
 
-/* Of which no mean is asked: the same everywhere, normals, and what samples its input itself (test_filtered). */
+/* Of which no mean is asked: the same everywhere, normals, and what samples its input itself
+ * (test_filtered). */
 static bool needs_no_area(Kind kind)
 {
     static const Kind kinds[] = {KIND_Constant,  KIND_RGBColor, KIND_Graytone, KIND_BumpMap,
@@ -265,7 +278,8 @@ static void schemas_have_all(void **state)
     assert_non_null(schema);
     missing = 0;
     for (int i = 0; i < KIND_COUNT; i++)
-        expect(i == KIND_Constant || strstr(schema, kind_table[i].name), "schema", "kind", kind_table[i].name);
+        expect(i == KIND_Constant || strstr(schema, kind_table[i].name), "schema", "kind",
+               kind_table[i].name);
     for (int i = 0; i < PARAM_COUNT; i++)
         if (param_table[i].kind != KIND_Constant)
             expect_quoted(schema, "schema", "parameter", param_table[i].name);
@@ -300,8 +314,9 @@ static void pages_have_all(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(examples_have_all), cmocka_unit_test(random_documents_have_all),
-                                       cmocka_unit_test(means_of_all_maps_are_judged),
-                                       cmocka_unit_test(schemas_have_all), cmocka_unit_test(pages_have_all)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(examples_have_all), cmocka_unit_test(random_documents_have_all),
+        cmocka_unit_test(means_of_all_maps_are_judged), cmocka_unit_test(schemas_have_all),
+        cmocka_unit_test(pages_have_all)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

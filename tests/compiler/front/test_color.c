@@ -1,5 +1,6 @@
-/* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values of IEC 61966-2-1 as they are
- * published, and whose file's meaning counts where files are included. */
+/* Colours of documents: what `colors:`, srgb() and linear() make of bytes and names, against values
+ * of IEC 61966-2-1 as they are published, and whose file's meaning counts where files are
+ * included. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/front/graph.h"
@@ -11,21 +12,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The transfer function at bytes, as tables of it are printed, to six digits; 10 and 11 are the ends of its two pieces. */
+/* The transfer function at bytes, as tables of it are printed, to six digits; 10 and 11 are the
+ * ends of its two pieces. */
 static const struct {
     int byte;
     double linear;
 } published[] = {
-    {0, 0},         {1, .000303527}, {10, .00303527}, {11, .00334654}, {12, .00367651}, {64, .0512695}, {127, .212231},
-    {128, .215861}, {170, .401978},  {188, .502886},  {200, .577580},  {254, .991102},  {255, 1},
+    {0, 0},         {1, .000303527}, {10, .00303527}, {11, .00334654}, {12, .00367651},
+    {64, .0512695}, {127, .212231},  {128, .215861},  {170, .401978},  {188, .502886},
+    {200, .577580}, {254, .991102},  {255, 1},
 };
 
 static void the_function_is_the_standards(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof published / sizeof *published; i++)
-        assert_true(fabs(srgb_decode(published[i].byte / 255.) - published[i].linear) <= 6e-6 * published[i].linear);
-    /* the two pieces meet at 0.04045, as near as the standard's rounded constants let them: 1e-8 of 0.0031308 */
+        assert_true(fabs(srgb_decode(published[i].byte / 255.) - published[i].linear) <=
+                    6e-6 * published[i].linear);
+    /* the two pieces meet at 0.04045, as near as the standard's rounded constants let them: 1e-8 of
+     * 0.0031308 */
     double line = srgb_decode(.04045), power = srgb_decode(nextafter(.04045, 1));
     assert_true(fabs(line - .0031308) < 5e-8 && power > line - 2e-8 && power - line < 2e-8);
     for (double encoded = 0; encoded < 1; encoded += 1. / 1024)
@@ -106,7 +111,8 @@ static const struct {
     {"colors: srgb\nmaterial: Phong\nemissive: orange", SRGB_ORANGE},
     {"colors: srgb\nmaterials: { one: { material: Phong, emissive: '#808080ff' } }", SRGB_128},
     /* numbers are numbers */
-    {"colors: srgb\nmaterial: Phong\nemissive: [0.50196078431372548, 0.50196078431372548, 0.50196078431372548]",
+    {"colors: srgb\nmaterial: Phong\nemissive: [0.50196078431372548, 0.50196078431372548, "
+     "0.50196078431372548]",
      LINEAR_128},
     {"colors: srgb\nmaterial: Phong\nemissive: 0.50196078431372548", LINEAR_128},
     /* one colour */
@@ -119,7 +125,8 @@ static const struct {
     {"material: Phong\nemissive: linear(gray)", LINEAR_128},
     /* wherever a colour may stand */
     {"colors: srgb\nmaterial: Phong\nemissive: { param: glow, default: '#808080' }", SRGB_128},
-    {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: gray, color2: '#808080' }", SRGB_128},
+    {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: gray, color2: '#808080' }",
+     SRGB_128},
     {"colors: srgb\nmaterial: Phong\nemissive: { map: Blend, blend: [{ input: gray }] }", SRGB_128},
     {"colors: srgb\nmaterial: Phong\nemissive: { ref: g }\ndefs: { g: gray }", SRGB_128},
     {"colors: srgb\nmaterial: Phong\nspecular: &g gray\nemissive: *g", SRGB_128},
@@ -159,11 +166,13 @@ static void alpha_is_not_converted(void **state)
     assert_true(fabs(alpha - 128 / 255.) < 1e-12);
 }
 
-#define P         "{ map: ImageMap, image: gray.png }"
-#define MIX(a, t) "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " a " }], input: " t " }"
+#define P "{ map: ImageMap, image: gray.png }"
+#define MIX(a, t)                                                                                  \
+    "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " a " }], input: " t " }"
 #define OVER(map) "{ map: " map ", input: " P " }"
 
-/* What a picture of 128 gives: LINEAR or SRGB of its own, products of those, and the exponents that they make. */
+/* What a picture of 128 gives: LINEAR or SRGB of its own, products of those, and the exponents that
+ * they make. */
 static const double LINEAR = 128 / 255., SRGB = .215861, SHARP = 7.01567, BLUNT = 2.09603;
 
 static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
@@ -176,7 +185,8 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
         {"material: Phong\nemissive: " P, "emissive", LINEAR},
         {"colors: srgb\nmaterial: Phong\nemissive: " P, "emissive", SRGB},
         {"colors: srgb\nmaterial: Phong\nspecular: " P, "specular", SRGB},
-        {"colors: srgb\nmaterial: SideSwitch\nfrontShader: { material: Phong, emissive: " P " }", "emissive", SRGB},
+        {"colors: srgb\nmaterial: SideSwitch\nfrontShader: { material: Phong, emissive: " P " }",
+         "emissive", SRGB},
         /* a number */
         {"material: Phong\nshininess: " P, "shininess", SHARP},
         {"colors: srgb\nmaterial: Phong\nshininess: " P, "shininess", SHARP},
@@ -191,24 +201,34 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Smooth3D"), "emissive", SRGB},
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Laplace3D"), "emissive", 0},
         {"colors: srgb\nmaterial: Phong\nemissive: " OVER("Blend"), "emissive", SRGB},
-        {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: " P ", color2: " P " }", "emissive", SRGB},
-        {"colors: srgb\nmaterial: Phong\nemissive: { map: VolumeChecker, color1: " P ", color2: " P " }", "emissive",
-         SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: Checker, color1: " P ", color2: " P " }",
+         "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: VolumeChecker, color1: " P ", color2: " P
+         " }",
+         "emissive", SRGB},
         /* both: two maps are two, one is one */
         {"colors: srgb\nmaterial: Phong\nemissive: " MIX(P, P), "emissive", LINEAR * SRGB},
-        {"colors: srgb\nmaterial: Phong\nspecular: &p " P "\nemissive: " MIX("*p", "*p"), "emissive", SRGB * SRGB},
+        {"colors: srgb\nmaterial: Phong\nspecular: &p " P "\nemissive: " MIX("*p", "*p"),
+         "emissive", SRGB * SRGB},
         /* what the map says goes first */
-        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: linear }", "emissive",
-         LINEAR},
-        {"material: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: srgb }", "emissive", SRGB},
-        {"material: Phong\nshininess: { map: ImageMap, image: gray.png, colorspace: srgb }", "shininess", BLUNT},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: "
+         "linear }",
+         "emissive", LINEAR},
+        {"material: Phong\nemissive: { map: ImageMap, image: gray.png, colorspace: srgb }",
+         "emissive", SRGB},
+        {"material: Phong\nshininess: { map: ImageMap, image: gray.png, colorspace: srgb }",
+         "shininess", BLUNT},
         /* every file for itself */
-        {"include: picture.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: tone }", "emissive", LINEAR},
+        {"include: picture.yaml\ncolors: srgb\nmaterial: Phong\nemissive: { ref: tone }",
+         "emissive", LINEAR},
         {"include: srgbPicture.yaml\nmaterial: Phong\nemissive: { ref: tone }", "emissive", SRGB},
-        {"include: srgbPicture.yaml\nmaterial: Phong\nshininess: { ref: tone }", "shininess", SHARP},
+        {"include: srgbPicture.yaml\nmaterial: Phong\nshininess: { ref: tone }", "shininess",
+         SHARP},
         /* one lane; alpha is never decoded */
-        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: b }", "emissive", SRGB},
-        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: a }", "emissive", 1},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: b }",
+         "emissive", SRGB},
+        {"colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: gray.png, channel: a }",
+         "emissive", 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         double got;
@@ -218,14 +238,16 @@ static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
     }
 }
 
-/* Whether the publisher of a surface model calls its parameter a colour; Phong's are those of GroIMP, which has no numbers but exponents. */
+/* Whether the publisher of a surface model calls its parameter a colour; Phong's are those of
+ * GroIMP, which has no numbers but exponents. */
 static bool is_a_colour(Kind material, const char *param)
 {
     static const char *const others[] = {"emissiveFactor", "emissiveTexture", "transmissionScatter",
                                          "transmission_scatter"};
-    static const char *const phongs[] = {"diffuse", "specular", "transparency", "diffuseTransparency",
-                                         "ambient", "emissive"};
-    bool colour = strstr(param, "olor") != NULL && strcmp(param, "coat_affect_color"); /* how much the coat does */
+    static const char *const phongs[] = {
+        "diffuse", "specular", "transparency", "diffuseTransparency", "ambient", "emissive"};
+    /* how much the coat does */
+    bool colour = strstr(param, "olor") != NULL && strcmp(param, "coat_affect_color");
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
         colour |= !strcmp(param, others[i]);
     for (size_t i = 0; material == KIND_Phong && i < sizeof phongs / sizeof *phongs; i++)
@@ -247,7 +269,8 @@ static void count_pictures(const Node *node, int counts[2])
     }
 }
 
-/* glTF's and UsdPreview's occlusion (3), StandardSurface's transmission_extra_roughness and coat_rotation: nothing reads them. */
+/* glTF's and UsdPreview's occlusion (3), StandardSurface's transmission_extra_roughness and
+ * coat_rotation: nothing reads them. */
 enum { UNREAD = 5 };
 
 static void pictures_of_param(const ParamRow *param, int counts[2])
@@ -256,12 +279,14 @@ static void pictures_of_param(const ParamRow *param, int counts[2])
     MatcOptions options;
     matc_options_init(&options);
     options.read_file = read_palette;
-    snprintf(text, sizeof text, "colors: srgb\nmaterial: %s\n%s: " P "\n", kind_table[param->kind].name, param->name);
+    snprintf(text, sizeof text, "colors: srgb\nmaterial: %s\n%s: " P "\n",
+             kind_table[param->kind].name, param->name);
     for (int i = 0; i < kind_table[param->kind].count; i++) { /* 0 times a texture is no texture */
         const ParamRow *other = &param_table[kind_table[param->kind].first + i];
-        snprintf(factor, sizeof factor, "%.*s", (int)(strlen(param->name) - strlen("Texture")), param->name);
-        if (other != param && strstr(param->name, "Texture") && !strncmp(other->name, factor, strlen(factor)) &&
-            strstr(other->name, "Factor"))
+        snprintf(factor, sizeof factor, "%.*s", (int)(strlen(param->name) - strlen("Texture")),
+                 param->name);
+        if (other != param && strstr(param->name, "Texture") &&
+            !strncmp(other->name, factor, strlen(factor)) && strstr(other->name, "Factor"))
             snprintf(text + strlen(text), sizeof text - strlen(text), "%s: 1\n", other->name);
     }
     MatcDocument *document = matc_read("color.yaml", text, strlen(text), &options);
@@ -271,7 +296,8 @@ static void pictures_of_param(const ParamRow *param, int counts[2])
     matc_document_free(document);
 }
 
-/* Every parameter of every surface model, also of those that become a Principled by formulas in which colours and numbers meet. */
+/* Every parameter of every surface model, also of those that become a Principled by formulas in
+ * which colours and numbers meet. */
 static void colours_alone_have_srgb_pictures(void **state)
 {
     (void)state;
@@ -285,7 +311,8 @@ static void colours_alone_have_srgb_pictures(void **state)
         const bool colour = is_a_colour(param->kind, param->name);
         unread += !counts[0] && !counts[1];
         if (counts[!colour]) {
-            print_error("%s.%s: %d linear, %d sRGB\n", kind_table[param->kind].name, param->name, counts[0], counts[1]);
+            print_error("%s.%s: %d linear, %d sRGB\n", kind_table[param->kind].name, param->name,
+                        counts[0], counts[1]);
             faults++;
         }
     }
@@ -293,7 +320,8 @@ static void colours_alone_have_srgb_pictures(void **state)
     assert_int_equal(unread, UNREAD);
 }
 
-/* What a program's texture is, per target: the sampler decodes where it can, else the texels are decoded, to 16 bits. */
+/* What a program's texture is, per target: the sampler decodes where it can, else the texels are
+ * decoded, to 16 bits. */
 static void targets_have_their_textures(void **state)
 {
     (void)state;
@@ -317,14 +345,16 @@ static void targets_have_their_textures(void **state)
         assert_int_equal(matc_texture_count(program), 1);
         const MatcTexture *texture = matc_texture(program, 0);
         assert_string_equal(texture->format, rows[i].format);
-        assert_true(texture->bytes ? !strcmp(rows[i].format, "SRGB8_ALPHA8") && texture->bytes[0] == 128
-                                   : texture->words[0] == 14146 && texture->words[3] == 65535);
+        assert_true(texture->bytes
+                        ? !strcmp(rows[i].format, "SRGB8_ALPHA8") && texture->bytes[0] == 128
+                        : texture->words[0] == 14146 && texture->words[3] == 65535);
         matc_program_free(program);
     }
     matc_document_free(document);
 }
 
-/* Words where the target has textures of them, else halves; decoded if they are sRGB, as no texture of 16 bits does it. */
+/* Words where the target has textures of them, else halves; decoded if they are sRGB, as no texture
+ * of 16 bits does it. */
 static void pictures_of_16_bits_keep_them(void **state)
 {
     (void)state;
@@ -334,17 +364,20 @@ static void pictures_of_16_bits_keep_them(void **state)
         {"glsl110", "RGBA16", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
         {"glsl330", "RGBA16", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
         {"essl300", "RGBA16F", "material: Phong\nemissive: { map: ImageMap, image: words.png }"},
-        {"glsl330", "RGBA16", "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
-        {"essl300", "RGBA16F", "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"glsl330", "RGBA16",
+         "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
+        {"essl300", "RGBA16F",
+         "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: words.png }"},
     };
-    const int first = 10292, decoded = 1393; /* red of the lower left texel, 0.15705; of sRGB 0.02126 */
+    /* red of the lower left texel, 0.15705; of sRGB 0.02126 */
+    const int first = 10292, decoded = 1393;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         MatcOptions options;
         matc_options_init(&options);
         options.pixels = true;
         options.target = rows[i].target;
-        MatcDocument *document =
-            matc_read(SOURCE_FOLDER "/examples/a.yaml", rows[i].document, strlen(rows[i].document), &options);
+        MatcDocument *document = matc_read(SOURCE_FOLDER "/examples/a.yaml", rows[i].document,
+                                           strlen(rows[i].document), &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_true(matc_ok(program));
         const MatcTexture *texture = matc_texture(program, 0);
@@ -362,10 +395,13 @@ static void pictures_of_16_bits_keep_them(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_function_is_the_standards), cmocka_unit_test(every_file_says_what_its_colours_are),
-        cmocka_unit_test(alpha_is_not_converted),        cmocka_unit_test(a_picture_is_srgb_where_it_feeds_a_colour),
+        cmocka_unit_test(the_function_is_the_standards),
+        cmocka_unit_test(every_file_says_what_its_colours_are),
+        cmocka_unit_test(alpha_is_not_converted),
+        cmocka_unit_test(a_picture_is_srgb_where_it_feeds_a_colour),
         cmocka_unit_test(colours_alone_have_srgb_pictures),
-        cmocka_unit_test(targets_have_their_textures),   cmocka_unit_test(pictures_of_16_bits_keep_them),
+        cmocka_unit_test(targets_have_their_textures),
+        cmocka_unit_test(pictures_of_16_bits_keep_them),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

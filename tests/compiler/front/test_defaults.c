@@ -1,5 +1,6 @@
-/* What a document means where it says nothing: every parameter's default, the presets, the named colours, and the rows of --precision,
- * each written down here from semantics.md and the published palettes, and not from the tables. */
+/* What a document means where it says nothing: every parameter's default, the presets, the named
+ * colours, and the rows of --precision, each written down here from semantics.md and the published
+ * palettes, and not from the tables. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/front/resolve.h"
@@ -19,7 +20,8 @@ static const Default defaults[] = {
 #include "tests/defaults.def"
 };
 
-/* Of the parameters that every volume map has: those below VOLUME_PARAMS, and three maps that are OWN. */
+/* Of the parameters that every volume map has: those below VOLUME_PARAMS, and three maps that are
+ * OWN. */
 static const Default volume_defaults[] = {
     {NULL, "input", NONE, {0}},
     {NULL, "waveForm", NONE, {0}},
@@ -38,7 +40,8 @@ static Lone read_lone(const char *kind, bool material)
     char text[128];
     MatcOptions options;
     matc_options_init(&options);
-    snprintf(text, sizeof text, material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", kind);
+    snprintf(text, sizeof text,
+             material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", kind);
     Lone lone = {matc_read("a.yaml", text, strlen(text), &options), NULL};
     assert_non_null(lone.document->graph);
     lone.node = lone.document->graph->materials[0].node;
@@ -75,8 +78,9 @@ static const Default *find_default(const KindRow *kind, const char *param)
     return NULL;
 }
 
-/* Whether semantics.md has the kind: its parameters are all written down here, also where that is none but those of all volume maps. A
- * volume map that was added since means what its own row says. */
+/* Whether semantics.md has the kind: its parameters are all written down here, also where that is
+ * none but those of all volume maps. A volume map that was added since means what its own row
+ * says. */
 static bool is_written(const KindRow *kind)
 {
     static const char *const without_own[] = {"Granite", "Leopard", "Wood"};
@@ -94,7 +98,8 @@ static void test_every_default(void **state)
 {
     (void)state;
     for (int kind = 0; kind < KIND_COUNT; kind++) {
-        if (kind == KIND_Constant || resolve_is_foreign((Kind)kind)) /* always given; test_translation.c */
+        /* always given; test_translation.c */
+        if (kind == KIND_Constant || resolve_is_foreign((Kind)kind))
             continue;
         const KindRow *row = &kind_table[kind];
         Lone lone = read_lone(row->name, row->lowering == LOWERING_MATERIAL);
@@ -117,8 +122,9 @@ static void test_presets(void **state)
 {
     (void)state;
     static const Default wrinkles[] = {
-        {NULL, "size", 1, {1}},           {NULL, "octaves", 1, {11}},  {NULL, "noiseRatio", 1, {.5}},
-        {NULL, "frequencyRatio", 1, {2}}, {NULL, "frequency", 1, {1}}, {NULL, "phase", 1, {0}},
+        {NULL, "size", 1, {1}},        {NULL, "octaves", 1, {11}},
+        {NULL, "noiseRatio", 1, {.5}}, {NULL, "frequencyRatio", 1, {2}},
+        {NULL, "frequency", 1, {1}},   {NULL, "phase", 1, {0}},
     };
     Lone lone = read_lone("Wrinkles", false);
     assert_int_equal(lone.node->kind, KIND_VolumeTurbulence);
@@ -187,7 +193,8 @@ static void test_colors(void **state)
     (void)state;
     assert_int_equal(color_count, sizeof colors / sizeof *colors);
     for (int i = 0; i < color_count; i++)
-        check_color(colors[i].name, colors[i].rgb >> 16, colors[i].rgb >> 8 & 255, colors[i].rgb & 255);
+        check_color(colors[i].name, colors[i].rgb >> 16, colors[i].rgb >> 8 & 255,
+                    colors[i].rgb & 255);
     check_color("#000", 0, 0, 0);
     check_color("#fff", 255, 255, 255);
     check_color("#08F", 0, 0x88, 0xFF);
@@ -203,11 +210,14 @@ static void test_precision(void **state)
         const char *name;
         int noise, coordinates, powers, trigonometry;
     } rows[] = {
-        {NULL, CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring, CHOICE_trigonometry_native},
-        {"fast", CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring, CHOICE_trigonometry_native},
+        {NULL, CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring,
+         CHOICE_trigonometry_native},
+        {"fast", CHOICE_noise_lattice, CHOICE_coordinates_plain, CHOICE_powers_squaring,
+         CHOICE_trigonometry_native},
         {"balanced", CHOICE_noise_lattice, CHOICE_coordinates_long, CHOICE_powers_squaring,
          CHOICE_trigonometry_bounded},
-        {"exact", CHOICE_noise_groimp, CHOICE_coordinates_long, CHOICE_powers_compensated, CHOICE_trigonometry_bounded},
+        {"exact", CHOICE_noise_groimp, CHOICE_coordinates_long, CHOICE_powers_compensated,
+         CHOICE_trigonometry_bounded},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         Job job;

@@ -1,4 +1,5 @@
-/* The MOVES lines of maps.def against the oracle: a transformer changes these coordinates and no others. */
+/* The MOVES lines of maps.def against the oracle: a transformer changes these coordinates and no
+ * others. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
@@ -22,8 +23,10 @@ static char *values(const char *reader, const char *input, int point)
     const char *fault;
     matc_options_init(&options);
     options.warnings = "no-unread_transform";
-    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s, input: %s }\n", reader, input);
-    snprintf(at, sizeof at, "u=%.3f v=%.3f x=%.3f y=0.7 z=-0.4", point * 0.137, point * 0.311, point * 0.213);
+    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s, input: %s }\n", reader,
+             input);
+    snprintf(at, sizeof at, "u=%.3f v=%.3f x=%.3f y=0.7 z=-0.4", point * 0.137, point * 0.311,
+             point * 0.213);
     MatcDocument *document = matc_read("moves.yaml", text, strlen(text), &options);
     char *result = matc_eval(document, 0, at, &options, &fault);
     if (!result)
@@ -56,12 +59,14 @@ static void moves_are_what_changes(void **state)
         int i = 0;
         while (i < TRANSFORMERS && strcmp(transformers[i].name, kind_table[kind].name) != 0)
             i++;
-        assert_int_equal(section_of((Kind)kind) == SECTION_transform, i < TRANSFORMERS); /* a new one wants a row */
+        /* a new one wants a row */
+        assert_int_equal(section_of((Kind)kind) == SECTION_transform, i < TRANSFORMERS);
         if (i == TRANSFORMERS) {
             assert_int_equal(kind_table[kind].moves, 0);
             continue;
         }
-        assert_int_equal((kind_table[kind].moves & MOVES_xyz) != 0, changes("Gradient, direction: [1, 2, 4]", i));
+        assert_int_equal((kind_table[kind].moves & MOVES_xyz) != 0,
+                         changes("Gradient, direction: [1, 2, 4]", i));
         assert_int_equal((kind_table[kind].moves & MOVES_uv) != 0, changes("Checker", i));
     }
 }
@@ -74,7 +79,9 @@ static void doubts_are_of_what_is_used(void **state)
         bool doubted;
     } documents[] = {
         {"defs: { a: { map: Granite, input: { map: UVTransform } } }\nmaterial: Phong\n", false},
-        {"defs: { a: { map: Granite, input: { map: UVTransform } } }\nmaterial: Phong\nspecular: { ref: a }\n", true},
+        {"defs: { a: { map: Granite, input: { map: UVTransform } } }\nmaterial: Phong\nspecular: { "
+         "ref: a }\n",
+         true},
         {"material: Phong\nspecular: { map: UVTransform }\ndiffuse: { map: Nothing }\n", false},
         {"material: Phong\nspecular: { map: UVTransform }\n", true},
         {"defs: { a: { map: ImageMap }, b: { map: Blend } }\nmaterial: Phong\n", false},
@@ -88,8 +95,10 @@ static void doubts_are_of_what_is_used(void **state)
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {
         MatcOptions options;
         matc_options_init(&options);
-        MatcDocument *document = matc_read("doubt.yaml", documents[i].text, strlen(documents[i].text), &options);
-        assert_int_equal(strstr(matc_diagnostics(document, MATC_TEXT), "warning") != NULL, documents[i].doubted);
+        MatcDocument *document =
+            matc_read("doubt.yaml", documents[i].text, strlen(documents[i].text), &options);
+        assert_int_equal(strstr(matc_diagnostics(document, MATC_TEXT), "warning") != NULL,
+                         documents[i].doubted);
         matc_document_free(document);
     }
 }

@@ -1,10 +1,12 @@
-/* Formulas against an evaluator that shares nothing with matc: random trees are written as text, with no more brackets than the
- * precedence of operators wants, and computed here from the mathematics in long double. The oracle, and the IR at -O0 and -O2, must give the same.
+/* Formulas against an evaluator that shares nothing with matc: random trees are written as text,
+ * with no more brackets than the precedence of operators wants, and computed here from the
+ * mathematics in long double. The oracle, and the IR at -O0 and -O2, must give the same.
  *
  *     tree  multiply(add(u, 1.25), sin(v))      text  (u + 1.25) * sin(v)
  *
- * How exact a value can be is measured: the tree is computed once more with every node off by a few roundings. Where it jumps between both, or
- * loses all digits, nothing can be said, and few are left out so. */
+ * How exact a value can be is measured: the tree is computed once more with every node off by a few
+ * roundings. Where it jumps between both, or loses all digits, nothing can be said, and few are
+ * left out so. */
 #include "tests/test.h"
 #include "tests/sanitized.h"
 #include "tests/value/documents.h"
@@ -36,7 +38,8 @@ static unsigned draw(unsigned n)
     return (unsigned)(state >> 33) % n;
 }
 
-static const char *const place_names[LEAVES] = {"u", "v", "x", "y", "z", "uv", "p", "P", "N", "du", "four"};
+static const char *const place_names[LEAVES] = {"u", "v", "x", "y",  "z",   "uv",
+                                                "p", "P", "N", "du", "four"};
 static const int place_widths[LEAVES] = {1, 1, 1, 1, 1, 2, 3, 3, 3, 3, 4};
 static Number places[LEAVES][4];
 
@@ -78,11 +81,15 @@ static Branch *make(Arena *arena, int width, int depth)
     t->rule = rule;
     t->width = width;
     const int wide =
-        (int)draw((unsigned)strlen(rule->parts)); /* that one surely has the width; others may be numbers */
+        /* that one surely has the width; others may be numbers */
+        (int)draw((unsigned)strlen(rule->parts));
     for (int i = 0; rule->parts[i]; i++) {
         const char c = rule->parts[i];
         const bool number = i != wide && draw(3) == 0 && !(rule->form[0] == '?');
-        const int own = c == 'g' ? (number ? 1 : width) : c == 'b' ? CONDITION : c == 'n' ? 2 + (int)draw(3) : c - '0';
+        const int own = c == 'g'   ? (number ? 1 : width)
+                        : c == 'b' ? CONDITION
+                        : c == 'n' ? 2 + (int)draw(3)
+                                   : c - '0';
         t->part[i] = make(arena, own, depth > 0 ? depth - 1 - (int)draw(2) * (depth > 1) : 0);
     }
     return t;
@@ -145,7 +152,8 @@ static void compute(const Branch *t, Number off, Number *result)
         lanes = t->part[i]->width > lanes ? t->part[i]->width : lanes;
     }
     for (int lane = 0; lane < 4 && t->rule->lane; lane++)
-        result[lane] = t->rule->lane((const Number[]){x[0][lane], x[1][lane], x[2][lane], x[3][lane], x[4][lane]});
+        result[lane] = t->rule->lane(
+            (const Number[]){x[0][lane], x[1][lane], x[2][lane], x[3][lane], x[4][lane]});
     if (t->rule->whole)
         t->rule->whole((const Number(*)[4])x, lanes, result);
     for (int lane = 0; lane < 4; lane++) {
@@ -156,10 +164,13 @@ static void compute(const Branch *t, Number off, Number *result)
     }
 }
 
-static void set_place(Surface *surface, double inputs[INPUT_COUNT][4], int place, const double *value)
+static void set_place(Surface *surface, double inputs[INPUT_COUNT][4], int place,
+                      const double *value)
 {
-    static const int groups[] = {[5] = GROUP_U, [6] = GROUP_X, [7] = GROUP_P, [8] = GROUP_N, [9] = GROUP_DU};
-    static const Input input[] = {[5] = INPUT_U, [6] = INPUT_X, [7] = INPUT_P, [8] = INPUT_N, [9] = INPUT_DU};
+    static const int groups[] = {
+        [5] = GROUP_U, [6] = GROUP_X, [7] = GROUP_P, [8] = GROUP_N, [9] = GROUP_DU};
+    static const Input input[] = {
+        [5] = INPUT_U, [6] = INPUT_X, [7] = INPUT_P, [8] = INPUT_N, [9] = INPUT_DU};
     for (int i = 0; i < place_widths[place]; i++) {
         surface->root[channel_id((Group)groups[place], i)] = inputs[input[place]][i] = value[i];
         places[place][i] = value[i];
@@ -177,7 +188,8 @@ static void draw_point(Surface *surface, double inputs[INPUT_COUNT][4])
         for (int i = 0; i < 4; i++)
             value[i] = (draw(100000) - 50000.0) / 25000;
         if (place == 8) {
-            const double length = sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
+            const double length =
+                sqrt(value[0] * value[0] + value[1] * value[1] + value[2] * value[2]);
             for (int i = 0; i < 3; i++)
                 value[i] /= length;
         }
@@ -216,7 +228,8 @@ static void compare(const Trial *t, const char *who, const double *found)
         if (fabsl(t->exact[i] - found[i]) <= t->room[i])
             continue;
         t->score->faults++;
-        print_error("%s: %s lane %d is %.17g, not %.17Lg\n", t->text, who, i, found[i], t->exact[i]);
+        print_error("%s: %s lane %d is %.17g, not %.17Lg\n", t->text, who, i, found[i],
+                    t->exact[i]);
         return;
     }
 }
@@ -225,7 +238,8 @@ static void by_ir(const Trial *t, Document *d)
 {
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
-        Session session = {.options = &d->options, .arena = &arena, .optimize = level, .check = true};
+        Session session = {
+            .options = &d->options, .arena = &arena, .optimize = level, .check = true};
         Job job;
         choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = SLOT_emissive;
@@ -239,7 +253,8 @@ static void by_ir(const Trial *t, Document *d)
     }
 }
 
-/* The truth, and by how much it moves where every node is off by a few roundings; false: by too much. */
+/* The truth, and by how much it moves where every node is off by a few roundings; false: by too
+ * much. */
 static bool find_truth(Trial *t, const Branch *tree)
 {
     enum { TRIALS = 40 };
@@ -252,7 +267,8 @@ static bool find_truth(Trial *t, const Branch *tree)
         compute(tree, 1e-14L, own);
         as_color(own, tree->width, off);
         for (int i = 0; i < 3; i++)
-            t->room[i] = fmaxl(t->room[i], 50 * fabsl(off[i] - t->exact[i]) + 1e-13L * fmaxl(1, fabsl(t->exact[i])));
+            t->room[i] = fmaxl(t->room[i], 50 * fabsl(off[i] - t->exact[i]) +
+                                               1e-13L * fmaxl(1, fabsl(t->exact[i])));
     }
     for (int i = 0; i < 3; i++)
         known &= t->room[i] < 1e-6L * fmaxl(1, fabsl(t->exact[i])) && fabsl(t->exact[i]) < 1e30L;
@@ -308,7 +324,8 @@ static void random_formulas_are_what_mathematics_says(void **unused)
     assert_true(score.compared > 2 * score.left_out);
 }
 
-/* Every function and operator of the table is in a rule above, but noise and cells, which test_function and test_value have. */
+/* Every function and operator of the table is in a rule above, but noise and cells, which
+ * test_function and test_value have. */
 static void every_term_is_tried(void **unused)
 {
     (void)unused;

@@ -1,5 +1,5 @@
-/* Every row of foreign.def, written in a document where an author of another tool would write it: the
- * first line of a message says what it is here, and so does --explain. */
+/* Every row of foreign.def, written in a document where an author of another tool would write it:
+ * the first line of a message says what it is here, and so does --explain. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/foreign_table.h"
@@ -16,7 +16,8 @@ static bool says(const char *text, const char *here)
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
-    const bool said = matc_error_count(document) && strstr(matc_diagnostics(document, MATC_TEXT), here);
+    const bool said =
+        matc_error_count(document) && strstr(matc_diagnostics(document, MATC_TEXT), here);
     matc_document_free(document);
     return said;
 }
@@ -27,7 +28,8 @@ static bool write_document(const ForeignRow *row, int i, char text[LONGEST_DOCUM
     static const char *const formulas[MOST_WAYS] = {"%s", "%s(1, 1)", "1 %s 1", "%s 1"};
     char formula[LONGEST_DOCUMENT / 2];
     const char *kind = row->kind < KIND_COUNT ? kind_table[row->kind].name : "", *form = "";
-    const bool material = row->kind < KIND_COUNT && kind_table[row->kind].lowering == LOWERING_MATERIAL;
+    const bool material =
+        row->kind < KIND_COUNT && kind_table[row->kind].lowering == LOWERING_MATERIAL;
     switch (row->group) {
     case FOREIGN_MAP:
         form = "material: Phong\ndiffuse: { map: %s }\n";
@@ -58,7 +60,9 @@ static bool write_document(const ForeignRow *row, int i, char text[LONGEST_DOCUM
         break;
     case FOREIGN_PARAM:
         snprintf(text, LONGEST_DOCUMENT,
-                 material ? "material: %s\n%s: 1\n" : "material: Phong\ndiffuse: { map: %s, %s: 1 }\n", kind, row->name);
+                 material ? "material: %s\n%s: 1\n"
+                          : "material: Phong\ndiffuse: { map: %s, %s: 1 }\n",
+                 kind, row->name);
         return i < 1;
     case FOREIGN_FORMULA:
         if (i == MOST_WAYS)
@@ -111,7 +115,8 @@ static void names_are_compared_loosely(void **state)
     assert_null(foreign_name(FOREIGN_FORMULA, KIND_COUNT, "Lerp"));
 }
 
-/* Names of the library, without its file, with another one, and with a name that is almost the file's. */
+/* Names of the library, without its file, with another one, and with a name that is almost the
+ * file's. */
 static void the_library_is_found(void **state)
 {
     (void)state;
@@ -126,10 +131,12 @@ static void the_library_is_found(void **state)
                  strcmp(row->file, "tiles.yaml") ? "tiles.yaml" : "bricks.yaml", row->name);
         assert_true(says(text, hint));
         snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s }\n", row->name);
-        snprintf(hint, sizeof hint, "it is a definition, `{ ref: %s }`; it comes with matc: `include: %s`", row->name,
+        snprintf(hint, sizeof hint,
+                 "it is a definition, `{ ref: %s }`; it comes with matc: `include: %s`", row->name,
                  row->file);
         assert_true(says(text, hint));
-        snprintf(text, sizeof text, "include: %s\nmaterial: Phong\ndiffuse: { map: %s }\n", row->file, row->name);
+        snprintf(text, sizeof text, "include: %s\nmaterial: Phong\ndiffuse: { map: %s }\n",
+                 row->file, row->name);
         snprintf(hint, sizeof hint, "'; it is a definition, `{ ref: %s }`\n", row->name);
         assert_true(says(text, hint));
         char *page = matc_explain(row->name), *list = matc_list_of("library");
@@ -149,11 +156,14 @@ static void the_library_is_found(void **state)
 static void keys_are_explained(void **state)
 {
     (void)state;
-    static const char *const pages[][3] = {
-        {"baseColor", "of Principled\n", "of other tools"}, {"objects", "of Scene\n", "What is seen."},
-        {"transform", "of XYZTransform\n", "of Plane\n"},   {"metallic", "of UsdPreview\n", "here it is metalness"},
-        {"address", "  mirror ", "  border "},              {"preset", "  draft ", "  thesisMarch "},
-        {"thesisMarch", "choice of preset", "12 rays"},     {"method", "  hybrid ", "  bisection "}};
+    static const char *const pages[][3] = {{"baseColor", "of Principled\n", "of other tools"},
+                                           {"objects", "of Scene\n", "What is seen."},
+                                           {"transform", "of XYZTransform\n", "of Plane\n"},
+                                           {"metallic", "of UsdPreview\n", "here it is metalness"},
+                                           {"address", "  mirror ", "  border "},
+                                           {"preset", "  draft ", "  thesisMarch "},
+                                           {"thesisMarch", "choice of preset", "12 rays"},
+                                           {"method", "  hybrid ", "  bisection "}};
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {
         char *page = matc_explain(pages[i][0]);
         if (!page || !strstr(page, pages[i][1]) || !strstr(page, pages[i][2]))

@@ -1,5 +1,5 @@
-/* Formulas: the grammar, widths, places of faults, totality; every example of expression.def. Their values are held against the oracle by
- * test_expression.c, which has an evaluator of its own. */
+/* Formulas: the grammar, widths, places of faults, totality; every example of expression.def. Their
+ * values are held against the oracle by test_expression.c, which has an evaluator of its own. */
 #include "tests/test.h"
 #include "compiler/formula/formula.h"
 #include "compiler/library/reference.h"
@@ -42,14 +42,21 @@ static int find(void *user, const char *name, const FormulaStep *step, int *widt
 
 static Formula *read_sized(Fixture *f, const char *text, size_t size)
 {
-    const FormulaSource source = {
-        .session = &f->session, .text = text, .size = (uint32_t)size, .span = plain_span, .input = find};
+    const FormulaSource source = {.session = &f->session,
+                                  .text = text,
+                                  .size = (uint32_t)size,
+                                  .span = plain_span,
+                                  .input = find};
     return formula_read(&source);
 }
 
-static Formula *read_text(Fixture *f, const char *text) { return read_sized(f, text, strlen(text)); }
+static Formula *read_text(Fixture *f, const char *text)
+{
+    return read_sized(f, text, strlen(text));
+}
 
-/* At u = .25, v = .5, p = (1, 2, 3); inputs 1, (1, 2), (1, 2, 3), (1, 2, 3, 4). NAN: it is faulty. */
+/* At u = .25, v = .5, p = (1, 2, 3); inputs 1, (1, 2), (1, 2, 3), (1, 2, 3, 4). NAN: it is
+ * faulty. */
 static double value_of(const char *text, int lane)
 {
     Fixture f;
@@ -59,9 +66,11 @@ static double value_of(const char *text, int lane)
     if (formula) {
         static const double inputs[4][4] = {{1, 1, 1, 1}, {1, 2}, {1, 2, 3}, {1, 2, 3, 4}};
         const ReferenceContext noise = {.noise = REFERENCE_LATTICE};
-        FormulaPoint point = {
-            .inputs = inputs, .noise = &noise, .values = calloc(formula->count, sizeof *point.values)};
-        static const double u[4] = {.25, .25, .25, .25}, v[4] = {.5, .5, .5, .5}, uv[4] = {.25, .5}, p[4] = {1, 2, 3};
+        FormulaPoint point = {.inputs = inputs,
+                              .noise = &noise,
+                              .values = calloc(formula->count, sizeof *point.values)};
+        static const double u[4] = {.25, .25, .25, .25}, v[4] = {.5, .5, .5, .5}, uv[4] = {.25, .5},
+                            p[4] = {1, 2, 3};
         memcpy(point.quantity[QUANTITY_u], u, sizeof u);
         memcpy(point.quantity[QUANTITY_v], v, sizeof v);
         memcpy(point.quantity[QUANTITY_uv], uv, sizeof uv);
@@ -89,7 +98,8 @@ static void examples_are_as_they_say(void **state)
         for (const char *at = strstr(term_table[i].example, " = "); at; at = strstr(at + 1, " = "))
             end = at;
         assert_non_null(end);
-        snprintf(text, sizeof text, "%.*s", (int)(end - term_table[i].example), term_table[i].example);
+        snprintf(text, sizeof text, "%.*s", (int)(end - term_table[i].example),
+                 term_table[i].example);
         is_near(text, atof(end + 3));
         assert_true(term_table[i].doc[strlen(term_table[i].doc) - 1] == '.');
     }
@@ -225,11 +235,13 @@ static void every_term_is_total(void **state)
             for (int k = 0; k < term_table[i].count; k++) {
                 const char letter = term_table[i].signature[k], *comma = k ? ", " : "";
                 const int lanes = letter == '3' ? 3 : letter == '2' ? 2 : 1;
-                size += snprintf(text + size, sizeof text - (size_t)size, lanes > 1 ? "%s[" : "%s", comma);
+                size += snprintf(text + size, sizeof text - (size_t)size, lanes > 1 ? "%s[" : "%s",
+                                 comma);
                 for (int lane = 0; lane < lanes; lane++) {
                     seed = seed * 1664525 + 1013904223;
-                    size += snprintf(text + size, sizeof text - (size_t)size, "%s%s", lane ? ", " : "",
-                                     letter == 'i' ? "3" : numbers[(seed >> 8) % NUMBERS]);
+                    size +=
+                        snprintf(text + size, sizeof text - (size_t)size, "%s%s", lane ? ", " : "",
+                                 letter == 'i' ? "3" : numbers[(seed >> 8) % NUMBERS]);
                 }
                 size += snprintf(text + size, sizeof text - (size_t)size, lanes > 1 ? "]" : "");
             }
@@ -239,14 +251,16 @@ static void every_term_is_total(void **state)
         }
 }
 
-/* What is proposed of names that are no builtin's: a local, before its value and after it; nothing that is far from all. */
+/* What is proposed of names that are no builtin's: a local, before its value and after it; nothing
+ * that is far from all. */
 static void misspelt_names_are_told(void **state)
 {
     (void)state;
-    static const char *const cases[][2] = {{"shade = u; shaed * 2", "did you mean 'shade'?"},
-                                           {"shaed = grian; grain = 2; shaed", "did you mean 'grain'?"},
-                                           {"shade = u; facng * shade", "did you mean 'facing'?"},
-                                           {"shade = u; quite", "called 'quite' here"}};
+    static const char *const cases[][2] = {
+        {"shade = u; shaed * 2", "did you mean 'shade'?"},
+        {"shaed = grian; grain = 2; shaed", "did you mean 'grain'?"},
+        {"shade = u; facng * shade", "did you mean 'facing'?"},
+        {"shade = u; quite", "called 'quite' here"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Fixture f;
         open_fixture(&f);
@@ -270,7 +284,8 @@ static void foreign_names_are_not_ours(void **state)
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const size_t size = strlen(names[i]);
         if (term_named(names[i], size) != TERM_none || vector_named(names[i], size) ||
-            quantity_named(names[i], size) != QUANTITY_none || formula_special_named(names[i], size) != SPECIAL_none)
+            quantity_named(names[i], size) != QUANTITY_none ||
+            formula_special_named(names[i], size) != SPECIAL_none)
             fail_msg("'%s' is foreign, and ours", names[i]);
     }
 }
@@ -279,9 +294,10 @@ static void foreign_names_are_not_ours(void **state)
 static void hostile_texts_end(void **state)
 {
     (void)state;
-    static const char *const units[] = {"(",     "[",  "-",  "!",     "u?",  "u?u:", "sin(", "u+",   "u^",
-                                        "a=",    "u;", ".x", "[0]",   ",",   ")",    "u<",   "\xff", "\xc3\xa9",
-                                        "a0=u;", "1",  "u ", "vec3(", "u?(", "#fff", "\0"};
+    static const char *const units[] = {"(",     "[",   "-",    "!",        "u?",    "u?u:", "sin(",
+                                        "u+",    "u^",  "a=",   "u;",       ".x",    "[0]",  ",",
+                                        ")",     "u<",  "\xff", "\xc3\xa9", "a0=u;", "1",    "u ",
+                                        "vec3(", "u?(", "#fff", "\0"};
     enum { LONG = 1 << 21 };
     char *text = malloc(LONG + 1);
     for (size_t i = 0; i < sizeof units / sizeof *units; i++)
@@ -299,7 +315,8 @@ static void hostile_texts_end(void **state)
     free(text);
 }
 
-/* Sums of 20,000 operands, locals of which each reads the one before, choices within choices: they are read, in one walk. */
+/* Sums of 20,000 operands, locals of which each reads the one before, choices within choices: they
+ * are read, in one walk. */
 static void long_formulas_are_read(void **state)
 {
     (void)state;
@@ -312,7 +329,8 @@ static void long_formulas_are_read(void **state)
     is_near(text, .25 * COUNT);
     size = 0;
     for (int i = 0; i < 2000; i++)
-        size += (size_t)snprintf(text + size, ROOM - size, i ? "a%d=a%d+a%d*0;" : "a%d=1;", i, i - 1, i - 1);
+        size += (size_t)snprintf(text + size, ROOM - size, i ? "a%d=a%d+a%d*0;" : "a%d=1;", i,
+                                 i - 1, i - 1);
     snprintf(text + size, ROOM - size, "a1999");
     is_near(text, 1);
     size = 0;
@@ -334,10 +352,14 @@ static void long_formulas_are_read(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(examples_are_as_they_say), cmocka_unit_test(operators_bind_as_in_mathematics),
-        cmocka_unit_test(faults_are_told),          cmocka_unit_test(misspelt_names_are_told),
-        cmocka_unit_test(every_term_is_total),      cmocka_unit_test(foreign_names_are_not_ours),
-        cmocka_unit_test(hostile_texts_end),        cmocka_unit_test(long_formulas_are_read),
+        cmocka_unit_test(examples_are_as_they_say),
+        cmocka_unit_test(operators_bind_as_in_mathematics),
+        cmocka_unit_test(faults_are_told),
+        cmocka_unit_test(misspelt_names_are_told),
+        cmocka_unit_test(every_term_is_total),
+        cmocka_unit_test(foreign_names_are_not_ours),
+        cmocka_unit_test(hostile_texts_end),
+        cmocka_unit_test(long_formulas_are_read),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,10 +1,12 @@
-/* What a formula reads of a map by its name: as many lanes as the map has, and all that the map says. */
+/* What a formula reads of a map by its name: as many lanes as the map has, and all that the map
+ * says. */
 #include "tests/slot_values.h"
 #include "grammar/tables.h"
 
 enum { LONGEST = 4096 };
 
-/* -- how many lanes there are: as many as the widest of what a map is made of, written by hand from language.md */
+/* -- how many lanes there are: as many as the widest of what a map is made of, written by hand from
+ * language.md */
 
 static const struct {
     const char *map;
@@ -56,8 +58,10 @@ static bool fills_four(const char *map, int lanes)
 {
     static const char *const rest[] = {"", ", u, u, u", ", u, u", ", u", ""};
     char text[LONGEST];
-    snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Expression, is: \"vec4(c%s).x\", with: { c: %s } }\n",
-             rest[lanes], map);
+    snprintf(
+        text, sizeof text,
+        "material: Phong\ndiffuse: { map: Expression, is: \"vec4(c%s).x\", with: { c: %s } }\n",
+        rest[lanes], map);
     const MatcOptions options = quick();
     MatcDocument *document = read_text(text, &options);
     const bool fills = !matc_error_count(document);
@@ -93,17 +97,20 @@ static void put_below(char *text, const char *lines)
 
 static int differences(const char *plain, const char *formula, const char *name)
 {
-    static const char *const points[] = {"u=.3 v=.4 x=.1 y=.2 z=.7", "u=.81 v=.13 x=-1.3 y=.9 z=2.4",
-                                         "u=-.4 v=2.7 x=3.1 y=-.6 z=-.2 nx=.6 ny=0 nz=.8 dpxdu=.8 dpydu=0 dpzdu=-.6"};
+    static const char *const points[] = {
+        "u=.3 v=.4 x=.1 y=.2 z=.7", "u=.81 v=.13 x=-1.3 y=.9 z=2.4",
+        "u=-.4 v=2.7 x=3.1 y=-.6 z=-.2 nx=.6 ny=0 nz=.8 dpxdu=.8 dpydu=0 dpzdu=-.6"};
     int count = 0;
     for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
         double want[3] = {0}, got[3] = {1};
-        char *values = values_at(plain, points[i], NULL), *others = values_at(formula, points[i], NULL);
+        char *values = values_at(plain, points[i], NULL),
+             *others = values_at(formula, points[i], NULL);
         assert_int_equal(read_slot(values, "diffuse", want), 3);
         assert_int_equal(read_slot(others, "diffuse", got), 3);
         for (int k = 0; k < 3; k++)
             if (!(fabs(got[k] - want[k]) <= 1e-9 * (1 + fabs(want[k])))) {
-                print_error("%s at %s: %g as a map, %g as a formula of it\n", name, points[i], want[k], got[k]);
+                print_error("%s at %s: %g as a map, %g as a formula of it\n", name, points[i],
+                            want[k], got[k]);
                 count++;
             }
         free(values), free(others);
@@ -119,8 +126,8 @@ static void its_name_is_all_of_it(void **state)
     char text[LONGEST];
     for (int i = 0; i < KIND_COUNT; i++) {
         const char *example = kind_table[i].example;
-        if (kind_table[i].lowering == LOWERING_MATERIAL || !example || strncmp(example, head, strlen(head)) ||
-            strstr(example, "image:"))
+        if (kind_table[i].lowering == LOWERING_MATERIAL || !example ||
+            strncmp(example, head, strlen(head)) || strstr(example, "image:"))
             continue;
         assert_true(strlen(example) < LONGEST / 3);
         strcpy(text, head);
@@ -131,7 +138,8 @@ static void its_name_is_all_of_it(void **state)
     for (size_t i = 0; i < sizeof widths / sizeof *widths; i++) {
         char plain[LONGEST];
         snprintf(plain, sizeof plain, "material: Phong\ndiffuse: %s\n", widths[i].map);
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Expression, is: c, with: { c: %s } }\n",
+        snprintf(text, sizeof text,
+                 "material: Phong\ndiffuse: { map: Expression, is: c, with: { c: %s } }\n",
                  widths[i].map);
         wrong += differences(plain, text, widths[i].map);
     }

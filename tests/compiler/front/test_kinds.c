@@ -1,4 +1,5 @@
-/* Every parameter of every map and material with values of every kind: what it is not for is an error, and its place is the value's. */
+/* Every parameter of every map and material with values of every kind: what it is not for is an
+ * error, and its place is the value's. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "grammar/tables.h"
@@ -54,7 +55,8 @@ static bool suits_color(const ParamRow *row, Sort sort)
 {
     switch (row->type) {
     case PARAM_Map:
-        return sort == SORT_gray || sort == SORT_blend || !param_is_number((int)(row - param_table));
+        return sort == SORT_gray || sort == SORT_blend ||
+               !param_is_number((int)(row - param_table));
     case PARAM_Float:
         return row->kind == KIND_Constant && sort <= SORT_name;
     case PARAM_Vec3:
@@ -78,7 +80,8 @@ static bool suits(const ParamRow *row, Sort sort)
     switch (row->type) {
     case PARAM_Map:
         return sort == SORT_number || sort == SORT_map ||
-               (sort == SORT_list && (!row->lanes || row->lanes == 3 || param_is_colored((int)(row - param_table))) &&
+               (sort == SORT_list &&
+                (!row->lanes || row->lanes == 3 || param_is_colored((int)(row - param_table))) &&
                 !param_is_number((int)(row - param_table)));
     case PARAM_Material:
         return sort == SORT_material;
@@ -107,9 +110,14 @@ static char *errors_of(const ParamRow *row, const char *value, char text[LONGEST
 {
     const char *kind = kind_table[row->kind].name;
     if (kind_table[row->kind].lowering == LOWERING_MATERIAL)
-        snprintf(text, LONGEST_DOCUMENT, "materials:\n a:\n  material: %s\n  %s: %s\ndefs: { tint: \"#ff8800\" }\n", kind, row->name, value);
+        snprintf(text, LONGEST_DOCUMENT,
+                 "materials:\n a:\n  material: %s\n  %s: %s\ndefs: { tint: \"#ff8800\" }\n", kind,
+                 row->name, value);
     else
-        snprintf(text, LONGEST_DOCUMENT, "defs:\n a:\n  map: %s\n  %s: %s\n tint: \"#ff8800\"\nmaterial: Phong\ndiffuse: { ref: a }\n", kind, row->name, value);
+        snprintf(text, LONGEST_DOCUMENT,
+                 "defs:\n a:\n  map: %s\n  %s: %s\n tint: \"#ff8800\"\nmaterial: Phong\ndiffuse: { "
+                 "ref: a }\n",
+                 kind, row->name, value);
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
@@ -138,8 +146,9 @@ static bool is_placed(const char *errors, const char *value)
 {
     int line, column;
     const char *first = strstr(errors, "case.yaml:");
-    return first && strstr(errors, ": error: ") && sscanf(first, "case.yaml:%d:%d", &line, &column) == 2 &&
-           line >= VALUE_LINE && line < VALUE_LINE + lines_of(value) && column >= 3;
+    return first && strstr(errors, ": error: ") &&
+           sscanf(first, "case.yaml:%d:%d", &line, &column) == 2 && line >= VALUE_LINE &&
+           line < VALUE_LINE + lines_of(value) && column >= 3;
 }
 
 static void wrong_kinds_are_errors_with_a_place(void **state)
@@ -167,20 +176,26 @@ static void wrong_kinds_are_errors_with_a_place(void **state)
     assert_int_equal(faults, 0);
 }
 
-/* Warnings are found by nodes, inputs before their users, and told by lines; a note stays with what it is of. */
+/* Warnings are found by nodes, inputs before their users, and told by lines; a note stays with what
+ * it is of. */
 static void warnings_come_by_lines(void **state)
 {
     (void)state;
-    static const char text[] = "defs:\n  far: { map: Checker, input: { map: UVTransform, angle: 90 } }\nmaterials:\n"
-                               "  a:\n    material: Principled\n    filmThickness: 500\n    metalness: { map: Mix, a: 1, amount: { ref: far } }\n"
-                               "    roughness: 20\n    baseColor: { map: Blend }\n  b:\n    material: Phong\n    diffuse: { map: HSV, hue: 120, input: { ref: far } }\n"
-                               "    shininess: 30\n    specular: { map: Blend, input: { map: Wood, input: { map: XYZTransform, transform: { rotation: [90, 0, 0] } } } }\n";
+    static const char text[] =
+        "defs:\n  far: { map: Checker, input: { map: UVTransform, angle: 90 } }\nmaterials:\n"
+        "  a:\n    material: Principled\n    filmThickness: 500\n    metalness: { map: Mix, a: 1, "
+        "amount: { ref: far } }\n"
+        "    roughness: 20\n    baseColor: { map: Blend }\n  b:\n    material: Phong\n    diffuse: "
+        "{ map: HSV, hue: 120, input: { ref: far } }\n"
+        "    shininess: 30\n    specular: { map: Blend, input: { map: Wood, input: { map: "
+        "XYZTransform, transform: { rotation: [90, 0, 0] } } } }\n";
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("case.yaml", text, strlen(text), &options);
     int lines[40], count = 0, line;
     assert_int_equal(matc_error_count(document), 0);
-    for (const char *at = matc_diagnostics(document, MATC_TEXT); (at = strstr(at, "case.yaml:")); at++) {
+    for (const char *at = matc_diagnostics(document, MATC_TEXT); (at = strstr(at, "case.yaml:"));
+         at++) {
         assert_int_equal(sscanf(at, "case.yaml:%d:", &line), 1);
         assert_true(!count || line >= lines[count - 1]);
         lines[count++] = line;
@@ -191,6 +206,7 @@ static void warnings_come_by_lines(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_kinds_are_errors_with_a_place), cmocka_unit_test(warnings_come_by_lines)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(wrong_kinds_are_errors_with_a_place),
+                                       cmocka_unit_test(warnings_come_by_lines)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

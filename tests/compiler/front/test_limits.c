@@ -50,34 +50,41 @@ static void put_chain(Text *out, int maps)
 {
     text_put(out, "defs:\n  m1: { map: UVTransform, scaleU: 1.5 }\n");
     for (int i = 2; i <= maps; i++)
-        text_format(out, "  m%d: { map: UVTransform, scaleU: 1.5, input: { ref: m%d } }\n", i, i - 1);
+        text_format(out, "  m%d: { map: UVTransform, scaleU: 1.5, input: { ref: m%d } }\n", i,
+                    i - 1);
 }
 
-/* Levels below a material: a Checker, then the chain. Materials before the last resolve the chain from below, so that few
- * references are open at once. */
+/* Levels below a material: a Checker, then the chain. Materials before the last resolve the chain
+ * from below, so that few references are open at once. */
 static void maps_below_one_another(Text *out, int count)
 {
     const int maps = count - 1, step = 500;
     put_chain(out, maps);
     text_put(out, "materials:\n");
     for (int i = step; i < maps; i += step)
-        text_format(out, "  a%d: { material: Phong, diffuse: { map: Checker, input: { ref: m%d } } }\n", i, i);
-    text_format(out, "  last: { material: Phong, diffuse: { map: Checker, input: { ref: m%d } } }\n", maps);
+        text_format(out,
+                    "  a%d: { material: Phong, diffuse: { map: Checker, input: { ref: m%d } } }\n",
+                    i, i);
+    text_format(
+        out, "  last: { material: Phong, diffuse: { map: Checker, input: { ref: m%d } } }\n", maps);
 }
 
-/* A material, a Checker, and for each map of the chain the map and the reference to it; one more reference where the
- * number is odd. */
+/* A material, a Checker, and for each map of the chain the map and the reference to it; one more
+ * reference where the number is odd. */
 static void open_references(Text *out, int count)
 {
     const int maps = (count - 2) / 2;
     put_chain(out, maps);
     text_format(out, "  odd: { ref: m%d }\n", maps);
-    text_format(out, A_PHONG "diffuse: { map: Checker, input: { ref: %s%.0d } }\n", count % 2 ? "odd" : "m",
-                count % 2 ? 0 : maps);
+    text_format(out, A_PHONG "diffuse: { map: Checker, input: { ref: %s%.0d } }\n",
+                count % 2 ? "odd" : "m", count % 2 ? 0 : maps);
 }
 
 /* The file "3" includes "2", which includes "1". */
-static void nested_includes(Text *out, int count) { text_format(out, "include: nest%d\n" A_PHONG, count); }
+static void nested_includes(Text *out, int count)
+{
+    text_format(out, "include: nest%d\n" A_PHONG, count);
+}
 
 static void many_includes(Text *out, int count)
 {
@@ -161,7 +168,8 @@ static void items_in_disorder(Text *out, int count)
 {
     text_put(out, A_PHONG "diffuse: { map: Blend, input: { map: Granite }, blend: [");
     for (int i = 0; i < count; i++)
-        text_format(out, "{ value: %s%d, input: %s }, ", i ? "0." : "0.9", i % 9 + 1, i % 2 ? "red" : "blue");
+        text_format(out, "{ value: %s%d, input: %s }, ", i ? "0." : "0.9", i % 9 + 1,
+                    i % 2 ? "red" : "blue");
     text_put(out, "] }\n");
 }
 
@@ -184,7 +192,8 @@ static void fields_of_layout(Text *out, int count)
 /* The fields of the layout itself count as a case. */
 static void cases_of_layout(Text *out, int count)
 {
-    text_put(out, "layout: a\ntargets: [RGBA32UI]\nfields: [{ slot: diffuse, encoding: unorm, bits: 8 }]\ncases: [");
+    text_put(out, "layout: a\ntargets: [RGBA32UI]\nfields: [{ slot: diffuse, encoding: unorm, "
+                  "bits: 8 }]\ncases: [");
     put_many(out, "{ fields: [{ slot: specular, encoding: unorm, bits: 8 }] }, ", count - 1);
     text_put(out, "]\n");
 }
@@ -261,7 +270,8 @@ static int reported(Make *make, int parts, DiagKind kind)
         arena_free(&arena);
         return count;
     }
-    MatcDocument *document = matc_read(*text.at == '{' ? "limit.json" : "limit.yaml", text.at, text.size, &options);
+    MatcDocument *document =
+        matc_read(*text.at == '{' ? "limit.json" : "limit.yaml", text.at, text.size, &options);
     count = count_in(matc_diagnostics(document, MATC_JSON), kind);
     if (matc_material_count(document) == 1 && kind == DIAG_long_walk) {
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
@@ -284,8 +294,8 @@ static void borders(void **state)
         const int at = reported(row->make, row->last, row->kind),
                   beyond = reported(row->make, row->last + 1, row->kind);
         if (at || !beyond)
-            print_error("%s, row %d: %s at the border, %s one beyond\n", row->limit, i, at ? "refused" : "passes",
-                        beyond ? "refused" : "passes");
+            print_error("%s, row %d: %s at the border, %s one beyond\n", row->limit, i,
+                        at ? "refused" : "passes", beyond ? "refused" : "passes");
         faults += at || !beyond;
     }
     assert_int_equal(faults, 0);
@@ -342,7 +352,8 @@ static void every_limit_has_a_row(void **state)
     free(header);
     for (int i = 0; i < ROWS; i++)
         if (rows[i].file && !stands_in(rows[i].file, rows[i].text)) {
-            print_error("%s: \"%s\" does not stand in %s\n", rows[i].limit, rows[i].text, rows[i].file);
+            print_error("%s: \"%s\" does not stand in %s\n", rows[i].limit, rows[i].text,
+                        rows[i].file);
             missing++;
         }
     assert_true(limits > 25);

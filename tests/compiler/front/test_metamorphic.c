@@ -1,5 +1,6 @@
-/* Documents that are written differently and mean the same: random maps in both, compared as IR in double, as written and
- * optimised, at hostile points. Where the optimiser is to see that they are one, it leaves as many nodes of as much cost. */
+/* Documents that are written differently and mean the same: random maps in both, compared as IR in
+ * double, as written and optimised, at hostile points. Where the optimiser is to see that they are
+ * one, it leaves as many nodes of as much cost. */
 #include "tests/test.h"
 #include "tests/stress/generate.h"
 #include "tests/stress/spread.h"
@@ -32,11 +33,14 @@ static void side_open(Side *s, const char *text, Slot slot)
     matc_options_init(&s->options);
     s->options.pixels = true;
     s->options.aa =
-        "none"; /* what is averaged goes by what a program costs, and documents that mean the same may differ in that */
+        /* what is averaged goes by what a program costs, and documents that mean the same may
+         * differ in that */
+        "none";
     s->options.read_file = generate_file;
     s->session = (Session){.options = &s->options, .arena = &s->arena, .check = true};
     Source source = {.name = "same.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_room, source);
+    ARENA_PUSH(&s->arena, s->session.sources, s->session.source_count, s->session.source_room,
+               source);
     s->graph = compile_front(&s->session, 0, &tree);
     if (!s->graph || s->session.diags.errors)
         fail_msg("%s\n%s", text, s->session.diags.count ? s->session.diags.at[0].message : "");
@@ -67,7 +71,8 @@ static const char *ir_text(Side *s)
     return text.at;
 }
 
-/* Where floats cannot tell the parts of a pattern, or moving a coordinate loses it, nothing is compared. */
+/* Where floats cannot tell the parts of a pattern, or moving a coordinate loses it, nothing is
+ * compared. */
 static bool is_fit(const Point *p)
 {
     for (int lane = 0; lane < 2; lane++)
@@ -76,7 +81,8 @@ static bool is_fit(const Point *p)
     return !point_is_extreme(p);
 }
 
-/* A rule: two documents, made with the same random maps a, b, c. Where the maps are put in, those documents. */
+/* A rule: two documents, made with the same random maps a, b, c. Where the maps are put in, those
+ * documents. */
 typedef struct {
     const char *first, *second; /* %a, %b and %c stand for the maps */
     Slot slot;
@@ -105,9 +111,10 @@ static void compare(const Rule *rule, const Point *field, int first)
                 continue;
             for (int lane = 0; lane < 3; lane++) {
                 double want = x.value[0][lane], got = y.value[0][lane];
-                if (want != got && !(fabs(want - got) <= same.bound * fmax(1, fabs(want)))) /* both may be infinite */
-                    fail_msg("-O%d lane %d: %.17g and %.17g at point %d\n%s\n%s", 2 * level, lane, want, got,
-                             (first + i) % FIELD_COUNT, a, b);
+                /* both may be infinite */
+                if (want != got && !(fabs(want - got) <= same.bound * fmax(1, fabs(want))))
+                    fail_msg("-O%d lane %d: %.17g and %.17g at point %d\n%s\n%s", 2 * level, lane,
+                             want, got, (first + i) % FIELD_COUNT, a, b);
             }
         }
     arena_free(&sides[0].arena);
@@ -162,10 +169,14 @@ static const Rule rules[] = {
      PHONG("{ map: Blend, blend: [{ value: -1, input: %a }, { value: 1, input: %a }], input: %b }"),
      SLOT_emissive,
      {roundings, false}},
-    {PHONG("%a"), PHONG("{ map: Blend, blend: [{ value: 0.5, input: %a }], input: %b }"), SLOT_emissive, {bits, true}},
+    {PHONG("%a"),
+     PHONG("{ map: Blend, blend: [{ value: 0.5, input: %a }], input: %b }"),
+     SLOT_emissive,
+     {bits, true}},
     /* Two items of one value are an edge: what stands between them is never seen. */
     {PHONG("{ map: Blend, blend: [{ value: 0, input: %a }, { value: 0, input: %b }], input: %c }"),
-     PHONG("{ map: Blend, blend: [{ value: 0, input: %a }, { value: 0, input: [1, 2, 3] }, { value: 0, input: %b }], "
+     PHONG("{ map: Blend, blend: [{ value: 0, input: %a }, { value: 0, input: [1, 2, 3] }, { "
+           "value: 0, input: %b }], "
            "input: %c }"),
      SLOT_emissive,
      {bits, false}},
@@ -175,38 +186,48 @@ static const Rule rules[] = {
      SLOT_emissive,
      {bits, true}},
     {NORMAL("{ map: BumpMap, displacement: { map: UVTransform, input: %a }, input: %b }"),
-     NORMAL("{ map: BumpMap, displacement: { map: UVTransform, input: %a }, input: { map: UVTransform, input: %b } }"),
+     NORMAL("{ map: BumpMap, displacement: { map: UVTransform, input: %a }, input: { map: "
+            "UVTransform, input: %b } }"),
      SLOT_normal,
      {bits, true}},
     {PHONG("{ map: Wood, input: %c }"),
-     PHONG("{ map: Wood, input: { map: XYZTransform, transform: { translation: [0, 0, 0] }, input: %c } }"),
+     PHONG("{ map: Wood, input: { map: XYZTransform, transform: { translation: [0, 0, 0] }, input: "
+           "%c } }"),
      SLOT_emissive,
      {bits, true}},
     {PHONG("{ map: Leopard, input: %c }"),
-     PHONG("{ map: Leopard, input: { map: XYZTransform, transform: { rotation: [0, 0, 0], scale: [1, 1, 1] }, input: "
+     PHONG("{ map: Leopard, input: { map: XYZTransform, transform: { rotation: [0, 0, 0], scale: "
+           "[1, 1, 1] }, input: "
            "%c } }"),
      SLOT_emissive,
      {bits, true}},
     {PHONG("%a"), PHONG("{ map: XYZTransform, input: %a }"), SLOT_emissive, {bits, true}},
     /* Two transforms and their product. Powers of two round nothing. */
-    {PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, scaleU: 8, scaleV: 0.5, input: %c } }"),
-     PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, scaleU: 2, scaleV: 2, input: { map: "
+    {PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, scaleU: 8, scaleV: "
+           "0.5, input: %c } }"),
+     PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, scaleU: 2, scaleV: "
+           "2, input: { map: "
            "UVTransform, scaleU: 4, scaleV: 0.25, input: %c } } }"),
      SLOT_emissive,
      {bits, false}},
     {PHONG("{ map: Granite, input: { map: XYZTransform, transform: { scale: 0.5 }, input: %c } }"),
-     PHONG("{ map: Granite, input: { map: XYZTransform, transform: { scale: 2 }, input: { map: XYZTransform, "
+     PHONG("{ map: Granite, input: { map: XYZTransform, transform: { scale: 2 }, input: { map: "
+           "XYZTransform, "
            "transform: { scale: 0.25 }, input: %c } } }"),
      SLOT_emissive,
      {bits, false}},
-    {PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { rotation: [0, 0, 1.25] } } }"),
-     PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { rotation: [0, 0, 0.5] }, input: "
+    {PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { rotation: "
+           "[0, 0, 1.25] } } }"),
+     PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { rotation: "
+           "[0, 0, 0.5] }, input: "
            "{ map: XYZTransform, transform: { rotation: [0, 0, 0.75] } } } }"),
      SLOT_emissive,
      {1e-8, false}}, /* of coordinates to 4e6, whose 1e-16 is as much */
-    {PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { matrix: [2, 0.5, 0, 1, 0, 1, 0, "
+    {PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { matrix: [2, "
+           "0.5, 0, 1, 0, 1, 0, "
            "0, 0, 0, 1, 0, 0, 0, 0, 1] } } }"),
-     PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { translation: [1, 0, 0] }, input: "
+     PHONG("{ map: Gradient, waveForm: Atan, input: { map: XYZTransform, transform: { translation: "
+           "[1, 0, 0] }, input: "
            "{ map: XYZTransform, transform: { scale: [2, 1, 1], shear: [0.25, 0, 0] } } } }"),
      SLOT_emissive,
      {1e-8, false}},
@@ -216,36 +237,46 @@ static const Rule rules[] = {
      SLOT_emissive,
      {bits, false}},
     {PHONG("{ map: Checker, color1: %a, color2: %b }"),
-     PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, offsetU: -0.5, offsetV: 1.5 } }"),
+     PHONG("{ map: Checker, color1: %a, color2: %b, input: { map: UVTransform, offsetU: -0.5, "
+           "offsetV: 1.5 } }"),
      SLOT_emissive,
      {bits, false}},
     /* Numbers and params of the same value. */
-    {PHONG("{ map: Blend, blend: [{ value: -0.5, input: %a }, { value: 0.75, input: [0.25, 0.5, 1] }], input: { map: "
+    {PHONG("{ map: Blend, blend: [{ value: -0.5, input: %a }, { value: 0.75, input: [0.25, 0.5, 1] "
+           "}], input: { map: "
            "Wood, frequency: 3, phase: 0.125, waveForm: Sin01, input: %c } }"),
-     PHONG("{ map: Blend, blend: [{ value: { param: v0, default: -0.5 }, input: %a }, { value: { param: v1, default: "
-           "0.75 }, input: { param: v2, default: [0.25, 0.5, 1] } }], input: { map: Wood, frequency: { param: v3, "
+     PHONG("{ map: Blend, blend: [{ value: { param: v0, default: -0.5 }, input: %a }, { value: { "
+           "param: v1, default: "
+           "0.75 }, input: { param: v2, default: [0.25, 0.5, 1] } }], input: { map: Wood, "
+           "frequency: { param: v3, "
            "default: 3 }, phase: { param: v4, default: 0.125 }, waveForm: Sin01, input: %c } }"),
      SLOT_emissive,
      {sums, false}},
-    {PHONG("{ map: Checker, color1: %a, color2: 0.25, input: { map: UVTransform, scaleU: 3, scaleV: 5, shear: 0.5, "
+    {PHONG("{ map: Checker, color1: %a, color2: 0.25, input: { map: UVTransform, scaleU: 3, "
+           "scaleV: 5, shear: 0.5, "
            "offsetU: 0.125 } }"),
-     PHONG("{ map: Checker, color1: %a, color2: { param: v0, default: 0.25 }, input: { map: UVTransform, scaleU: { "
-           "param: v1, default: 3 }, scaleV: { param: v2, default: 5 }, shear: { param: v3, default: 0.5 }, offsetU: { "
+     PHONG("{ map: Checker, color1: %a, color2: { param: v0, default: 0.25 }, input: { map: "
+           "UVTransform, scaleU: { "
+           "param: v1, default: 3 }, scaleV: { param: v2, default: 5 }, shear: { param: v3, "
+           "default: 0.5 }, offsetU: { "
            "param: v4, default: 0.125 } } }"),
      SLOT_emissive,
      {bits, false}},
     {NORMAL("{ map: WaveMap, amplitude: 0.5, uCount: 3, vCount: 2 }"),
-     NORMAL("{ map: WaveMap, amplitude: { param: v0, default: 0.5 }, uCount: { param: v1, default: 3 }, vCount: { "
+     NORMAL("{ map: WaveMap, amplitude: { param: v0, default: 0.5 }, uCount: { param: v1, default: "
+            "3 }, vCount: { "
             "param: v2, default: 2 } }"),
      SLOT_normal,
      {sums, false}},
-    /* Switches of one material, sharing, other names. A filter that is written twice is two functions. */
+    /* Switches of one material, sharing, other names. A filter that is written twice is two
+     * functions. */
     {PHONG("%a"),
      "material: SideSwitch\nfrontShader: { material: Phong, emissive: %a }\n",
      SLOT_emissive,
      {bits, true}},
     {PHONG("%a"),
-     "material: SideSwitch\nfrontShader: { material: Phong, emissive: %a }\nbackShader: { material: Phong, emissive: "
+     "material: SideSwitch\nfrontShader: { material: Phong, emissive: %a }\nbackShader: { "
+     "material: Phong, emissive: "
      "%a "
      "}\n",
      SLOT_emissive,
@@ -255,24 +286,30 @@ static const Rule rules[] = {
      SLOT_emissive,
      {bits, true}},
     {PHONG("{ map: Checker, color1: %a, color2: %b, input: %a }"),
-     "defs: { d: %a }\nmaterial: Phong\nemissive: { map: Checker, color1: { ref: d }, color2: %b, input: { ref: d } "
+     "defs: { d: %a }\nmaterial: Phong\nemissive: { map: Checker, color1: { ref: d }, color2: %b, "
+     "input: { ref: d } "
      "}\n",
      SLOT_emissive,
      {bits, false}},
     {PHONG("{ map: Checker, color1: %a, color2: %b }"),
-     "defs: { p: { params: { dark: black }, material: Phong, emissive: { map: Checker, color1: { param: dark }, "
+     "defs: { p: { params: { dark: black }, material: Phong, emissive: { map: Checker, color1: { "
+     "param: dark }, "
      "color2: %b } } }\nref: p\ndark: %a\n",
      SLOT_emissive,
      {bits, true}},
     {PHONG("{ map: Checker, color1: { map: Checker, color1: %a, color2: %b }, color2: %b }"),
-     "defs: { p: { params: { dark: black }, map: Checker, color1: { param: dark }, color2: %b } }\nmaterial: Phong\n"
-     "emissive: { ref: p, dark: { ref: p, dark: %a } }\n", /* a use of what it is given to, which is no circle */
+     "defs: { p: { params: { dark: black }, map: Checker, color1: { param: dark }, color2: %b } "
+     "}\nmaterial: Phong\n"
+     /* a use of what it is given to, which is no circle */
+     "emissive: { ref: p, dark: { ref: p, dark: %a } }\n",
      SLOT_emissive,
      {bits, true}},
-    {"material: Mix\nmask: 0.25\na: { material: Mix, mask: 0.25, a: { material: Phong, emissive: %a }, b: { material: "
+    {"material: Mix\nmask: 0.25\na: { material: Mix, mask: 0.25, a: { material: Phong, emissive: "
+     "%a }, b: { material: "
      "Phong, "
      "emissive: %b } }\nb: { material: Phong, emissive: %b }\n",
-     "defs: { m: { params: { t: { type: material } }, material: Mix, mask: 0.25, a: { param: t }, b: { material: "
+     "defs: { m: { params: { t: { type: material } }, material: Mix, mask: 0.25, a: { param: t }, "
+     "b: { material: "
      "Phong, "
      "emissive: %b } } }\nref: m\nt: { ref: m, t: { material: Phong, emissive: %a } }\n",
      SLOT_emissive,

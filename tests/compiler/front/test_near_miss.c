@@ -18,12 +18,13 @@ typedef struct {
 } Row;
 
 static const Row rows[] = {
-#define NEAR(kind, trigger, miss)                  {DIAG_##kind, OF_DOCUMENT, trigger, miss, 0},
-#define NEAR_LAYOUT(kind, trigger, miss)           {DIAG_##kind, OF_LAYOUT, trigger, miss, 0},
-#define NEAR_SCENE(kind, trigger, miss)            {DIAG_##kind, OF_SCENE, trigger, miss, 0},
-#define NEAR_OPTIONS(kind, outputs, trigger, miss) {DIAG_##kind, OF_OPTIONS, trigger, miss, outputs},
-#define NEAR_IN(kind, file, text)                  {DIAG_##kind, IN_FILE, file, text, 0},
-#define NO_NEAR(kind, why) {DIAG_##kind, NOWHERE, why, NULL, 0},
+#define NEAR(kind, trigger, miss)        {DIAG_##kind, OF_DOCUMENT, trigger, miss, 0},
+#define NEAR_LAYOUT(kind, trigger, miss) {DIAG_##kind, OF_LAYOUT, trigger, miss, 0},
+#define NEAR_SCENE(kind, trigger, miss)  {DIAG_##kind, OF_SCENE, trigger, miss, 0},
+#define NEAR_OPTIONS(kind, outputs, trigger, miss)                                                 \
+    {DIAG_##kind, OF_OPTIONS, trigger, miss, outputs},
+#define NEAR_IN(kind, file, text) {DIAG_##kind, IN_FILE, file, text, 0},
+#define NO_NEAR(kind, why)        {DIAG_##kind, NOWHERE, why, NULL, 0},
 #include "tests/near_misses.def"
 #undef NEAR
 #undef NEAR_LAYOUT
@@ -49,8 +50,8 @@ static void document_messages(const char *text, unsigned outputs, char *out)
     (void)outputs;
     options.warnings = "linear_colors";
     MatcDocument *document =
-        matc_read(*text == '{' && !strchr(text, '\n') ? "examples/near.json" : "examples/near.yaml", text, strlen(text),
-                  &options);
+        matc_read(*text == '{' && !strchr(text, '\n') ? "examples/near.json" : "examples/near.yaml",
+                  text, strlen(text), &options);
     *out = 0;
     add(out, matc_diagnostics(document, MATC_JSON));
     for (int i = 0; i < matc_material_count(document); i++) {
@@ -134,8 +135,8 @@ static int check_row(const Row *row, char *out)
 {
     char kind[128];
     const char *name = diag_table[row->kind].name;
-    static void (*const all[])(const char *, unsigned, char *) = {document_messages, layout_messages, scene_messages,
-                                                                  options_messages};
+    static void (*const all[])(const char *, unsigned, char *) = {
+        document_messages, layout_messages, scene_messages, options_messages};
     if (row->of == NOWHERE)
         return 0;
     if (row->of == IN_FILE) {
@@ -171,13 +172,17 @@ static bool reports_of(const MatcOptions *options, unsigned outputs, DiagKind ki
     static const char material[] = "material: Phong\ndiffuse: [0.2, 0.3, 0.4]\n";
     MatcDocument *document = matc_read("near.yaml", material, sizeof material - 1, NULL);
     MatcProgram *program = matc_compile(document, 0, outputs, options);
-    const bool found = strstr(matc_program_diagnostics(program, MATC_JSON), diag_table[kind].name) != NULL;
+    const bool found =
+        strstr(matc_program_diagnostics(program, MATC_JSON), diag_table[kind].name) != NULL;
     matc_program_free(program);
     matc_document_free(document);
     return found;
 }
 
-static bool reports(const MatcOptions *options, DiagKind kind) { return reports_of(options, MATC_FRAGMENT, kind); }
+static bool reports(const MatcOptions *options, DiagKind kind)
+{
+    return reports_of(options, MATC_FRAGMENT, kind);
+}
 
 /* Faults that only a caller can cause: options that matc_options_set rejects, a wrong number of
  * members, unknown outputs, a layout for no materials. */
@@ -201,11 +206,14 @@ static void faults_of_callers(void **state)
     assert_false(reports_of(&options, MATC_COMPUTE, DIAG_unknown_output));
     matc_ranges_init(&ranges);
     MatcLayout *layout = matc_layout_for(&ranges, 1, NULL);
-    assert_non_null(strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_of_none].name));
-    assert_null(strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_error].name));
+    assert_non_null(
+        strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_of_none].name));
+    assert_null(
+        strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_error].name));
     matc_layout_free(layout);
     layout = matc_layout_for(&ranges, 1.01, NULL);
-    assert_non_null(strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_error].name));
+    assert_non_null(
+        strstr(matc_layout_diagnostics(layout, MATC_JSON), diag_table[DIAG_layout_error].name));
     matc_layout_free(layout);
 }
 
@@ -226,7 +234,8 @@ static void every_message_has_a_row(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(messages_and_near_misses), cmocka_unit_test(faults_of_callers),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(messages_and_near_misses),
+                                       cmocka_unit_test(faults_of_callers),
                                        cmocka_unit_test(every_message_has_a_row)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

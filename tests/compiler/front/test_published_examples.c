@@ -1,7 +1,9 @@
-/* MaterialX's example materials as documents (tests/published), beside what their published numbers and graphs say, which are written here once more, in double:
- * base colour, metalness, roughness and the normal, within 1e-3, and of most what else is theirs. Facts alone are MaterialX's (Apache 2.0,
- * resources/Materials/Examples). Left out: what has closures of its own (hair), a node that is none of matc's (blackbody, hextiledimage), no material of
- * its own (looks, shader balls put together), or another of these by other pictures (antique camera, the other chessmen). */
+/* MaterialX's example materials as documents (tests/published), beside what their published numbers
+ * and graphs say, which are written here once more, in double: base colour, metalness, roughness
+ * and the normal, within 1e-3, and of most what else is theirs. Facts alone are MaterialX's (Apache
+ * 2.0, resources/Materials/Examples). Left out: what has closures of its own (hair), a node that is
+ * none of matc's (blackbody, hextiledimage), no material of its own (looks, shader balls put
+ * together), or another of these by other pictures (antique camera, the other chessmen). */
 #include "tests/slot_values.h"
 #include "compiler/base/file.h"
 
@@ -19,10 +21,12 @@ static const struct {
 enum { PLACES = sizeof texels / sizeof *texels };
 
 /* A frame of a surface that lies askew. */
-static const double tangent[3] = {.8, 0, -.6}, bitangent[3] = {0, 1, 0}, unit_normal[3] = {.6, 0, .8};
+static const double tangent[3] = {.8, 0, -.6}, bitangent[3] = {0, 1, 0},
+                    unit_normal[3] = {.6, 0, .8};
 static const char frame[] = "dpxdu=.8 dpydu=0 dpzdu=-.6 dpxdv=0 dpydv=1 dpzdv=0 nx=.6 ny=0 nz=.8";
 
-/* What is read there: the texel as numbers and as a colour, texture coordinates, MaterialX's noise at 4 p. */
+/* What is read there: the texel as numbers and as a colour, texture coordinates, MaterialX's noise
+ * at 4 p. */
 typedef struct {
     double raw[3], color[3], u, v, p[3], noise;
 } Place;
@@ -50,7 +54,8 @@ static void set_normal(const Place *at, Published *m)
         m->normal[i] = 2 * at->raw[i] - 1;
 }
 
-/* Widths r^2 / q along the tangent and r^2 q across it, q^2 = 1 - .9 a, as OpenPBR's one number: the fourth root of the mean of their squares. */
+/* Widths r^2 / q along the tangent and r^2 q across it, q^2 = 1 - .9 a, as OpenPBR's one number:
+ * the fourth root of the mean of their squares. */
 static double rough_of_widths(double r, double anisotropy)
 {
     const double q = sqrt(1 - .9 * anisotropy), wide = r * r / q, narrow = r * r * q;
@@ -128,7 +133,8 @@ static void usd_normal(const Place *at, Published *m) { set(m->normal, at->raw);
 
 static void to_hsv(const double rgb[3], double hsv[3])
 {
-    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])), range = most - fmin(rgb[0], fmin(rgb[1], rgb[2]));
+    const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])),
+                 range = most - fmin(rgb[0], fmin(rgb[1], rgb[2]));
     double turn = 0;
     if (range > 0)
         turn = most == rgb[0]   ? (rgb[1] - rgb[2]) / range
@@ -148,18 +154,20 @@ static void to_rgb(const double hsv[3], double rgb[3])
     }
 }
 
-/* Its pictures of a mask and of variation are the red, of roughness and dirt the green, of gray the blue of the one picture here. */
+/* Its pictures of a mask and of variation are the red, of roughness and dirt the green, of gray the
+ * blue of the one picture here. */
 static void bricks(const Place *at, Published *m)
 {
-    const double mask = at->raw[0], vary = at->raw[0], gloss = at->raw[1], dirt = at->raw[1], gray = at->raw[2],
-                 shade = .083 * vary + gray;
+    const double mask = at->raw[0], vary = at->raw[0], gloss = at->raw[1], dirt = at->raw[1],
+                 gray = at->raw[2], shade = .083 * vary + gray;
     double hsv[3], wall[3];
     to_hsv((const double[3]){.661876, .19088, 0}, hsv);
     hsv[0] += (shade - .35) * .083;
     hsv[2] += shade * .787 * vary;
     to_rgb(hsv, wall);
     for (int i = 0; i < 3; i++)
-        m->base[i] = fmin(fmax(mixed(.263273 * gray, mixed(wall[i], .56372, .248 * dirt) * gray, mask), 0), 1);
+        m->base[i] = fmin(
+            fmax(mixed(.263273 * gray, mixed(wall[i], .56372, .248 * dirt) * gray, mask), 0), 1);
     m->rough = .853 / mask * gloss;
     set_normal(at, m);
 }
@@ -173,7 +181,8 @@ static void ramp(const Place *at, Published *m)
 
 static void emission(const Place *at, Published *m)
 {
-    const double sum = at->p[0] + at->p[1] + at->p[2], vein = pow(sin(10 * sum + 3 * at->noise) * .4 + .5, 3);
+    const double sum = at->p[0] + at->p[1] + at->p[2],
+                 vein = pow(sin(10 * sum + 3 * at->noise) * .4 + .5, 3);
     for (int i = 0; i < 3; i++)
         m->extra[0].value[i] = mixed(1, (double[]){.2, 0, 0}[i], vein);
     m->extra[1].value[0] = m->extra[0].value[0]; /* red light, through the coat */
@@ -185,7 +194,8 @@ typedef struct {
     const char *file, *name;
     Published numbers;
     void (*graph)(const Place *at, Published *m); /* what is not a number; NULL: nothing */
-    double tiles, offset[2];                      /* how its pictures lie: tiles uv - offset; 0 tiles: there are none */
+    /* how its pictures lie: tiles uv - offset; 0 tiles: there are none */
+    double tiles, offset[2];
 } Row;
 
 static const Row rows[] = {
@@ -205,7 +215,8 @@ static const struct {
     {{.100000001, .200000003, .300000012}, -.23716526},
 };
 
-/* The place `i` where a picture that lies so is read at the texel `i`, which semantics.md 2.4 has at (x / width, y / height), of its tile (1, 2). */
+/* The place `i` where a picture that lies so is read at the texel `i`, which semantics.md 2.4 has
+ * at (x / width, y / height), of its tile (1, 2). */
 static Place place_of(const Row *row, int i)
 {
     Place at = {.noise = noises[i].noise, .u = .1 + .15 * i, .v = .9 - .2 * i};
@@ -244,8 +255,8 @@ static char *values_of(const MatcDocument *document, const char *name, const Pla
     options.pixels = true;
     const int number = matc_material_find(document, name);
     assert_true(number >= 0);
-    snprintf(point, sizeof point, "u=%.12g v=%.12g x=%.9g y=%.9g z=%.9g %s", at->u, at->v, at->p[0], at->p[1], at->p[2],
-             frame);
+    snprintf(point, sizeof point, "u=%.12g v=%.12g x=%.9g y=%.9g z=%.9g %s", at->u, at->v, at->p[0],
+             at->p[1], at->p[2], frame);
     char *values = matc_eval(document, number, point, &options, &fault);
     assert_non_null(values);
     return values;
@@ -331,6 +342,7 @@ static void all_have_rows(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(examples_are_what_they_publish),
-                                       cmocka_unit_test(marble_is_what_it_prints), cmocka_unit_test(all_have_rows)};
+                                       cmocka_unit_test(marble_is_what_it_prints),
+                                       cmocka_unit_test(all_have_rows)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* The definitions that come with matc: each says what it is, compiles for old and new targets with its defaults, and is a number within reason everywhere. */
+/* The definitions that come with matc: each says what it is, compiles for old and new targets with
+ * its defaults, and is a number within reason everywhere. */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "grammar/library_table.h"
@@ -26,10 +27,11 @@ static void assert_values(const MatcDocument *document, const char *name)
     matc_options_init(&options);
     for (int i = 0; i < POINTS; i++) {
         char point[LONGEST];
-        const double size = i % 5 ? 3 : 1000, turn = 2.4 * i, z = 1 - 2 * (i + .5) / POINTS, r = sqrt(1 - z * z);
-        snprintf(point, sizeof point, "u=%g v=%g x=%g y=%g z=%g pz=%g nx=%g ny=%g nz=%g", size * sin(3.7 * i),
-                 size * cos(2.3 * i), size * sin(1.1 * i), size * sin(1.9 * i), size * cos(.7 * i), 2 * z,
-                 r * cos(turn), r * sin(turn), z);
+        const double size = i % 5 ? 3 : 1000, turn = 2.4 * i, z = 1 - 2 * (i + .5) / POINTS,
+                     r = sqrt(1 - z * z);
+        snprintf(point, sizeof point, "u=%g v=%g x=%g y=%g z=%g pz=%g nx=%g ny=%g nz=%g",
+                 size * sin(3.7 * i), size * cos(2.3 * i), size * sin(1.1 * i), size * sin(1.9 * i),
+                 size * cos(.7 * i), 2 * z, r * cos(turn), r * sin(turn), z);
         const MatcNumbers value = matc_eval_slot(document, 0, point, &options);
         assert_null(value.fault);
         for (int lane = 0; lane < value.lanes; lane++)
@@ -56,7 +58,8 @@ static void assert_documented(const Member *definition, bool params_too)
     for (uint32_t i = 0; params_too && i < params->value->count; i++) {
         const Tree *param = params->value->members[i].value;
         if (param->kind != TREE_object || !tree_find(param, "doc") || !tree_find(param, "default"))
-            fail_msg("%s: %s does not say what it is", definition->key, params->value->members[i].key);
+            fail_msg("%s: %s does not say what it is", definition->key,
+                     params->value->members[i].key);
     }
 }
 
@@ -66,11 +69,13 @@ static void check_file(const LibraryFile *file)
     snprintf(text, sizeof text, "include: %s\n", file->name);
     MatcDocument *all = read(text);
     const Tree *defs = all->graph->defs[0];
-    assert_true(defs->count > 0 && !strncmp(defs->members[0].key, file->name, strlen(file->name) - strlen(".yaml")));
+    assert_true(defs->count > 0 &&
+                !strncmp(defs->members[0].key, file->name, strlen(file->name) - strlen(".yaml")));
     for (uint32_t i = 0; i < defs->count; i++) {
         const char *name = defs->members[i].key;
         assert_documented(&defs->members[i], i == 0);
-        snprintf(text, sizeof text, "include: %s\nmaterial: Phong\ndiffuse: { ref: %s }\n", file->name, name);
+        snprintf(text, sizeof text, "include: %s\nmaterial: Phong\ndiffuse: { ref: %s }\n",
+                 file->name, name);
         MatcDocument *one = read(text);
         assert_compiles(one, name, "glsl330");
         assert_compiles(one, name, "glsl110");
@@ -114,7 +119,8 @@ static void the_picture_is_of_all(void **state)
     matc_document_free(document);
 }
 
-/* wornEdges goes by the slope of a height, not by how high it is: 20 u tilts a normal by 58 degrees. */
+/* wornEdges goes by the slope of a height, not by how high it is: 20 u tilts a normal by 58
+ * degrees. */
 static void edges_are_worn_where_steep(void **state)
 {
     (void)state;
@@ -126,7 +132,8 @@ static void edges_are_worn_where_steep(void **state)
         char text[LONGEST], shown[64];
         const char *fault = NULL;
         snprintf(text, sizeof text,
-                 "include: worn.yaml\nmaterial: Phong\ndiffuse: { ref: wornEdges, coat: 0, under: 1, height: \"= %s\", "
+                 "include: worn.yaml\nmaterial: Phong\ndiffuse: { ref: wornEdges, coat: 0, under: "
+                 "1, height: \"= %s\", "
                  "size: 0.01 }\n",
                  cases[i].height);
         MatcDocument *document = read(text);
@@ -134,7 +141,8 @@ static void edges_are_worn_where_steep(void **state)
         matc_options_init(&options);
         char *values = matc_eval(document, 0, "u=.3 v=.2 x=.1 y=.5", &options, &fault);
         assert_non_null(values);
-        snprintf(shown, sizeof shown, "\ndiffuse %.1f %.1f %.1f\n", cases[i].shown, cases[i].shown, cases[i].shown);
+        snprintf(shown, sizeof shown, "\ndiffuse %.1f %.1f %.1f\n", cases[i].shown, cases[i].shown,
+                 cases[i].shown);
         if (!strstr(values, shown))
             fail_msg("%s: %s", cases[i].height, values);
         free(values);

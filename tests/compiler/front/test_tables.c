@@ -1,5 +1,6 @@
-/* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its default, at both ends of its
- * range, beyond them, and with a value of another type. Adding a row adds its cases. */
+/* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its
+ * default, at both ends of its range, beyond them, and with a value of another type. Adding a row
+ * adds its cases. */
 #include "tests/test.h"
 #include "grammar/foreign_table.h"
 #include "grammar/key_table.h"
@@ -133,7 +134,8 @@ static bool tries(const ParamRow *row, const char *value)
     if (kind_table[row->kind].lowering == LOWERING_MATERIAL)
         snprintf(text, sizeof text, "material: %s\n%s: %s\n", kind, row->name, value);
     else
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s, %s: %s }\n", kind, row->name, value);
+        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: %s, %s: %s }\n", kind,
+                 row->name, value);
     return compiles(text);
 }
 
@@ -174,7 +176,8 @@ static bool has_word(int list, const char *name)
 static void try_words(const ParamRow *row)
 {
     for (int i = 0; i < WORD_COUNT; i++)
-        assert_int_equal(tries(row, word_table[i].name), has_word((int)row->type, word_table[i].name));
+        assert_int_equal(tries(row, word_table[i].name),
+                         has_word((int)row->type, word_table[i].name));
     assert_false(tries(row, "other"));
     assert_false(tries(row, "0"));
 }
@@ -182,7 +185,8 @@ static void try_words(const ParamRow *row)
 /* A number is within the row's range; what varies may be anything. */
 static void try_map(const ParamRow *row)
 {
-    assert_true(tries(row, "0.5") && tries(row, "= u + .5") && tries(row, "{ map: Granite }") && !tries(row, "true"));
+    assert_true(tries(row, "0.5") && tries(row, "= u + .5") && tries(row, "{ map: Granite }") &&
+                !tries(row, "true"));
     if (!isfinite(row->high))
         return;
     assert_true(tries_number(row, row->low) && tries_number(row, row->high));
@@ -195,7 +199,8 @@ static void every_parameter_is_tried(void **state)
     (void)state;
     for (int i = 0; i < PARAM_COUNT; i++) {
         const ParamRow *row = &param_table[i];
-        bool numeric = row->type == PARAM_Float || row->type == PARAM_Int || row->type == PARAM_Vec3;
+        bool numeric =
+            row->type == PARAM_Float || row->type == PARAM_Int || row->type == PARAM_Vec3;
         if (numeric)
             try_numeric(row);
         else if (row->type == PARAM_Map)
@@ -205,7 +210,8 @@ static void every_parameter_is_tried(void **state)
         else if (row->type == PARAM_Bool)
             assert_true(tries(row, "true") && tries(row, "false") && !tries(row, "2"));
         else if (row->type == PARAM_List)
-            assert_true(tries(row, "[1, { map: Granite }]") && tries(row, "[]") && !tries(row, "[true]") && !tries(row, "1"));
+            assert_true(tries(row, "[1, { map: Granite }]") && tries(row, "[]") &&
+                        !tries(row, "[true]") && !tries(row, "1"));
         else
             assert_false(tries(row, "[1, 2]"));
         if (param_is_word(row))
@@ -219,7 +225,8 @@ static void every_wave_is_known(void **state)
     (void)state;
     char text[LONGEST_DOCUMENT];
     for (int i = 0; i < WAVE_COUNT; i++) {
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Wood, waveForm: %s }\n", wave_table[i].name);
+        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Wood, waveForm: %s }\n",
+                 wave_table[i].name);
         assert_true(compiles(text));
     }
 }
@@ -229,10 +236,12 @@ static void every_alias_and_preset_is_known(void **state)
     (void)state;
     char text[LONGEST_DOCUMENT];
     for (int i = 0; i < alias_count + preset_count; i++) {
-        const char *name = i < alias_count ? alias_table[i].alias : preset_table[i - alias_count].name;
+        const char *name =
+            i < alias_count ? alias_table[i].alias : preset_table[i - alias_count].name;
         Kind kind = i < alias_count ? alias_table[i].kind : preset_table[i - alias_count].kind;
         bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
-        snprintf(text, sizeof text, material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", name);
+        snprintf(text, sizeof text,
+                 material ? "material: %s\n" : "material: Phong\ndiffuse: { map: %s }\n", name);
         assert_true(compiles(text));
     }
 }
@@ -259,10 +268,12 @@ static bool is_param(Kind kind, const char *name, size_t size)
 static bool is_of_scene(const char *name, size_t size, bool kind)
 {
     for (int i = 0; kind && i < SCENE_KIND_COUNT; i++)
-        if (strlen(scene_kind_table[i].name) == size && !strncmp(scene_kind_table[i].name, name, size))
+        if (strlen(scene_kind_table[i].name) == size &&
+            !strncmp(scene_kind_table[i].name, name, size))
             return true;
     for (int i = 0; !kind && i < SCENE_PARAM_COUNT; i++)
-        if (strlen(scene_param_table[i].param.name) == size && !strncmp(scene_param_table[i].param.name, name, size))
+        if (strlen(scene_param_table[i].param.name) == size &&
+            !strncmp(scene_param_table[i].param.name, name, size))
             return true;
     return false;
 }
@@ -275,13 +286,18 @@ static bool is_key(const char *name, size_t size)
     return false;
 }
 
-/* What a message says of another tool's name begins with a name that is ours, but for these words. */
+/* What a message says of another tool's name begins with a name that is ours, but for these
+ * words. */
 static void foreign_names_lead_to_ours(void **state)
 {
-    static const char *const others[] = {"a formula: '= ",          "nothing: ",
-                                         "a key of scenes, ",       "a key of definitions: ",
-                                         "bricks of the library: ", "the fourth number of diffuse",
-                                         "material: of a material, ", "\"#"};
+    static const char *const others[] = {"a formula: '= ",
+                                         "nothing: ",
+                                         "a key of scenes, ",
+                                         "a key of definitions: ",
+                                         "bricks of the library: ",
+                                         "the fourth number of diffuse",
+                                         "material: of a material, ",
+                                         "\"#"};
     (void)state;
     for (int i = 0; i < foreign_count; i++) {
         const ForeignRow *row = &foreign_table[i];
@@ -289,14 +305,17 @@ static void foreign_names_lead_to_ours(void **state)
         bool ours = row->group == FOREIGN_PARAM   ? is_param(row->kind, row->here, size)
                     : row->group == FOREIGN_SCENE ? is_of_scene(row->here, size, true)
                     : row->group == FOREIGN_PLACE ? is_of_scene(row->here, size, false)
-                    : row->group == FOREIGN_TOP   ? is_of_scene(row->here, size, false) || is_key(row->here, size)
-                    : row->group >= FOREIGN_FORMULA ? true /* test_formula.c, test_foreign.c */
-                                                  : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
+                    : row->group == FOREIGN_TOP
+                        ? is_of_scene(row->here, size, false) || is_key(row->here, size)
+                    : row->group >= FOREIGN_FORMULA
+                        ? true /* test_formula.c, test_foreign.c */
+                        : is_kind(row->here, size, row->group == FOREIGN_MATERIAL);
         for (size_t k = 0; k < sizeof others / sizeof *others; k++)
             ours |= !strncmp(row->here, others[k], strlen(others[k]));
         if (!ours)
             fail_msg("'%s' leads to '%s', which is not here", row->name, row->here);
-        assert_string_equal(foreign_name(row->group, row->kind, row->name), row->here); /* no name stands twice */
+        /* no name stands twice */
+        assert_string_equal(foreign_name(row->group, row->kind, row->name), row->here);
     }
 }
 
@@ -312,8 +331,12 @@ static void foreign_names_are_not_ours(void **state)
         assert_null(foreign_name(FOREIGN_TOP, KIND_COUNT, key_table[i].name));
     for (int i = 0; i < KIND_COUNT + alias_count + preset_count; i++) {
         const int alias = i - KIND_COUNT, preset = alias - alias_count;
-        const Kind kind = alias < 0 ? (Kind)i : preset < 0 ? alias_table[alias].kind : preset_table[preset].kind;
-        const char *name = alias < 0 ? kind_table[i].name : preset < 0 ? alias_table[alias].alias : preset_table[preset].name;
+        const Kind kind = alias < 0    ? (Kind)i
+                          : preset < 0 ? alias_table[alias].kind
+                                       : preset_table[preset].kind;
+        const char *name = alias < 0    ? kind_table[i].name
+                           : preset < 0 ? alias_table[alias].alias
+                                        : preset_table[preset].name;
         const bool material = kind_table[kind].lowering == LOWERING_MATERIAL;
         assert_null(foreign_name(material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name));
     }
@@ -350,7 +373,8 @@ static bool tells(const char *page, const char *head, const char *param)
     return found && end && found < end;
 }
 
-/* Every parameter that is one number all over, and why; a volume map's own are the arguments of its function, for which the table has one reason. */
+/* Every parameter that is one number all over, and why; a volume map's own are the arguments of its
+ * function, for which the table has one reason. */
 static void plain_numbers_have_a_reason(void **state)
 {
     (void)state;
@@ -371,8 +395,10 @@ static void plain_numbers_have_a_reason(void **state)
         plain++;
         if (section_of(row->kind) == SECTION_volume && !wave)
             continue;
-        if (!tells(page, head, row->name) && !tells(page, wave ? "\n| every volume map" : "\n| every material |", row->name))
-            fail_msg("%s.%s is a number, and docs/semantics.md does not say why", kind_table[row->kind].name, row->name);
+        if (!tells(page, head, row->name) &&
+            !tells(page, wave ? "\n| every volume map" : "\n| every material |", row->name))
+            fail_msg("%s.%s is a number, and docs/semantics.md does not say why",
+                     kind_table[row->kind].name, row->name);
     }
     assert_true(plain > 50);
 }
@@ -380,11 +406,17 @@ static void plain_numbers_have_a_reason(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rows_are_documented),   cmocka_unit_test(parameters_stand_under_their_kind),
-        cmocka_unit_test(defaults_are_in_range), cmocka_unit_test(scenes_are_sound),
-        cmocka_unit_test(maps_have_their_files), cmocka_unit_test(no_function_has_an_underscore), cmocka_unit_test(every_parameter_is_tried),
-        cmocka_unit_test(every_wave_is_known),   cmocka_unit_test(every_alias_and_preset_is_known),
-        cmocka_unit_test(foreign_names_lead_to_ours), cmocka_unit_test(foreign_names_are_not_ours),
+        cmocka_unit_test(rows_are_documented),
+        cmocka_unit_test(parameters_stand_under_their_kind),
+        cmocka_unit_test(defaults_are_in_range),
+        cmocka_unit_test(scenes_are_sound),
+        cmocka_unit_test(maps_have_their_files),
+        cmocka_unit_test(no_function_has_an_underscore),
+        cmocka_unit_test(every_parameter_is_tried),
+        cmocka_unit_test(every_wave_is_known),
+        cmocka_unit_test(every_alias_and_preset_is_known),
+        cmocka_unit_test(foreign_names_lead_to_ours),
+        cmocka_unit_test(foreign_names_are_not_ours),
         cmocka_unit_test(units_hold_defaults),
         cmocka_unit_test(plain_numbers_have_a_reason),
     };

@@ -1,6 +1,8 @@
-/* Materials of other models against what their publishers say, and against the Principled that a reader of both specifications writes by hand.
- * Published: MaterialX's example materials (Apache 2.0; facts alone) standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
- * usd_preview_surface_{gold,plastic}, gltf_pbr_{plastic,carpaint}; the formulas of glTF 2.0, UsdPreviewSurface 2.6. */
+/* Materials of other models against what their publishers say, and against the Principled that a
+ * reader of both specifications writes by hand. Published: MaterialX's example materials (Apache
+ * 2.0; facts alone) standard_surface_{gold,copper,chrome,plastic,greysphere,brick_procedural},
+ * usd_preview_surface_{gold,plastic}, gltf_pbr_{plastic,carpaint}; the formulas of glTF 2.0,
+ * UsdPreviewSurface 2.6. */
 #include "tests/slot_values.h"
 #include "grammar/translation_tables.h"
 
@@ -13,7 +15,8 @@ static void published_values(void **state)
         const char *text;
         double base[3], metal, rough, tint[3], reflectance, emissive[3], opacity;
     } rows[] = {
-        {"material: StandardSurface\nbase: 1\nbase_color: [0.944, 0.776, 0.373]\nspecular: 1\nspecular_color: [0.998, "
+        {"material: StandardSurface\nbase: 1\nbase_color: [0.944, 0.776, 0.373]\nspecular: "
+         "1\nspecular_color: [0.998, "
          "0.981, 0.751]\n"
          "specular_roughness: 0.02\nmetalness: 1\n",
          {.944, .776, .373},
@@ -23,7 +26,8 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: StandardSurface\nbase: 1\nbase_color: [1, 1, 1]\nspecular: 1\nspecular_color: [1, 1, "
+        {"material: StandardSurface\nbase: 1\nbase_color: [1, 1, 1]\nspecular: 1\nspecular_color: "
+         "[1, 1, "
          "1]\nspecular_roughness: 0\nmetalness: 1\n",
          {1, 1, 1},
          1,
@@ -32,8 +36,10 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: StandardSurface\nbase: 1\nspecular: 0\nspecular_roughness: 0.25\nmetalness: 1\ncoat: 1\n"
-         "coat_color: [0.96467984, 0.37626296, 0.25818297]\ncoat_roughness: 0.2\n", /* copper: its metal has a black edge */
+        {"material: StandardSurface\nbase: 1\nspecular: 0\nspecular_roughness: 0.25\nmetalness: "
+         "1\ncoat: 1\n"
+         /* copper: its metal has a black edge */
+         "coat_color: [0.96467984, 0.37626296, 0.25818297]\ncoat_roughness: 0.2\n",
          {.8, .8, .8},
          1,
          .25,
@@ -41,7 +47,8 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: standard_surface\nbase: 1\nbase_color: [0.10470402, 0.24188282, 0.81800002]\nspecular_roughness: "
+        {"material: standard_surface\nbase: 1\nbase_color: [0.10470402, 0.24188282, "
+         "0.81800002]\nspecular_roughness: "
          "0.32467532157897949\n",
          {.104704, .241883, .818},
          0,
@@ -50,7 +57,8 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: StandardSurface\nbase: 1\nbase_color: [0.18, 0.18, 0.18]\ndiffuse_roughness: 0\nspecular: "
+        {"material: StandardSurface\nbase: 1\nbase_color: [0.18, 0.18, 0.18]\ndiffuse_roughness: "
+         "0\nspecular: "
          "1\nspecular_color: [1, 1, 1]\n"
          "specular_roughness: 0.7\nspecular_IOR: 1.5\n",
          {.18, .18, .18},
@@ -60,9 +68,11 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: StandardSurface\nbase: 0.5\nbase_color: [0.1037792, 0.59212029, 0.85064936]\nspecular_roughness: "
+        {"material: StandardSurface\nbase: 0.5\nbase_color: [0.1037792, 0.59212029, "
+         "0.85064936]\nspecular_roughness: "
          "0.4\n"
-         "specular_anisotropy: 0.5\ntransmission_depth: 1\ncoat: 1\ncoat_roughness: 0\n", /* car paint; as wide as .16 / q and .16 q, q^2 = .55 */
+         /* car paint; as wide as .16 / q and .16 q, q^2 = .55 */
+         "specular_anisotropy: 0.5\ntransmission_depth: 1\ncoat: 1\ncoat_roughness: 0\n",
          {.0518896, .296060, .425325},
          0,
          .41725952,
@@ -71,7 +81,8 @@ static void published_values(void **state)
          {0},
          1},
         {"material: StandardSurface\n", {.8, .8, .8}, 0, .2, {1, 1, 1}, .04, {0}, 1},
-        {"material: StandardSurface\nopacity: [0.25, 0.5, 0.75]\nemission: 2\nemission_color: [1, 0.5, "
+        {"material: StandardSurface\nopacity: [0.25, 0.5, 0.75]\nemission: 2\nemission_color: [1, "
+         "0.5, "
          "0.25]\nspecular: 0.5\nspecular_color: [0, 1, 0]\n"
          "specular_IOR: 2\n",
          {.8, .8, .8},
@@ -81,7 +92,8 @@ static void published_values(void **state)
          .5 / 9,
          {1, .5, .25},
          .5},
-        {"material: UsdPreviewSurface\ndiffuseColor: [0.944, 0.776, 0.373]\nuseSpecularWorkflow: false\nmetallic: "
+        {"material: UsdPreviewSurface\ndiffuseColor: [0.944, 0.776, 0.373]\nuseSpecularWorkflow: "
+         "false\nmetallic: "
          "1\nroughness: 0.02\nior: 50\n",
          {.944, .776, .373},
          1,
@@ -101,7 +113,8 @@ static void published_values(void **state)
          {0},
          1},
         {"material: UsdPreview\n", {.18, .18, .18}, 0, .5, {1, 1, 1}, .04, {0}, 1},
-        {"material: UsdPreview\nuseSpecularWorkflow: true\nspecularColor: [0.5, 0.25, 0.125]\nmetallic: "
+        {"material: UsdPreview\nuseSpecularWorkflow: true\nspecularColor: [0.5, 0.25, "
+         "0.125]\nmetallic: "
          "1\nemissiveColor: [3, 2, 1]\n",
          {.18, .18, .18},
          0,
@@ -110,9 +123,30 @@ static void published_values(void **state)
          .5,
          {3, 2, 1},
          1},
-        {"material: UsdPreview\nuseSpecularWorkflow: true\n", {.18, .18, .18}, 0, .5, {0, 0, 0}, 0, {0}, 1},
-        {"material: UsdPreview\nopacity: 0.4\nopacityThreshold: 0.5\n", {.18, .18, .18}, 0, .5, {1, 1, 1}, .04, {0}, 0},
-        {"material: UsdPreview\nopacity: 0.4\nopacityThreshold: 0.4\n", {.18, .18, .18}, 0, .5, {1, 1, 1}, .04, {0}, 1},
+        {"material: UsdPreview\nuseSpecularWorkflow: true\n",
+         {.18, .18, .18},
+         0,
+         .5,
+         {0, 0, 0},
+         0,
+         {0},
+         1},
+        {"material: UsdPreview\nopacity: 0.4\nopacityThreshold: 0.5\n",
+         {.18, .18, .18},
+         0,
+         .5,
+         {1, 1, 1},
+         .04,
+         {0},
+         0},
+        {"material: UsdPreview\nopacity: 0.4\nopacityThreshold: 0.4\n",
+         {.18, .18, .18},
+         0,
+         .5,
+         {1, 1, 1},
+         .04,
+         {0},
+         1},
         {"material: UsdPreview\nopacity: 0.4\nopacityMode: presence\n",
          {.18, .18, .18},
          0,
@@ -121,7 +155,8 @@ static void published_values(void **state)
          .04,
          {0},
          .4},
-        {"material: gltf_pbr\nbaseColorFactor: [0.104704, 0.241883, 0.818]\nmetallicFactor: 0\nroughnessFactor: "
+        {"material: gltf_pbr\nbaseColorFactor: [0.104704, 0.241883, 0.818]\nmetallicFactor: "
+         "0\nroughnessFactor: "
          "0.324675\n",
          {.104704, .241883, .818},
          0,
@@ -130,7 +165,8 @@ static void published_values(void **state)
          .04,
          {0},
          1},
-        {"material: glTF\nbaseColorFactor: [0.0518895, 0.29606, 0.425324]\nmetallicFactor: 0\nroughnessFactor: "
+        {"material: glTF\nbaseColorFactor: [0.0518895, 0.29606, 0.425324]\nmetallicFactor: "
+         "0\nroughnessFactor: "
          "0.4\nclearcoatFactor: 1\n",
          {.0518895, .29606, .425324},
          0,
@@ -142,7 +178,8 @@ static void published_values(void **state)
         {"material: glTF\n", {1, 1, 1}, 1, 1, {1, 1, 1}, .04, {0}, 1},
         {"material: glTF\nbaseColorFactor: [0.5, 1, 1, 0.5]\nbaseColorTexture: [0.5, 0.25, 1, "
          "0.8]\nmetallicRoughnessTexture: [0.9, 0.5, 0.25]\n"
-         "roughnessFactor: 0.5\nemissiveFactor: [1, 0.5, 0]\nemissiveTexture: [0.5, 0.5, 0.5]\nemissiveStrength: "
+         "roughnessFactor: 0.5\nemissiveFactor: [1, 0.5, 0]\nemissiveTexture: [0.5, 0.5, "
+         "0.5]\nemissiveStrength: "
          "8\nalphaMode: BLEND\n",
          {.25, .25, 1},
          .25,
@@ -151,7 +188,14 @@ static void published_values(void **state)
          .04,
          {4 * .4, 2 * .4, 0},
          .4},
-        {"material: glTF\nbaseColorFactor: [1, 1, 1, 0.5]\nalphaMode: MASK\n", {1, 1, 1}, 1, 1, {1, 1, 1}, .04, {0}, 1},
+        {"material: glTF\nbaseColorFactor: [1, 1, 1, 0.5]\nalphaMode: MASK\n",
+         {1, 1, 1},
+         1,
+         1,
+         {1, 1, 1},
+         .04,
+         {0},
+         1},
         {"material: glTF\nbaseColorFactor: [1, 1, 1, 0.5]\nalphaMode: MASK\nalphaCutoff: 0.51\n",
          {1, 1, 1},
          1,
@@ -160,8 +204,16 @@ static void published_values(void **state)
          .04,
          {0},
          0},
-        {"material: glTF\nbaseColorFactor: [1, 1, 1, 0.5]\n", {1, 1, 1}, 1, 1, {1, 1, 1}, .04, {0}, 1},
-        {"material: glTF\nmetallicFactor: 0\nior: 2\nspecularFactor: 0.5\nspecularTexture: [0, 0, 0, "
+        {"material: glTF\nbaseColorFactor: [1, 1, 1, 0.5]\n",
+         {1, 1, 1},
+         1,
+         1,
+         {1, 1, 1},
+         .04,
+         {0},
+         1},
+        {"material: glTF\nmetallicFactor: 0\nior: 2\nspecularFactor: 0.5\nspecularTexture: [0, 0, "
+         "0, "
          "0.5]\nspecularColorFactor: [0.5, 1, 1]\n",
          {1, 1, 1},
          0,
@@ -171,10 +223,12 @@ static void published_values(void **state)
          {0},
          1},
     };
-    assert_true(fabs(reflectance_of(1.5) - .04) < 1e-12 && fabs(reflectance_of(2) - 1. / 9) < 1e-12);
+    assert_true(fabs(reflectance_of(1.5) - .04) < 1e-12 &&
+                fabs(reflectance_of(2) - 1. / 9) < 1e-12);
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *values = values_at(rows[i].text, "", NULL);
-        const double clear = 1 - rows[i].opacity, through[3] = {clear, clear, clear}, model = MODEL_Principled;
+        const double clear = 1 - rows[i].opacity, through[3] = {clear, clear, clear},
+                     model = MODEL_Principled;
         expect_slot(values, "diffuse", rows[i].base, 3);
         expect_slot(values, "metalness", &rows[i].metal, 1);
         expect_slot(values, "roughness", &rows[i].rough, 1);
@@ -187,7 +241,8 @@ static void published_values(void **state)
     }
 }
 
-/* Both widths are kept: of glTF .25 + .75 * .36 = .52 and .25, of Standard Surface .25 / q and .25 q, q^2 = 1 - .9 * .6; and where they point. */
+/* Both widths are kept: of glTF .25 + .75 * .36 = .52 and .25, of Standard Surface .25 / q and .25
+ * q, q^2 = 1 - .9 * .6; and where they point. */
 static void widths_are_kept(void **state)
 {
     (void)state;
@@ -195,30 +250,43 @@ static void widths_are_kept(void **state)
         const char *text;
         double wide, narrow, turn;
     } rows[] = {
-        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: 0.6\nanisotropyRotation: 0.4\n", .52, .25, .4},
-        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: { param: strength, default: 0.6 }\n", .52, .25, 0},
-        {"material: StandardSurface\nspecular_roughness: 0.5\nspecular_anisotropy: 0.6\nspecular_rotation: 0.1\n", .3686049, .1695582, .62831853},
-        {"material: Principled\nroughness: 0.5\nanisotropy: 0.5\nanisotropyRotation: { map: Checker, color1: 0.3, color2: 0.3 }\n", .3162278, .1581139, 1.8849556},
+        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: 0.6\nanisotropyRotation: 0.4\n",
+         .52, .25, .4},
+        {"material: glTF\nroughnessFactor: 0.5\nanisotropyStrength: { param: strength, default: "
+         "0.6 }\n",
+         .52, .25, 0},
+        {"material: StandardSurface\nspecular_roughness: 0.5\nspecular_anisotropy: "
+         "0.6\nspecular_rotation: 0.1\n",
+         .3686049, .1695582, .62831853},
+        {"material: Principled\nroughness: 0.5\nanisotropy: 0.5\nanisotropyRotation: { map: "
+         "Checker, color1: 0.3, color2: 0.3 }\n",
+         .3162278, .1581139, 1.8849556},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *values = values_at(rows[i].text, "", NULL);
         const double wide = rows[i].wide, narrow = rows[i].narrow, strength = 1 - narrow / wide;
-        const double rough = pow((wide * wide + narrow * narrow) / 2, .25), slot[] = {strength * cos(2 * rows[i].turn), strength * sin(2 * rows[i].turn)};
+        const double rough = pow((wide * wide + narrow * narrow) / 2, .25),
+                     slot[] = {strength * cos(2 * rows[i].turn), strength * sin(2 * rows[i].turn)};
         expect_slot(values, "roughness", &rough, 1);
         expect_slot(values, "anisotropy", slot, 2);
         free(values);
     }
 }
 
-/* glTF's walls are thin where its volume has no thickness: light has the colour once, and through a body at each of two surfaces its root. */
+/* glTF's walls are thin where its volume has no thickness: light has the colour once, and through a
+ * body at each of two surfaces its root. */
 static void thick_glass_is_no_thin_wall(void **state)
 {
     (void)state;
     static const char *const texts[] = {"", "thicknessFactor: 1\n"};
-    static const double through[][3] = {{.25, .25, .25}, {.5, .5, .5}}, reflected[] = {2 * .04 / 1.04, .04};
+    static const double through[][3] = {{.25, .25, .25}, {.5, .5, .5}},
+                        reflected[] = {2 * .04 / 1.04, .04};
     for (int i = 0; i < 2; i++) {
         char text[256];
-        snprintf(text, sizeof text, "material: glTF\nmetallicFactor: 0\nbaseColorFactor: [0.25, 0.25, 0.25]\ntransmissionFactor: 1\n%s", texts[i]);
+        snprintf(text, sizeof text,
+                 "material: glTF\nmetallicFactor: 0\nbaseColorFactor: [0.25, 0.25, "
+                 "0.25]\ntransmissionFactor: 1\n%s",
+                 texts[i]);
         char *values = values_at(text, "", NULL);
         expect_slot(values, "transparency", through[i], 3);
         expect_slot(values, "reflectance", &reflected[i], 1);
@@ -232,42 +300,56 @@ static void same_programs(void **state)
     (void)state;
     const MatcOptions options = quick();
     static const char *const pairs[][2] = {
-        {"material: StandardSurface\nbase_color: [0.9, 0.6, 0.2]\nmetalness: 1\nspecular_roughness: { map: Leopard "
+        {"material: StandardSurface\nbase_color: [0.9, 0.6, 0.2]\nmetalness: "
+         "1\nspecular_roughness: { map: Leopard "
          "}\nnormal: { map: NormalMap, normal: { map: Checker } }\n",
-         "material: Principled\nbaseColor: [0.9, 0.6, 0.2]\nmetalness: 1\nroughness: { map: Leopard }\ninput: { map: "
+         "material: Principled\nbaseColor: [0.9, 0.6, 0.2]\nmetalness: 1\nroughness: { map: "
+         "Leopard }\ninput: { map: "
          "NormalMap, normal: { map: Checker } }\n"},
-        {"material: glTF\nmetallicFactor: 0\nroughnessFactor: 0.5\nnormalTexture: { map: Checker }\nnormalScale: "
+        {"material: glTF\nmetallicFactor: 0\nroughnessFactor: 0.5\nnormalTexture: { map: Checker "
+         "}\nnormalScale: "
          "0.5\ninput: { map: WaveMap }\n",
-         "material: Principled\nbaseColor: 1\nroughness: 0.5\ninput: { map: NormalMap, scale: 0.5, normal: { map: "
+         "material: Principled\nbaseColor: 1\nroughness: 0.5\ninput: { map: NormalMap, scale: 0.5, "
+         "normal: { map: "
          "Checker }, input: { map: WaveMap } }\n"},
-        {"material: UsdPreview\ndiffuseColor: { map: Checker }\nroughness: { param: rough, default: 0.5 "
+        {"material: UsdPreview\ndiffuseColor: { map: Checker }\nroughness: { param: rough, "
+         "default: 0.5 "
          "}\ndisplacement: { map: Leopard }\ndisplacementScale: 0.1\n",
-         "material: Principled\nbaseColor: { map: Checker }\nroughness: { param: rough, default: 0.5 }\ndisplacement: "
+         "material: Principled\nbaseColor: { map: Checker }\nroughness: { param: rough, default: "
+         "0.5 }\ndisplacement: "
          "{ map: Leopard }\ndisplacementScale: 0.1\n"},
-        {"material: glTF\nmetallicRoughnessTexture: { map: Checker, color1: \"#ff8040\", color2: 0.25 }\n",
-         "material: Principled\nbaseColor: 1\nmetalness: { map: Separate, channel: b, input: &checker { map: Checker, "
+        {"material: glTF\nmetallicRoughnessTexture: { map: Checker, color1: \"#ff8040\", color2: "
+         "0.25 }\n",
+         "material: Principled\nbaseColor: 1\nmetalness: { map: Separate, channel: b, input: "
+         "&checker { map: Checker, "
          "color1: \"#ff8040\", color2: 0.25 } }\n"
          "roughness: { map: Separate, channel: g, input: *checker }\n"},
     };
     for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++) {
-        char *ours = compile_text(pairs[i][0], MATC_IR, &options), *hand = compile_text(pairs[i][1], MATC_IR, &options);
+        char *ours = compile_text(pairs[i][0], MATC_IR, &options),
+             *hand = compile_text(pairs[i][1], MATC_IR, &options);
         assert_string_equal(ours, hand);
         free(ours);
         free(hand);
     }
 }
 
-/* A Phong beside a Principled: n = 30 and (.8, .4, .4) reflect .05 of the light along the normal, as wide as a roughness of .5. */
+/* A Phong beside a Principled: n = 30 and (.8, .4, .4) reflect .05 of the light along the normal,
+ * as wide as a roughness of .5. */
 static void a_phong_becomes_a_principled(void **state)
 {
     (void)state;
-    static const char *const wholes[] = {"material: Mix\nmask: 0\na: %s\nb: { material: Principled }\n",
-                                         "material: Mix\nmask: 1\nb: { material: SideSwitch, frontShader: %s }\na: { material: Principled }\n",
-                                         "material: SideSwitch\nfrontShader: %s\nbackShader: { material: Principled }\n"};
-    static const double tint[] = {1, .5, .5}, reflectance = .05, rough = .5, metal = 0, model = MODEL_Principled, shininess = 4;
+    static const char *const wholes[] = {
+        "material: Mix\nmask: 0\na: %s\nb: { material: Principled }\n",
+        "material: Mix\nmask: 1\nb: { material: SideSwitch, frontShader: %s }\na: { material: "
+        "Principled }\n",
+        "material: SideSwitch\nfrontShader: %s\nbackShader: { material: Principled }\n"};
+    static const double tint[] = {1, .5, .5}, reflectance = .05, rough = .5, metal = 0,
+                        model = MODEL_Principled, shininess = 4;
     for (size_t i = 0; i < sizeof wholes / sizeof *wholes; i++) {
         char text[512], *said;
-        snprintf(text, sizeof text, wholes[i], "{ material: Phong, specular: [0.8, 0.4, 0.4], shininess: 0.746045, ambient: 1 }");
+        snprintf(text, sizeof text, wholes[i],
+                 "{ material: Phong, specular: [0.8, 0.4, 0.4], shininess: 0.746045, ambient: 1 }");
         char *values = values_at(text, "", &said);
         expect_slot(values, "specular", tint, 3);
         expect_slot(values, "reflectance", &reflectance, 1);
@@ -281,7 +363,9 @@ static void a_phong_becomes_a_principled(void **state)
         free(said);
     }
     char *said;
-    free(values_at("material: AlgorithmSwitch\nguiShader: { material: Phong }\nraytracerShader: { material: Principled }\n", "", &said));
+    free(values_at("material: AlgorithmSwitch\nguiShader: { material: Phong }\nraytracerShader: { "
+                   "material: Principled }\n",
+                   "", &said));
     assert_string_equal(said, "");
     free(said);
 }
@@ -298,10 +382,13 @@ static void layouts_without_the_model_are_doubted(void **state)
         for (int principled = 0; principled < 2; principled++) {
             MatcOptions options = quick();
             options.layout = layouts[i].layout;
-            MatcDocument *document = read_text(principled ? "material: Principled\nroughness: 0.25\n" : "material: Phong\n", &options);
+            MatcDocument *document = read_text(
+                principled ? "material: Principled\nroughness: 0.25\n" : "material: Phong\n",
+                &options);
             MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
             const char *said = matc_program_diagnostics(program, MATC_TEXT);
-            const bool doubted = strstr(said, "has no place for roughness, reflectance, model: the surface is lit as a Phong") != NULL;
+            const bool doubted = strstr(said, "has no place for roughness, reflectance, model: the "
+                                              "surface is lit as a Phong") != NULL;
             assert_true(matc_ok(program));
             assert_int_equal(doubted, principled && layouts[i].doubted);
             assert_true(!doubted || strstr(said, "test.yaml:1:11"));
@@ -310,7 +397,8 @@ static void layouts_without_the_model_are_doubted(void **state)
         }
 }
 
-/* Every row is a formula without a fault, every loss is said where it is one, and not where nothing is lost. */
+/* Every row is a formula without a fault, every loss is said where it is one, and not where nothing
+ * is lost. */
 static void losses_are_said(void **state)
 {
     (void)state;
@@ -319,8 +407,10 @@ static void losses_are_said(void **state)
         const ParamRow *param = &param_table[loss_table[i].param];
         char *said;
         const bool specular = strstr(loss_table[i].formula, "useSpecularWorkflow *") != NULL;
-        snprintf(text, sizeof text, "material: %s\n%s%s: { param: value, default: [0.5, 0.25, 0.125] }\n%s",
-                 kind_table[param->kind].name, specular ? "useSpecularWorkflow: true\n" : "", param->name,
+        snprintf(text, sizeof text,
+                 "material: %s\n%s%s: { param: value, default: [0.5, 0.25, 0.125] }\n%s",
+                 kind_table[param->kind].name, specular ? "useSpecularWorkflow: true\n" : "",
+                 param->name,
                  param->kind == KIND_glTF                     ? "metallicFactor: 0\n"
                  : strstr(loss_table[i].formula, "metalness") ? "metalness: 1\n"
                                                               : "");

@@ -63,7 +63,8 @@ static void settings_count(void **state)
         assert_int_equal(count(said, "\"kind\": \"unquoted_color\""), c->unquoted);
         assert_int_equal(matc_material_count(document), c->fine);
         assert_int_equal(matc_error_count(document) == 0, c->fine);
-        assert_int_equal(count(said, "\"severity\": \"error\", \"kind\": \"unquoted_color\"") > 0, c->errors);
+        assert_int_equal(count(said, "\"severity\": \"error\", \"kind\": \"unquoted_color\"") > 0,
+                         c->errors);
         const char *text = matc_diagnostics(document, MATC_TEXT);
         assert_int_equal(count(text, "[-Werror=unquoted_color]") > 0, c->errors);
         assert_int_equal(count(text, "[-Wunquoted_color]") > 0, c->unquoted && !c->errors);
@@ -80,9 +81,12 @@ static const struct {
     {"linear-colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors", "material: Phong\ndiffuse: \"#123\"\nspecular: \"#808080\"\n", 1, 2},
     {"linear_colors", "material: Phong\ndiffuse: { param: tint, default: \"#80808080\" }\n", 1, 2},
-    {"linear_colors", "material: Phong\nspecular: .5\ndiffuse: \"= mix(#fff, #808080, u)\"\n", 1, 3},
-    {"linear_colors", "material: Phong\ndiffuse: \"= attribute(\\\"tint\\\", vec3, #808080)\"\n", 1, 2},
-    {"linear_colors", "defs:\n  grey: \"#808080\"\nmaterial: Phong\ndiffuse: { ref: grey }\n", 1, 2},
+    {"linear_colors", "material: Phong\nspecular: .5\ndiffuse: \"= mix(#fff, #808080, u)\"\n", 1,
+     3},
+    {"linear_colors", "material: Phong\ndiffuse: \"= attribute(\\\"tint\\\", vec3, #808080)\"\n", 1,
+     2},
+    {"linear_colors", "defs:\n  grey: \"#808080\"\nmaterial: Phong\ndiffuse: { ref: grey }\n", 1,
+     2},
     {"error,linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
     {"linear_colors,error=linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 1, 2},
@@ -99,11 +103,14 @@ static const struct {
     {"linear_colors,no-linear_colors", "material: Phong\ndiffuse: \"#808080\"\n", 0, 0},
     {"linear_colors", "material: Phong\ndiffuse: \"#808080\"\ncolors: linear\n", 0, 0},
     {"linear_colors", "colors: srgb\nmaterial: Phong\ndiffuse: \"#808080\"\n", 0, 0},
-    {"linear_colors", "colors: srgb\nmaterial: Phong\ndiffuse: \"= mix(#808080, #fff, u)\"\n", 0, 0},
+    {"linear_colors", "colors: srgb\nmaterial: Phong\ndiffuse: \"= mix(#808080, #fff, u)\"\n", 0,
+     0},
     {"linear_colors", "material: Phong\ndiffuse: \"#ff00ff\"\nspecular: \"#000\"\n", 0, 0},
     {"linear_colors", "material: Phong\ndiffuse: \"#ff00ff80\"\n", 0, 0},
-    {"linear_colors", "material: Phong\ndiffuse: linear(#808080)\nspecular: \"srgb(#808080)\"\n", 0, 0},
-    {"linear_colors", "material: Phong\ndiffuse: gray\nspecular: [0.2, 0.3, 0.4]\nshininess: 0.5\n", 0, 0},
+    {"linear_colors", "material: Phong\ndiffuse: linear(#808080)\nspecular: \"srgb(#808080)\"\n", 0,
+     0},
+    {"linear_colors", "material: Phong\ndiffuse: gray\nspecular: [0.2, 0.3, 0.4]\nshininess: 0.5\n",
+     0, 0},
 };
 
 static void advice_is_a_note(void **state)
@@ -114,13 +121,16 @@ static void advice_is_a_note(void **state)
         MatcOptions options;
         matc_options_init(&options);
         options.warnings = advised[i].settings;
-        MatcDocument *document = matc_read("a.yaml", advised[i].text, strlen(advised[i].text), &options);
+        MatcDocument *document =
+            matc_read("a.yaml", advised[i].text, strlen(advised[i].text), &options);
         const char *json = matc_diagnostics(document, MATC_JSON);
-        print_message("%s: %s%s", advised[i].settings ? advised[i].settings : "none", advised[i].text, json);
+        print_message("%s: %s%s", advised[i].settings ? advised[i].settings : "none",
+                      advised[i].text, json);
         assert_int_equal(matc_material_count(document), 1);
         assert_int_equal(matc_error_count(document), 0);
         assert_int_equal(count(json, "\"kind\": \"linear_colors\""), advised[i].notes);
-        assert_int_equal(count(json, "\"severity\": \"note\", \"kind\": \"linear_colors\""), advised[i].notes);
+        assert_int_equal(count(json, "\"severity\": \"note\", \"kind\": \"linear_colors\""),
+                         advised[i].notes);
         snprintf(line, sizeof line, "\"line\": %d,", advised[i].line);
         assert_int_equal(count(json, line), advised[i].notes);
         matc_document_free(document);
@@ -131,17 +141,20 @@ static void advice_is_a_note(void **state)
  * / 1.055)^2.4. It is sorted by its own line, not as a note about another warning. */
 static void advice_says_both_readings(void **state)
 {
-    static const char text[] = "material: Phong\ndiffuse: \"#808080\"\ntransparency: #ff0000\nspecular: #ff0000\n";
+    static const char text[] =
+        "material: Phong\ndiffuse: \"#808080\"\ntransparency: #ff0000\nspecular: #ff0000\n";
     (void)state;
     MatcOptions options;
     matc_options_init(&options);
     options.warnings = "linear_colors";
     MatcDocument *document = matc_read("a.yaml", text, sizeof text - 1, &options);
     const char *said = matc_diagnostics(document, MATC_TEXT);
-    const char *advice = strstr(said, "a.yaml:2:10: note: "), *third = strstr(said, "a.yaml:3:"), *fourth = strstr(said, "a.yaml:4:");
+    const char *advice = strstr(said, "a.yaml:2:10: note: "), *third = strstr(said, "a.yaml:3:"),
+               *fourth = strstr(said, "a.yaml:4:");
     assert_non_null(advice);
     assert_non_null(strstr(advice, "'#808080' is [0.502, 0.502, 0.502]; write `colors: srgb`"));
-    assert_non_null(strstr(advice, "[0.216, 0.216, 0.216], or else `colors: linear` [-Wlinear_colors]"));
+    assert_non_null(
+        strstr(advice, "[0.216, 0.216, 0.216], or else `colors: linear` [-Wlinear_colors]"));
     assert_true(advice < third && third < fourth);
     matc_document_free(document);
 }
@@ -150,9 +163,8 @@ static void advice_says_both_readings(void **state)
  * is printed first. */
 static void advice_goes_before_later_warnings(void **state)
 {
-    static const char text[] =
-        "defs:\n  grey: \"#808080\"\nmaterial: Phong\n"
-        "diffuse: #ff0000\nspecular: { ref: grey }\n";
+    static const char text[] = "defs:\n  grey: \"#808080\"\nmaterial: Phong\n"
+                               "diffuse: #ff0000\nspecular: { ref: grey }\n";
     (void)state;
     MatcOptions options;
     matc_options_init(&options);
@@ -179,7 +191,8 @@ static char *palette_file(void *user, const char *path, size_t *size, const char
 
 static void advice_is_by_file(void **state)
 {
-    static const char text[] = "include: palette.yaml\ncolors: srgb\nmaterial: Phong\ndiffuse: { ref: grey }\nspecular: \"#404040\"\n";
+    static const char text[] = "include: palette.yaml\ncolors: srgb\nmaterial: Phong\ndiffuse: { "
+                               "ref: grey }\nspecular: \"#404040\"\n";
     (void)state;
     MatcOptions options;
     matc_options_init(&options);
@@ -230,7 +243,8 @@ static void only_warnings_have_settings(void **state)
         assert_string_equal(matc_options_fault(&options), "warnings");
     }
     options.warnings = "no-unknown_map";
-    MatcDocument *document = matc_read("a.yaml", "material: Phong\ndiffuse: { map: Wodo }\n", 39, &options);
+    MatcDocument *document =
+        matc_read("a.yaml", "material: Phong\ndiffuse: { map: Wodo }\n", 39, &options);
     assert_int_equal(matc_error_count(document), 1);
     matc_document_free(document);
 }
@@ -239,8 +253,9 @@ static void only_warnings_have_settings(void **state)
 static void programs_have_them(void **state)
 {
     static const char material[] = "material: Phong\nspecular: 0.3\nshininess: 0.5\n";
-    static const char dull[] = "layout: dull\ntargets: [RGBA32UI]\nconstants: { shininess: 0.25 }\nfields:\n"
-                               "  - { slot: normal, encoding: octahedral, bits: 12 }\n";
+    static const char dull[] =
+        "layout: dull\ntargets: [RGBA32UI]\nconstants: { shininess: 0.25 }\nfields:\n"
+        "  - { slot: normal, encoding: octahedral, bits: 12 }\n";
     (void)state;
     static const char *const settings[] = {NULL, "no-layout_fixed", "error=layout_fixed"};
     for (int i = 0; i < 3; i++) {
@@ -255,7 +270,8 @@ static void programs_have_them(void **state)
         MatcDocument *document = matc_read("a.yaml", material, sizeof material - 1, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_int_equal(matc_ok(program), i < 2);
-        assert_int_equal(count(matc_program_diagnostics(program, MATC_JSON), "layout_fixed"), i != 1);
+        assert_int_equal(count(matc_program_diagnostics(program, MATC_JSON), "layout_fixed"),
+                         i != 1);
         matc_program_free(program);
         matc_document_free(document);
         matc_layout_free(layout);
@@ -276,11 +292,14 @@ static void a_page_lists_them(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(settings_count), cmocka_unit_test(only_warnings_have_settings),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(settings_count),
+                                       cmocka_unit_test(only_warnings_have_settings),
                                        cmocka_unit_test(programs_have_them),
-                                       cmocka_unit_test(advice_is_a_note), cmocka_unit_test(advice_says_both_readings),
+                                       cmocka_unit_test(advice_is_a_note),
+                                       cmocka_unit_test(advice_says_both_readings),
                                        cmocka_unit_test(advice_is_by_file),
                                        cmocka_unit_test(advice_goes_before_later_warnings),
-                                       cmocka_unit_test(each_file_is_advised), cmocka_unit_test(a_page_lists_them)};
+                                       cmocka_unit_test(each_file_is_advised),
+                                       cmocka_unit_test(a_page_lists_them)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,15 +1,16 @@
-/* BMP files that are written here byte by byte, so that their texels are known: every depth, with a palette
- * and with masks, rows from the bottom and from the top. Then files that are cut off or lie about themselves.
- * Pictures of other formats are refused by their names. */
+/* BMP files that are written here byte by byte, so that their texels are known: every depth, with a
+ * palette and with masks, rows from the bottom and from the top. Then files that are cut off or lie
+ * about themselves. Pictures of other formats are refused by their names. */
 #include "tests/test.h"
 #include "tests/picture.h"
 
 enum { CORE = 12, INFO = 40, MASKED = 56, LATEST = 124, FILE_HEADER = 14, LONGEST = 64 };
 
 typedef struct {
-    int header, width, height, bits, compression, colors; /* colors: entries of the palette that are written */
-    const uint32_t *masks;                               /* of red, green, blue and alpha */
-    const uint8_t *palette, *rows;                       /* entries as the file has them */
+    /* colors: entries of the palette that are written */
+    int header, width, height, bits, compression, colors;
+    const uint32_t *masks;         /* of red, green, blue and alpha */
+    const uint8_t *palette, *rows; /* entries as the file has them */
     size_t row_bytes;
 } Bmp;
 
@@ -40,7 +41,8 @@ static void write_bmp(PictureFile *file, const Bmp *bmp)
             put_number(file, 0, 4);
         put_number(file, (uint32_t)bmp->colors, 4);
         put_number(file, 0, 4);
-        for (int i = 0; bmp->masks && i < (bmp->header == INFO && bmp->compression != 6 ? 3 : 4); i++)
+        for (int i = 0; bmp->masks && i < (bmp->header == INFO && bmp->compression != 6 ? 3 : 4);
+             i++)
             put_number(file, bmp->masks[i], 4);
         while (file->size < (size_t)(FILE_HEADER + bmp->header))
             put_number(file, 0, 1);
@@ -59,16 +61,19 @@ static void check(const Bmp *bmp, bool opaque, const uint8_t *texels)
 }
 
 /* Two texels a row, two rows: red, green below; blue, white above. */
-static const uint8_t four[16] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255, 255, 255, 255};
+static const uint8_t four[16] = {255, 0, 0,   255, 0,   255, 0,   255,
+                                 0,   0, 255, 255, 255, 255, 255, 255};
 static const uint8_t palette[16] = {0, 0, 255, 0, 0, 255, 0, 0, 255, 0, 0, 0, 255, 255, 255, 0};
 static const uint8_t short_palette[12] = {0, 0, 255, 0, 255, 0, 255, 0, 0, 255, 255, 255};
 
 static void palettes(void **state)
 {
     (void)state;
-    static const uint8_t eight[] = {0, 1, 9, 9, 2, 3, 9, 9}, nibbles[] = {0x01, 9, 9, 9, 0x23, 9, 9, 9};
+    static const uint8_t eight[] = {0, 1, 9, 9, 2, 3, 9, 9},
+                         nibbles[] = {0x01, 9, 9, 9, 0x23, 9, 9, 9};
     static const uint8_t one[] = {0x40, 0, 0, 0, 0x80, 0, 0, 0};
-    static const uint8_t two_colors[] = {255, 0, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 255, 0, 0, 255};
+    static const uint8_t two_colors[] = {255, 0,   0, 255, 0,   255, 0, 255,
+                                         0,   255, 0, 255, 255, 0,   0, 255};
     check(&(Bmp){INFO, 2, 2, 8, 0, 4, NULL, palette, eight, 8}, true, four);
     check(&(Bmp){LATEST, 2, 2, 8, 0, 4, NULL, palette, eight, 8}, true, four);
     check(&(Bmp){INFO, 2, 2, 4, 0, 4, NULL, palette, nibbles, 8}, true, four);
@@ -96,9 +101,12 @@ static void colors(void **state)
 static void masks(void **state)
 {
     (void)state;
-    static const uint32_t five_six[] = {0xF800, 0x7E0, 0x1F, 0}, rgba[] = {0xFF, 0xFF00, 0xFF0000, 0xFF000000};
-    static const uint32_t four_each[] = {0xF00, 0xF0, 0xF, 0xF000}, ten[] = {0x3FF00000, 0xFFC00, 0x3FF, 0};
-    static const uint8_t green[] = {0x20, 0x04, 0, 0}, plain[] = {10, 20, 30, 40}, nibbles[] = {0x48, 0xF2, 0, 0};
+    static const uint32_t five_six[] = {0xF800, 0x7E0, 0x1F, 0},
+                          rgba[] = {0xFF, 0xFF00, 0xFF0000, 0xFF000000};
+    static const uint32_t four_each[] = {0xF00, 0xF0, 0xF, 0xF000},
+                          ten[] = {0x3FF00000, 0xFFC00, 0x3FF, 0};
+    static const uint8_t green[] = {0x20, 0x04, 0, 0}, plain[] = {10, 20, 30, 40},
+                         nibbles[] = {0x48, 0xF2, 0, 0};
     static const uint8_t tens[] = {0xFF, 0x03, 0x00, 0x20}; /* blue 1023, red 512 */
     static const uint8_t wanted_green[] = {0, 134, 0, 255}, wanted_plain[] = {10, 20, 30, 40};
     static const uint8_t wanted_nibbles[] = {34, 68, 136, 255}, wanted_tens[] = {128, 0, 255, 255};
@@ -118,7 +126,8 @@ static void faults(void **state)
         Bmp bmp;
         const char *why;
     } cases[] = {
-        {{INFO, 2, 2, 8, 1, 4, NULL, palette, rows, 8}, "it is a compressed BMP: save it without compression"},
+        {{INFO, 2, 2, 8, 1, 4, NULL, palette, rows, 8},
+         "it is a compressed BMP: save it without compression"},
         {{INFO, 2, 2, 4, 2, 4, NULL, palette, rows, 8}, "it is a compressed BMP"},
         {{INFO, 2, 2, 0, 5, 0, NULL, NULL, rows, 8}, "it is a compressed BMP"},
         {{INFO, 2, 2, 8, 3, 4, NULL, palette, rows, 8}, "it is a compressed BMP"},
@@ -203,9 +212,10 @@ static void others_are_named(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(palettes),  cmocka_unit_test(colors),
-                                       cmocka_unit_test(masks),     cmocka_unit_test(faults),
-                                       cmocka_unit_test(cut_files), cmocka_unit_test(any_header),
-                                       cmocka_unit_test(others_are_named)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(palettes),        cmocka_unit_test(colors),
+        cmocka_unit_test(masks),           cmocka_unit_test(faults),
+        cmocka_unit_test(cut_files),       cmocka_unit_test(any_header),
+        cmocka_unit_test(others_are_named)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

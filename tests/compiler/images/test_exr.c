@@ -1,4 +1,5 @@
-/* OpenEXR files that are read: channels, windows, compressions and tiles, and that their numbers stay as they are. */
+/* OpenEXR files that are read: channels, windows, compressions and tiles, and that their numbers
+ * stay as they are. */
 #include "tests/test.h"
 #include "tests/exr_file.h"
 
@@ -25,13 +26,16 @@ static void channels_are_lanes(void **state)
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         exr_put_file(&file, &rows[i].header);
         exr_check(&file, &rows[i].header, rows[i].opaque);
-        MatcDocument *document = picture_read(&file, picture_alone, false); /* a program needs the header alone */
-        assert_true(picture_of(document)->halves == rows[i].halves && !picture_of(document)->texels);
+        /* a program needs the header alone */
+        MatcDocument *document = picture_read(&file, picture_alone, false);
+        assert_true(picture_of(document)->halves == rows[i].halves &&
+                    !picture_of(document)->texels);
         matc_document_free(document);
     }
 }
 
-/* The picture is the display window: what the file has outside of it is left out, what it lacks is transparent. */
+/* The picture is the display window: what the file has outside of it is left out, what it lacks is
+ * transparent. */
 static void windows_differ(void **state)
 {
     (void)state;
@@ -99,10 +103,14 @@ static void values_are_linear(void **state)
     exr_put_file(&file, &h);
     const double want = exr_number('R', 0, 1);
     assert_true(want > 1);
-    assert_true(emissive(&file, "material: Phong\nemissive: { map: ImageMap, image: a }\n") == want);
-    assert_true(emissive(&file, "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: a }\n") == want);
-    picture_refused(&file, "material: Phong\nemissive: { map: ImageMap, image: a, colorspace: srgb }\n", false,
-                    "a picture of floats is linear, never srgb");
+    assert_true(emissive(&file, "material: Phong\nemissive: { map: ImageMap, image: a }\n") ==
+                want);
+    assert_true(
+        emissive(&file, "colors: srgb\nmaterial: Phong\nemissive: { map: ImageMap, image: a }\n") ==
+        want);
+    picture_refused(&file,
+                    "material: Phong\nemissive: { map: ImageMap, image: a, colorspace: srgb }\n",
+                    false, "a picture of floats is linear, never srgb");
 }
 
 /* Halves stay halves; floats are those where the target's samplers filter them. */
@@ -111,8 +119,9 @@ static void textures_hold_floats(void **state)
     (void)state;
     static const struct {
         const char *target, *half, *single;
-    } rows[] = {
-        {"glsl110", "RGBA16F", "RGBA32F"}, {"glsl330", "RGBA16F", "RGBA32F"}, {"essl300", "RGBA16F", "RGBA16F"}};
+    } rows[] = {{"glsl110", "RGBA16F", "RGBA32F"},
+                {"glsl330", "RGBA16F", "RGBA32F"},
+                {"essl300", "RGBA16F", "RGBA16F"}};
     static PictureFile file;
     for (size_t i = 0; i < 2 * sizeof rows / sizeof *rows; i++) {
         const int type = i % 2 ? FLOAT : HALF;

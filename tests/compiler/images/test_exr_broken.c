@@ -1,4 +1,5 @@
-/* OpenEXR files that are refused: kinds that matc does not read, cut and altered ones, those that speak of more than they hold. */
+/* OpenEXR files that are refused: kinds that matc does not read, cut and altered ones, those that
+ * speak of more than they hold. */
 #include "tests/test.h"
 #include "tests/exr_file.h"
 #include "tests/sanitized.h"
@@ -67,7 +68,8 @@ static void blocks_are_whole(void **state)
     picture_refused(&file, picture_alone, true, "");
     exr_put_short(&file, EXR_COMPRESSION_RLE, "\4\200", 2);
     picture_refused(&file, picture_alone, true, "");
-    exr_put_short(&file, EXR_COMPRESSION_RLE, "\5\200", 2); /* 128 is no difference to the byte before: all are 0 */
+    /* 128 is no difference to the byte before: all are 0 */
+    exr_put_short(&file, EXR_COMPRESSION_RLE, "\5\200", 2);
     MatcDocument *document = picture_read(&file, picture_alone, true);
     assert_non_null(picture_of(document)->texels);
     matc_document_free(document);
@@ -91,21 +93,24 @@ static void large(void **state)
                              0,
                              0};
         exr_put_header(&file, &h);
-        picture_refused(&file, picture_alone, true, "it ends too soon"); /* and not that it needs too much memory */
+        /* and not that it needs too much memory */
+        picture_refused(&file, picture_alone, true, "it ends too soon");
         MatcDocument *document = picture_read(&file, picture_alone, false);
         assert_int_equal(picture_of(document)->width, LIMIT_IMAGE_SIDE);
         matc_document_free(document);
     }
 }
 
-/* Every length of a file that is cut off is an error; a byte that is another is one, or another picture. */
+/* Every length of a file that is cut off is an error; a byte that is another is one, or another
+ * picture. */
 static void broken(void **state)
 {
     (void)state;
     static PictureFile file;
     for (int k = 0; k < EXR_COMPRESSIONS; k++) {
-        const ExrHeader h = {WINDOW(5, 3),  WINDOW(5, 3), "ABGR", {HALF, HALF, HALF, HALF}, exr_compressions[k], 0,
-                             k % 2 ? 16 : 0};
+        const ExrHeader h = {
+            WINDOW(5, 3),  WINDOW(5, 3), "ABGR", {HALF, HALF, HALF, HALF}, exr_compressions[k], 0,
+            k % 2 ? 16 : 0};
         exr_write_file(&file, &h);
         const size_t whole = file.size;
         for (file.size = 4; file.size < whole; file.size += 3)
@@ -160,13 +165,15 @@ static void take_little(PictureFile *file, int count)
     free(text);
 }
 
-/* Each would have 64 MiB of texels. Its first block does not decode, and there is no room for them before. */
+/* Each would have 64 MiB of texels. Its first block does not decode, and there is no room for them
+ * before. */
 static void first_block_is_broken(void **state)
 {
     (void)state;
     enum { SIDE = 2048, CHUNKS = SIDE / 32 /* lines of a block */, PACKED = 512 };
     static PictureFile file;
-    const ExrHeader h = {WINDOW(SIDE, SIDE), WINDOW(SIDE, SIDE), "Y", {HALF}, EXR_COMPRESSION_PIZ, 0, 0};
+    const ExrHeader h = {
+        WINDOW(SIDE, SIDE), WINDOW(SIDE, SIDE), "Y", {HALF}, EXR_COMPRESSION_PIZ, 0, 0};
     if (SANITIZED) /* whose allocator keeps what is freed */
         skip();
     exr_put_header(&file, &h);
@@ -184,7 +191,8 @@ static void last_block_is_broken(void **state)
 {
     (void)state;
     static PictureFile file;
-    const ExrHeader h = {WINDOW(128, 128), WINDOW(128, 128), "Y", {HALF}, EXR_COMPRESSION_ZIPS, 0, 0};
+    const ExrHeader h = {
+        WINDOW(128, 128), WINDOW(128, 128), "Y", {HALF}, EXR_COMPRESSION_ZIPS, 0, 0};
     if (SANITIZED)
         skip();
     exr_write_file(&file, &h);

@@ -1,5 +1,6 @@
-/* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so that their texels are known: blocks
- * without any but their mean, 128 + DC / 8 where the table of quantities is of ones. Then files that are broken or ask for too much. */
+/* JPEG files that are written here byte by byte, by ITU-T T.81 and with nothing of a library's, so
+ * that their texels are known: blocks without any but their mean, 128 + DC / 8 where the table of
+ * quantities is of ones. Then files that are broken or ask for too much. */
 #include "tests/test.h"
 #include "tests/picture.h"
 
@@ -10,7 +11,10 @@ typedef struct {
     unsigned bits, bit_count; /* of the scan, that do not make a byte yet */
 } File;
 
-static void put_byte(File *file, int byte) { picture_put(&file->made, &(uint8_t){(uint8_t)byte}, 1); }
+static void put_byte(File *file, int byte)
+{
+    picture_put(&file->made, &(uint8_t){(uint8_t)byte}, 1);
+}
 
 static void put_two(File *file, int number)
 {
@@ -47,8 +51,8 @@ static void end_scan(File *file)
         put_bits(file, 1, 1);
 }
 
-/* A DC coefficient that is `more` than the one before it, of -255 to 255 and not below 128 in size: category 8, of code 0; then the end
- * of the block, of code 0. */
+/* A DC coefficient that is `more` than the one before it, of -255 to 255 and not below 128 in size:
+ * category 8, of code 0; then the end of the block, of code 0. */
 static void put_block(File *file, int more)
 {
     put_bits(file, 0, 1);
@@ -132,7 +136,8 @@ static void is_texel(MatcDocument *document, int column, int row, const int rgb[
     assert_int_equal(texel[3], 255);
 }
 
-/* Two blocks beside each other and two below: 128 + 200 / 8, 128; 128 - 240 / 8, 128 - 80 / 8. The bottom row comes first. */
+/* Two blocks beside each other and two below: 128 + 200 / 8, 128; 128 - 240 / 8, 128 - 80 / 8. The
+ * bottom row comes first. */
 static void grey_blocks(void **state)
 {
     (void)state;
@@ -152,12 +157,15 @@ static void grey_blocks(void **state)
     assert_int_equal(document->graph->images[0]->width, 13);
     assert_int_equal(document->graph->images[0]->height, 16);
     matc_document_free(document);
-    document = picture_read(&file.made, picture_alone, false); /* a program needs no more than the size */
-    assert_true(document->graph && document->graph->images[0]->width == 13 && !document->graph->images[0]->texels);
+    /* a program needs no more than the size */
+    document = picture_read(&file.made, picture_alone, false);
+    assert_true(document->graph && document->graph->images[0]->width == 13 &&
+                !document->graph->images[0]->texels);
     matc_document_free(document);
 }
 
-/* Y 153, Cb 148, Cr 98 by JFIF: R = Y + 1.402 (Cr - 128), G = Y - 0.344136 (Cb - 128) - 0.714136 (Cr - 128), B = Y + 1.772 (Cb - 128). */
+/* Y 153, Cb 148, Cr 98 by JFIF: R = Y + 1.402 (Cr - 128), G = Y - 0.344136 (Cb - 128) - 0.714136
+ * (Cr - 128), B = Y + 1.772 (Cb - 128). */
 static void put_color(File *file)
 {
     put_header(file, &(Header){BASELINE, 8, 8, 3, 8});
@@ -245,7 +253,8 @@ static void large(void **state)
     }
 }
 
-/* Each coefficient alone, in three steps of its bits: 189 scans after the first, none of which says anything. */
+/* Each coefficient alone, in three steps of its bits: 189 scans after the first, none of which says
+ * anything. */
 static void many_scans(void **state)
 {
     (void)state;
@@ -262,13 +271,14 @@ static void many_scans(void **state)
     picture_refused(&file.made, picture_alone, true, "it has too many scans");
 }
 
-/* Of what libjpeg fills in with grey, and only warns: blocks that are missing before the end, a code that is in no table, bands that do not
- * go together. */
+/* Of what libjpeg fills in with grey, and only warns: blocks that are missing before the end, a
+ * code that is in no table, bands that do not go together. */
 static void damaged_scans(void **state)
 {
     (void)state;
     File file;
-    put_header(&file, &(Header){BASELINE, 16, 16, 1, 8}); /* four blocks, of which three are there */
+    /* four blocks, of which three are there */
+    put_header(&file, &(Header){BASELINE, 16, 16, 1, 8});
     for (int block = 0; block < 3; block++)
         put_block(&file, 200);
     put_end(&file);
@@ -293,7 +303,8 @@ static void bytes_between_segments(void **state)
     File file, padded;
     put_color(&file);
     padded = file;
-    memmove(padded.made.bytes + 2 + 3, padded.made.bytes + 2, file.made.size - 2); /* behind the first marker */
+    /* behind the first marker */
+    memmove(padded.made.bytes + 2 + 3, padded.made.bytes + 2, file.made.size - 2);
     memset(padded.made.bytes + 2, 0x55, 3);
     padded.made.size += 3;
     MatcDocument *document = picture_read(&padded.made, picture_alone, true);
@@ -301,14 +312,16 @@ static void bytes_between_segments(void **state)
     matc_document_free(document);
 }
 
-/* Every length of a file that is cut off, and every byte another one: an error, or another picture, in no memory. */
+/* Every length of a file that is cut off, and every byte another one: an error, or another picture,
+ * in no memory. */
 static void broken(void **state)
 {
     (void)state;
     File file;
     put_color(&file);
     const size_t whole = file.made.size;
-    for (file.made.size = 0; file.made.size < whole - 2; file.made.size++) /* the last two say that it ends */
+    /* the last two say that it ends */
+    for (file.made.size = 0; file.made.size < whole - 2; file.made.size++)
         picture_refused(&file.made, picture_alone, true, "cannot read the picture 'a'");
     file.made.size = whole;
     for (size_t i = 0; i < whole; i++)

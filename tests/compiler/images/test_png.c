@@ -1,5 +1,6 @@
-/* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of the product's, so that their texels
- * are known; what the reader makes of them, and what the reference answers for them. */
+/* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of
+ * the product's, so that their texels are known; what the reader makes of them, and what the
+ * reference answers for them. */
 #include "tests/test.h"
 #include "tests/picture.h"
 #include <math.h>
@@ -13,7 +14,8 @@ typedef struct {
 
 static void put_number(PictureFile *file, uint32_t number)
 {
-    const uint8_t bytes[] = {(uint8_t)(number >> 24), (uint8_t)(number >> 16), (uint8_t)(number >> 8), (uint8_t)number};
+    const uint8_t bytes[] = {(uint8_t)(number >> 24), (uint8_t)(number >> 16),
+                             (uint8_t)(number >> 8), (uint8_t)number};
     picture_put(file, bytes, 4);
 }
 
@@ -44,7 +46,8 @@ static void put_header(PictureFile *file, const Header *header)
     picture_put(file, "\x89PNG\r\n\x1a\n", 8);
     put_number(&data, (uint32_t)header->width);
     put_number(&data, (uint32_t)header->height);
-    const uint8_t rest[] = {(uint8_t)header->depth, (uint8_t)header->kind, 0, 0, header->interlaced};
+    const uint8_t rest[] = {(uint8_t)header->depth, (uint8_t)header->kind, 0, 0,
+                            header->interlaced};
     picture_put(&data, rest, 5);
     put_chunk(file, "IHDR", data.bytes, data.size);
 }
@@ -54,7 +57,8 @@ static void put_rows(PictureFile *file, const void *rows, size_t size)
 {
     PictureFile data = {.size = 0};
     const uint8_t *bytes = rows;
-    const uint8_t head[] = {0x78, 0x01, 1, (uint8_t)size, (uint8_t)(size >> 8), (uint8_t)~size, (uint8_t)(~size >> 8)};
+    const uint8_t head[] = {
+        0x78, 0x01, 1, (uint8_t)size, (uint8_t)(size >> 8), (uint8_t)~size, (uint8_t)(~size >> 8)};
     uint32_t low = 1, high = 0;
     for (size_t i = 0; i < size; i++) {
         low = (low + bytes[i]) % 65521;
@@ -72,7 +76,8 @@ static void check_texels(PictureFile *file, int width, int height, const char *t
     picture_check(file, &(PictureWanted){width, height, 8, opaque, texels});
 }
 
-static void check_words(PictureFile *file, int width, int height, const uint16_t *texels, bool opaque)
+static void check_words(PictureFile *file, int width, int height, const uint16_t *texels,
+                        bool opaque)
 {
     picture_check(file, &(PictureWanted){width, height, 16, opaque, texels});
 }
@@ -92,14 +97,16 @@ static void test_16_bits(void **state)
                          "\0"
                          "\x12\x34\x7F\xFF\x80\x80"
                          "\x80\x7F\x01\x00\xAB\xCD"));
-    static const uint16_t colors[] = {0x1234, 0x7FFF, 0x8080, 0xFFFF, 0x807F, 0x0100, 0xABCD, 0xFFFF,
-                                      0x00FF, 0x0080, 0x0081, 0xFFFF, 0xFFFF, 0xFF00, 0xFEFF, 0xFFFF};
+    static const uint16_t colors[] = {0x1234, 0x7FFF, 0x8080, 0xFFFF, 0x807F, 0x0100,
+                                      0xABCD, 0xFFFF, 0x00FF, 0x0080, 0x0081, 0xFFFF,
+                                      0xFFFF, 0xFF00, 0xFEFF, 0xFFFF};
     check_words(&file, 2, 2, colors, true);
 
     file.size = 0;
     put_header(&file, &(Header){2, 1, 16, GRAY_ALPHA, false});
     put_rows(&file, ROWS("\0\x40\xC0\x01\x7F\xC0\x40\xFE\x80"));
-    static const uint16_t greys[] = {0x40C0, 0x40C0, 0x40C0, 0x017F, 0xC040, 0xC040, 0xC040, 0xFE80};
+    static const uint16_t greys[] = {0x40C0, 0x40C0, 0x40C0, 0x017F,
+                                     0xC040, 0xC040, 0xC040, 0xFE80};
     check_words(&file, 2, 1, greys, false);
 }
 
@@ -132,7 +139,8 @@ static void test_palette(void **state)
     put_chunk(&file, "PLTE", CHUNK("\x01\x02\x03\x11\x12\x13\x21\x22\x23\x31\x32\x33"));
     put_chunk(&file, "tRNS", CHUNK("\x00\x80"));
     put_rows(&file, ROWS("\0\xE4")); /* 3 2 1 0 */
-    check_texels(&file, 4, 1, "\x31\x32\x33\xFF\x21\x22\x23\xFF\x11\x12\x13\x80\x01\x02\x03\x00", false);
+    check_texels(&file, 4, 1, "\x31\x32\x33\xFF\x21\x22\x23\xFF\x11\x12\x13\x80\x01\x02\x03\x00",
+                 false);
 }
 
 /* One colour is transparent, and only if all of its 16 bits are the same. */
@@ -149,10 +157,13 @@ static void test_transparent_colour(void **state)
     put_header(&file, &(Header){2, 1, 16, GRAY, false});
     put_chunk(&file, "tRNS", CHUNK("\x12\x34"));
     put_rows(&file, ROWS("\0\x12\x34\x12\x35"));
-    check_words(&file, 2, 1, (const uint16_t[]){0x1234, 0x1234, 0x1234, 0, 0x1235, 0x1235, 0x1235, 0xFFFF}, false);
+    check_words(&file, 2, 1,
+                (const uint16_t[]){0x1234, 0x1234, 0x1234, 0, 0x1235, 0x1235, 0x1235, 0xFFFF},
+                false);
 }
 
-/* What says how a picture is to be shown changes no number; nor does a text, or a profile that inflates to much. */
+/* What says how a picture is to be shown changes no number; nor does a text, or a profile that
+ * inflates to much. */
 static void test_said_about_colours(void **state)
 {
     (void)state;
@@ -165,9 +176,9 @@ static void test_said_about_colours(void **state)
         {"gAMA", CHUNK("\x00\x00\xB1\x8F")}, /* 0.45455 */
         {"gAMA", CHUNK("\x00\x00\x00\x00")},
         {"sRGB", CHUNK("\x00")},
-        {"cHRM",
-         CHUNK("\x00\x00\x7A\x26\x00\x00\x80\x84\x00\x00\xFA\x00\x00\x00\x80\xE8\x00\x00\x75\x30\x00\x00\xEA\x60"
-               "\x00\x00\x3A\x98\x00\x00\x17\x70")},
+        {"cHRM", CHUNK("\x00\x00\x7A\x26\x00\x00\x80\x84\x00\x00\xFA\x00\x00\x00\x80\xE8\x00\x00"
+                       "\x75\x30\x00\x00\xEA\x60"
+                       "\x00\x00\x3A\x98\x00\x00\x17\x70")},
         {"sBIT", CHUNK("\x05\x06\x05")},
         {"bKGD", CHUNK("\x00\xFF\x00\x00\x00\x00")},
         {"iCCP", CHUNK("none\0\0not deflated at all")},
@@ -190,7 +201,8 @@ static void test_said_about_colours(void **state)
         }
 }
 
-/* Adam7: of 3 x 3 texels, the passes have (0, 0); none; none; (2, 0); (0, 2), (2, 2); (1, 0), (1, 2); and row 1. */
+/* Adam7: of 3 x 3 texels, the passes have (0, 0); none; none; (2, 0); (0, 2), (2, 2); (1, 0), (1,
+ * 2); and row 1. */
 static void test_interlaced(void **state)
 {
     (void)state;
@@ -202,7 +214,9 @@ static void test_interlaced(void **state)
                          "\0\x02"
                          "\0\x08"
                          "\0\x04\x05\x06"));
-    check_texels(&file, 3, 3, G("\x07") G("\x08") G("\x09") G("\x04") G("\x05") G("\x06") G("\x01") G("\x02") G("\x03"),
+    check_texels(&file, 3, 3,
+                 G("\x07") G("\x08") G("\x09") G("\x04") G("\x05") G("\x06") G("\x01") G("\x02")
+                     G("\x03"),
                  true);
 }
 
@@ -214,14 +228,15 @@ static void test_row_filters(void **state)
     put_header(&file, &(Header){3, 5, 8, GRAY, false});
     put_rows(
         &file,
-        ROWS("\0\x0A\x14\x1E"    /* 10 20 30 */
-             "\1\x05\x05\xFF"    /* 5, 5 + 5, 10 - 1 */
-             "\2\x01\x02\x03"    /* 6 12 12 */
-             "\3\x01\x01\x01"    /* 1 + 3, 1 + (4 + 12) / 2, 1 + (9 + 12) / 2 */
-             "\4\x01\x01\x01")); /* above 4 9 11: 5, then of 5, 9 with corner 4 is 9 nearest: 10, of 10, 11, 9: 11 */
+        ROWS("\0\x0A\x14\x1E" /* 10 20 30 */
+             "\1\x05\x05\xFF" /* 5, 5 + 5, 10 - 1 */
+             "\2\x01\x02\x03" /* 6 12 12 */
+             "\3\x01\x01\x01" /* 1 + 3, 1 + (4 + 12) / 2, 1 + (9 + 12) / 2 */
+             /* above 4 9 11: 5, then of 5, 9 with corner 4 is 9 nearest: 10, of 10, 11, 9: 11 */
+             "\4\x01\x01\x01"));
     check_texels(&file, 3, 5,
-                 G("\x05") G("\x0A") G("\x0C") G("\x04") G("\x09") G("\x0B") G("\x06") G("\x0C") G("\x0C") G("\x05")
-                     G("\x0A") G("\x09") G("\x0A") G("\x14") G("\x1E"),
+                 G("\x05") G("\x0A") G("\x0C") G("\x04") G("\x09") G("\x0B") G("\x06") G("\x0C")
+                     G("\x0C") G("\x05") G("\x0A") G("\x09") G("\x0A") G("\x14") G("\x1E"),
                  true);
 }
 
@@ -240,8 +255,9 @@ static double red_at(const MatcDocument *document, double u, double v)
     return red;
 }
 
-/* Two columns and three rows, whose bytes are 10 20 / 30 40 / 50 60 from the top down. v = 0 is at the bottom, u = 0 on the left; both
- * repeat. Without centring, a texel's number is at the texel's lower left corner. */
+/* Two columns and three rows, whose bytes are 10 20 / 30 40 / 50 60 from the top down. v = 0 is at
+ * the bottom, u = 0 on the left; both repeat. Without centring, a texel's number is at the texel's
+ * lower left corner. */
 static void test_rows_from_below(void **state)
 {
     (void)state;
@@ -253,14 +269,17 @@ static void test_rows_from_below(void **state)
     static const struct {
         double u, v, byte;
     } expected[] = {
-        {0, 0, 50},       {0.49, 0.33, 50}, {0.5, 0, 60},      {0, 0.34, 30},  {0.75, 0.5, 40},  {0, 0.67, 10},
-        {0.99, 0.99, 20}, {0, 1, 50},       {-0.25, -0.1, 20}, {1.1, 1.5, 30}, {-3.9, -2.9, 50}, {0.6, -0.9, 60},
+        {0, 0, 50},        {0.49, 0.33, 50}, {0.5, 0, 60},     {0, 0.34, 30},
+        {0.75, 0.5, 40},   {0, 0.67, 10},    {0.99, 0.99, 20}, {0, 1, 50},
+        {-0.25, -0.1, 20}, {1.1, 1.5, 30},   {-3.9, -2.9, 50}, {0.6, -0.9, 60},
     };
     for (size_t i = 0; i < sizeof expected / sizeof *expected; i++)
-        assert_true(fabs(red_at(nearest, expected[i].u, expected[i].v) - expected[i].byte / 255) < 1e-15);
+        assert_true(fabs(red_at(nearest, expected[i].u, expected[i].v) - expected[i].byte / 255) <
+                    1e-15);
     matc_document_free(nearest);
 
-    MatcDocument *mixed = picture_read(&file, "material: Phong\ndiffuse: { map: ImageMap, image: a }\n", true);
+    MatcDocument *mixed =
+        picture_read(&file, "material: Phong\ndiffuse: { map: ImageMap, image: a }\n", true);
     static const struct {
         double u, v, byte;
     } between[] = {
@@ -268,7 +287,8 @@ static void test_rows_from_below(void **state)
         {0.75, 0, 55}, {0, 5 / 6., 30}, {0.125, 0, 52.5},
     };
     for (size_t i = 0; i < sizeof between / sizeof *between; i++)
-        assert_true(fabs(red_at(mixed, between[i].u, between[i].v) - between[i].byte / 255) < 1e-14);
+        assert_true(fabs(red_at(mixed, between[i].u, between[i].v) - between[i].byte / 255) <
+                    1e-14);
     matc_document_free(mixed);
 }
 
@@ -277,9 +297,10 @@ static void test_broken(void **state)
 {
     (void)state;
     static const Header headers[] = {
-        {0, 1, 8, RGB, false}, {1, 0, 8, RGB, false},       {-1, 1, 8, RGB, false},     {1, -1, 8, RGB, false},
-        {1, 1, 3, RGB, false}, {1, 1, 4, RGB, false},       {1, 1, 16, PALETTE, false}, {1, 1, 8, 1, false},
-        {1, 1, 8, 7, false},   {1 << 30, 1, 8, RGB, false}, {1, 1, 0, GRAY, false},     {1, 1, 32, RGB, false},
+        {0, 1, 8, RGB, false},       {1, 0, 8, RGB, false},  {-1, 1, 8, RGB, false},
+        {1, -1, 8, RGB, false},      {1, 1, 3, RGB, false},  {1, 1, 4, RGB, false},
+        {1, 1, 16, PALETTE, false},  {1, 1, 8, 1, false},    {1, 1, 8, 7, false},
+        {1 << 30, 1, 8, RGB, false}, {1, 1, 0, GRAY, false}, {1, 1, 32, RGB, false},
     };
     PictureFile file = {.size = 0};
     for (size_t i = 0; i < sizeof headers / sizeof *headers; i++) {
@@ -301,14 +322,16 @@ static void test_broken(void **state)
         picture_refused(&file, picture_alone, true, "cannot read the picture 'a'");
     file.size = whole;
     check_texels(&file, 1, 1, "\x10\x80\xC0\xFF", true);
-    for (size_t i = 0; i < whole - 8; i++) { /* a byte that is another: an error, or another picture, in no memory */
+    /* a byte that is another: an error, or another picture, in no memory */
+    for (size_t i = 0; i < whole - 8; i++) {
         file.bytes[i] ^= 0x55;
         matc_document_free(picture_read(&file, picture_alone, true));
         file.bytes[i] ^= 0x55;
     }
 }
 
-/* Headers speak of much, files hold little: nothing is allocated for rows that cannot be there. What may be there is counted. */
+/* Headers speak of much, files hold little: nothing is allocated for rows that cannot be there.
+ * What may be there is counted. */
 static void test_large(void **state)
 {
     (void)state;
@@ -316,11 +339,13 @@ static void test_large(void **state)
     put_header(&file, &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 8, GRAY, false});
     put_rows(&file, ROWS("\0"));
     picture_refused(&file, picture_alone, true, "it ends too soon");
-    MatcDocument *unread = picture_read(&file, picture_alone, false); /* a program needs no more than the size */
+    /* a program needs no more than the size */
+    MatcDocument *unread = picture_read(&file, picture_alone, false);
     assert_non_null(unread->graph);
     matc_document_free(unread);
 
-    static PictureFile files[2]; /* a texel, and all of LIMIT_PIXELS_MIB as far as the size of the file can tell */
+    /* a texel, and all of LIMIT_PIXELS_MIB as far as the size of the file can tell */
+    static PictureFile files[2];
     static const char two_pictures[] = "material: Phong\ndiffuse: { map: ImageMap, image: a }\n"
                                        "specular: { map: ImageMap, image: b }\n";
     static uint8_t data[40000];
@@ -328,7 +353,8 @@ static void test_large(void **state)
     put_rows(&files[0], ROWS("\0\x01"));
     put_header(&files[1], &(Header){LIMIT_IMAGE_SIDE, LIMIT_IMAGE_SIDE, 1, GRAY, false});
     put_rows(&files[1], data, sizeof data);
-    picture_refused(files, two_pictures, true, "'b': the pictures of a document are too large together");
+    picture_refused(files, two_pictures, true,
+                    "'b': the pictures of a document are too large together");
     unread = picture_read(files, two_pictures, false);
     assert_non_null(unread->graph);
     matc_document_free(unread);

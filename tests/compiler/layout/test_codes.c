@@ -1,5 +1,5 @@
-/* Every packed code, exactly: decoded by the library's GLSL, encoded again, stored in a real target of half floats or of whole
- * numbers, it is the same code; and it is that of the C reference. */
+/* Every packed code, exactly: decoded by the library's GLSL, encoded again, stored in a real target
+ * of half floats or of whole numbers, it is the same code; and it is that of the C reference. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "compiler/library/normal.h"
@@ -59,12 +59,15 @@ static void draw_there_and_back(Fixture *f, const char *decode, const char *enco
     char functions[128];
     snprintf(functions, sizeof functions, "%.*s", (int)strcspn(decode, "("), decode);
     char value[256];
-    bool vector = strstr(functions, "octahedral") || strstr(functions, "shared") || strstr(functions, "sphere");
+    bool vector = strstr(functions, "octahedral") || strstr(functions, "shared") ||
+                  strstr(functions, "sphere");
     snprintf(value, sizeof value, vector ? "vec4(%s, 0.0)" : "vec4(%s)", decode);
-    draw(f, &(Drawing){.functions = functions, .expression = value, .first = first}, &f->canvas.floats);
+    draw(f, &(Drawing){.functions = functions, .expression = value, .first = first},
+         &f->canvas.floats);
     snprintf(functions, sizeof functions, "%.*s", (int)strcspn(encode, "("), encode);
     snprintf(value, sizeof value, "uvec4(%s)", encode);
-    draw(f, &(Drawing){.functions = functions, .expression = value, .source = &f->canvas.floats}, &f->canvas.words);
+    draw(f, &(Drawing){.functions = functions, .expression = value, .source = &f->canvas.floats},
+         &f->canvas.words);
     read_words(f);
 }
 
@@ -79,7 +82,8 @@ static void every_code_of(Fixture *f, const char *name, int least, int most)
         draw_there_and_back(f, decode, encode, 0);
         for (unsigned i = 0; i < TEXELS; i++)
             if (f->words[i][0] != (i & (count - 1)))
-                fail_msg("%s %d: code %u comes back as %u", name, bits, i & (count - 1), f->words[i][0]);
+                fail_msg("%s %d: code %u comes back as %u", name, bits, i & (count - 1),
+                         f->words[i][0]);
     }
 }
 
@@ -121,11 +125,13 @@ static void halves_are_rounded_as_the_reference(void **state)
         numbers[i][2] = nextafterf((float)tie, INFINITY);
         numbers[i][3] = nextafterf((float)tie, -INFINITY);
     }
-    GLuint source =
-        texture_make(f->canvas.gl, &(TextureSpec){.width = SIDE, .height = SIDE, .lanes = 4, .floats = &numbers[0][0]});
+    GLuint source = texture_make(
+        f->canvas.gl,
+        &(TextureSpec){.width = SIDE, .height = SIDE, .lanes = 4, .floats = &numbers[0][0]});
     draw(f,
          &(Drawing){.functions = "halfBits",
-                    .expression = "uvec4(halfBits(t.x), halfBits(t.y), halfBits(t.z), halfBits(t.w))",
+                    .expression =
+                        "uvec4(halfBits(t.x), halfBits(t.y), halfBits(t.z), halfBits(t.w))",
                     .texture = source},
          &f->canvas.words);
     read_words(f);
@@ -148,37 +154,48 @@ static void every_shared_exponent_survives(void **state)
         for (int part = 0; part < 8; part++) {
             char decode[96], encode[64];
             unsigned long mask = (1ul << (3 * bits + 5)) - 1;
-            snprintf(decode, sizeof decode, "sharedExponentFromBits(index * %uu & %luu, %d)", step, mask, bits);
+            snprintf(decode, sizeof decode, "sharedExponentFromBits(index * %uu & %luu, %d)", step,
+                     mask, bits);
             snprintf(encode, sizeof encode, "sharedExponentBits(t.xyz, %d)", bits);
             draw_there_and_back(f, decode, encode, (unsigned)part * TEXELS);
             read_floats(f, &f->canvas.floats);
             memcpy(before, f->floats, sizeof before);
             snprintf(decode, sizeof decode, "vec4(sharedExponentFromBits(w.x, %d), 0.0)", bits);
-            draw(f, &(Drawing){.functions = "sharedExponentFromBits", .expression = decode, .source = &f->canvas.words},
+            draw(f,
+                 &(Drawing){.functions = "sharedExponentFromBits",
+                            .expression = decode,
+                            .source = &f->canvas.words},
                  &f->canvas.floats);
             read_floats(f, &f->canvas.floats);
             for (unsigned i = 0; i < TEXELS; i++)
                 for (int lane = 0; lane < 3; lane++)
                     if (f->floats[i][lane] != before[i][lane])
-                        fail_msg("%d bits: %.9g comes back as %.9g", bits, before[i][lane], f->floats[i][lane]);
+                        fail_msg("%d bits: %.9g comes back as %.9g", bits, before[i][lane],
+                                 f->floats[i][lane]);
         }
 }
 
 /* The border of the square is folded: there, two codes are one direction. */
-static bool is_on_border(unsigned x, unsigned y, unsigned last) { return x == 0 || y == 0 || x == last || y == last; }
+static bool is_on_border(unsigned x, unsigned y, unsigned last)
+{
+    return x == 0 || y == 0 || x == last || y == last;
+}
 
 static void compare_octahedral(const Fixture *f, unsigned long first, int bits)
 {
     unsigned last = (1u << bits) - 2, mask = (1u << bits) - 1;
     for (unsigned i = 0; i < TEXELS; i++) {
-        unsigned code = (unsigned)(first + i), x = code & mask, y = code >> bits & mask, got = f->words[i][0];
+        unsigned code = (unsigned)(first + i), x = code & mask, y = code >> bits & mask,
+                 got = f->words[i][0];
         if (x > last || y > last || got == code)
             continue;
         double a[3], b[3];
         normal_octahedral_decode((int[2]){(int)x, (int)y}, octahedral_levels(bits), a);
-        normal_octahedral_decode((int[2]){(int)(got & mask), (int)(got >> bits)}, octahedral_levels(bits), b);
+        normal_octahedral_decode((int[2]){(int)(got & mask), (int)(got >> bits)},
+                                 octahedral_levels(bits), b);
         if (!is_on_border(x, y, last) || normal_angle(a, b) > 1e-5)
-            fail_msg("%d bits: code %u %u comes back as %u %u", bits, x, y, got & mask, got >> bits);
+            fail_msg("%d bits: code %u %u comes back as %u %u", bits, x, y, got & mask,
+                     got >> bits);
     }
 }
 
@@ -190,7 +207,8 @@ static void every_octahedral_code_survives(void **state)
     for (size_t k = 0; k < sizeof widths / sizeof *widths; k++) {
         int bits = widths[k];
         char decode[64], encode[64];
-        unsigned long count = 1ul << 2 * bits, runs = (count + TEXELS - 1) / TEXELS, step = runs > 256 ? runs / 256 : 1;
+        unsigned long count = 1ul << 2 * bits, runs = (count + TEXELS - 1) / TEXELS,
+                      step = runs > 256 ? runs / 256 : 1;
         snprintf(decode, sizeof decode, "octahedralFromBits(index & %luu, %d)", count - 1, bits);
         snprintf(encode, sizeof encode, "octahedralBits(t.xyz, %d)", bits);
         for (unsigned long run = 0; run < runs; run += step) {
@@ -203,25 +221,29 @@ static void every_octahedral_code_survives(void **state)
     }
 }
 
-/* Two numbers of a half float: the code of the reference, one that no special half has, and the same numbers back. */
+/* Two numbers of a half float: the code of the reference, one that no special half has, and the
+ * same numbers back. */
 static void check_pairs(Fixture *f, const char *pack, const char *unpack, int width, int height)
 {
     char text[256], functions[64];
     snprintf(functions, sizeof functions, "%s", pack);
-    snprintf(text, sizeof text, "vec4(%s(vec2(float(index %% %du) / %d.0, min(float(index / %du) / %d.0, 1.0))))", pack,
-             width, width - 1, width, height - 1);
+    snprintf(text, sizeof text,
+             "vec4(%s(vec2(float(index %% %du) / %d.0, min(float(index / %du) / %d.0, 1.0))))",
+             pack, width, width - 1, width, height - 1);
     draw(f, &(Drawing){.functions = functions, .expression = text}, &f->canvas.halves);
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < width * height; i++)
         if (f->floats[i][0] != pack_half_from_code(i) || !half_is_plain(f->floats[i][0]))
             fail_msg("%s: code %d is stored as %.9g", pack, i, f->floats[i][0]);
     snprintf(text, sizeof text, "vec4(%s(t.x), 0.0, 0.0)", unpack);
-    draw(f, &(Drawing){.functions = unpack, .expression = text, .source = &f->canvas.halves}, &f->canvas.floats);
+    draw(f, &(Drawing){.functions = unpack, .expression = text, .source = &f->canvas.halves},
+         &f->canvas.floats);
     read_floats(f, &f->canvas.floats);
     for (int i = 0; i < width * height; i++)
         if (fabs(f->floats[i][0] - i % width / (width - 1.)) > 1.2e-7 ||
             fabs(f->floats[i][1] - i / width / (height - 1.)) > 1.2e-7)
-            fail_msg("%s: code %d comes back as %.9g, %.9g", unpack, i, f->floats[i][0], f->floats[i][1]);
+            fail_msg("%s: code %d comes back as %.9g, %.9g", unpack, i, f->floats[i][0],
+                     f->floats[i][1]);
 }
 
 static void every_radix_code_survives(void **state)
@@ -233,7 +255,8 @@ static void every_radix_code_survives(void **state)
 static void every_octahedral_radix_code_survives(void **state)
 {
     Fixture *f = *state;
-    draw(f, &(Drawing){.functions = "halfFromCode", .expression = "vec4(halfFromCode(float(index)))"},
+    draw(f,
+         &(Drawing){.functions = "halfFromCode", .expression = "vec4(halfFromCode(float(index)))"},
          &f->canvas.halves);
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < HALF_CODES; i++)
@@ -244,13 +267,15 @@ static void every_octahedral_radix_code_survives(void **state)
                     .source = &f->canvas.halves},
          &f->canvas.floats);
     draw(f,
-         &(Drawing){
-             .functions = "octahedralRadix", .expression = "vec4(octahedralRadix(t.xyz))", .source = &f->canvas.floats},
+         &(Drawing){.functions = "octahedralRadix",
+                    .expression = "vec4(octahedralRadix(t.xyz))",
+                    .source = &f->canvas.floats},
          &f->canvas.halves);
     read_floats(f, &f->canvas.halves);
     for (int i = 0; i < RADIX_X * RADIX_X; i++) {
         int x = i % RADIX_X, y = i / RADIX_X;
-        if (f->floats[i][0] != pack_half_from_code(i) && !is_on_border((unsigned)x, (unsigned)y, RADIX_X - 1))
+        if (f->floats[i][0] != pack_half_from_code(i) &&
+            !is_on_border((unsigned)x, (unsigned)y, RADIX_X - 1))
             fail_msg("code %d %d comes back as %.9g", x, y, f->floats[i][0]);
     }
 }
@@ -265,12 +290,19 @@ static void octahedral_whole_numbers_survive(void **state)
         for (unsigned run = 0; run<runs; run += runs> 1 ? 7 : 1) {
             char decode[256], encode[128];
             snprintf(decode, sizeof decode,
-                     "vec4(octahedralFromWhole(min(vec2(index & %uu, index >> %d) - %d.0, %d.0), %d), 0.0)", mask, bits,
-                     scale, scale, bits);
+                     "vec4(octahedralFromWhole(min(vec2(index & %uu, index >> %d) - %d.0, %d.0), "
+                     "%d), 0.0)",
+                     mask, bits, scale, scale, bits);
             snprintf(encode, sizeof encode, "vec4(octahedralWhole(t.xyz, %d), 0.0, 0.0)", bits);
-            draw(f, &(Drawing){.functions = "octahedralFromWhole", .expression = decode, .first = run * TEXELS},
+            draw(f,
+                 &(Drawing){.functions = "octahedralFromWhole",
+                            .expression = decode,
+                            .first = run * TEXELS},
                  &f->canvas.floats);
-            draw(f, &(Drawing){.functions = "octahedralWhole", .expression = encode, .source = &f->canvas.floats},
+            draw(f,
+                 &(Drawing){.functions = "octahedralWhole",
+                            .expression = encode,
+                            .source = &f->canvas.floats},
                  &f->canvas.halves);
             read_floats(f, &f->canvas.halves);
             for (unsigned i = 0; i < TEXELS; i++) {
@@ -278,7 +310,8 @@ static void octahedral_whole_numbers_survive(void **state)
                 if (is_on_border(x, y, mask - 1) || x == mask || y == mask)
                     continue;
                 if (f->floats[i][0] != (int)x - scale || f->floats[i][1] != (int)y - scale)
-                    fail_msg("%d bits: %u %u comes back as %g %g", bits, x, y, f->floats[i][0], f->floats[i][1]);
+                    fail_msg("%d bits: %u %u comes back as %g %g", bits, x, y, f->floats[i][0],
+                             f->floats[i][1]);
             }
         }
     }
@@ -289,13 +322,16 @@ static void axes_are_exact(void **state)
 {
     Fixture *f = *state;
     static const char *const trips[] = {
-        "octahedralFromBits(octahedralBits(n, 8), 8)",   "octahedralFromBits(octahedralBits(n, 12), 12)",
-        "octahedralFromBits(octahedralBits(n, 16), 16)", "octahedralFromWhole(octahedralWhole(n, 12), 12)",
+        "octahedralFromBits(octahedralBits(n, 8), 8)",
+        "octahedralFromBits(octahedralBits(n, 12), 12)",
+        "octahedralFromBits(octahedralBits(n, 16), 16)",
+        "octahedralFromWhole(octahedralWhole(n, 12), 12)",
         "octahedralFromRadix(octahedralRadix(n))",
     };
     for (size_t k = 0; k < sizeof trips / sizeof *trips; k++) {
         char text[512];
-        const char *n = "vec3(index / 2u == 0u ? s : 0.0, index / 2u == 1u ? s : 0.0, index / 2u == 2u ? s : 0.0)";
+        const char *n = "vec3(index / 2u == 0u ? s : 0.0, index / 2u == 1u ? s : 0.0, index / 2u "
+                        "== 2u ? s : 0.0)";
         char trip[256], *at;
         snprintf(trip, sizeof trip, "%s", trips[k]);
         at = strstr(trip, "(n") + 1;
@@ -308,8 +344,9 @@ static void axes_are_exact(void **state)
             else
                 *to++ = *c, *to = 0;
         draw(f,
-             &(Drawing){.functions = "octahedralFromBits octahedralBits octahedralFromWhole octahedralWhole "
-                                     "octahedralFromRadix octahedralRadix",
+             &(Drawing){.functions =
+                            "octahedralFromBits octahedralBits octahedralFromWhole octahedralWhole "
+                            "octahedralFromRadix octahedralRadix",
                         .expression = whole},
              &f->canvas.floats);
         read_floats(f, &f->canvas.floats);

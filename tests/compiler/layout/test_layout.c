@@ -1,5 +1,6 @@
-/* Layouts, drawn: what is packed into a G-buffer and unpacked again lies within the stated error of each field, for random and
- * hostile values, in every GLSL, optimised or not. A layout's row is all that a further layout needs here. */
+/* Layouts, drawn: what is packed into a G-buffer and unpacked again lies within the stated error of
+ * each field, for random and hostile values, in every GLSL, optimised or not. A layout's row is all
+ * that a further layout needs here. */
 /* ctest: seconds=18 */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
@@ -40,7 +41,8 @@ static int tear_down(void **state)
 static void want_slots(const Point *point, bool front, const SlotValues *values, SlotValues *want)
 {
     const float *n = point->input[INPUT_eyeN];
-    double length = sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]), side = front ? 1 : -1;
+    double length = sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]),
+           side = front ? 1 : -1;
     *want = *values;
     for (int i = 0; i < 3; i++)
         want->lane[SLOT_normal][i] = length < 1e-37 ? (i == 2) * side : side * n[i] / length;
@@ -63,34 +65,39 @@ static double least_of(Encoding encoding)
 static const char *place_text(const Gbuffer *g, Slot slot)
 {
     static char text[128];
-    snprintf(text, sizeof text, "layout %s, %s, slot %s", g->layout->name, target_table[g->shading.target].name,
-             slot_table[slot].name);
+    snprintf(text, sizeof text, "layout %s, %s, slot %s", g->layout->name,
+             target_table[g->shading.target].name, slot_table[slot].name);
     return text;
 }
 
-static void check_lane(const Gbuffer *g, const Piece *piece, int i, const SlotValues *want, double got)
+static void check_lane(const Gbuffer *g, const Piece *piece, int i, const SlotValues *want,
+                       double got)
 {
     const FieldRow *field = piece->field;
     const SlotLane *source = &field->source[piece->first];
     double low = field_low(field), high = field_high(field), greatest = 0;
     double value = fmin(fmax(want->lane[source[i].slot][source[i].lane], low), high);
     for (int k = 0; k < piece->count; k++)
-        greatest = fmax(greatest, fabs(fmin(fmax(want->lane[source[k].slot][source[k].lane], low), high)));
+        greatest =
+            fmax(greatest, fabs(fmin(fmax(want->lane[source[k].slot][source[k].lane], low), high)));
     bool together = field->encoding == ENCODING_sharedExponent;
     bool relative = encoding_table[field->encoding].unit == UNIT_relative;
     double of = relative ? (together ? greatest : fabs(value)) : 1;
     double bound = (field_error(field) + 5e-6) * of + (relative ? least_of(field->encoding) : 0);
     if (!(fabs(got - value) <= bound))
-        fail_msg("%s: %.9g comes back as %.9g, the bound is %.3g", place_text(g, source[i].slot), value, got, bound);
+        fail_msg("%s: %.9g comes back as %.9g, the bound is %.3g", place_text(g, source[i].slot),
+                 value, got, bound);
 }
 
-static void check_normal(const Gbuffer *g, const Piece *piece, const double want[3], const float *got)
+static void check_normal(const Gbuffer *g, const Piece *piece, const double want[3],
+                         const float *got)
 {
     double n[3] = {got[0], got[1], got[2]}, length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
     double angle = normal_angle(want, n), bound = field_error(piece->field) + 1e-4;
     if (!(angle <= bound && fabs(length - 1) < 1e-6))
-        fail_msg("%s: (%g %g %g) comes back as (%g %g %g), %g degrees off; the bound is %g", place_text(g, SLOT_normal),
-                 want[0], want[1], want[2], n[0], n[1], n[2], angle, bound);
+        fail_msg("%s: (%g %g %g) comes back as (%g %g %g), %g degrees off; the bound is %g",
+                 place_text(g, SLOT_normal), want[0], want[1], want[2], n[0], n[1], n[2], angle,
+                 bound);
 }
 
 /* What was drawn: the values at the first point, and on which side. */
@@ -144,7 +151,8 @@ static int drawn_case(Gbuffer *g)
     const int targets = layout_targets(g->layout);
     const GLuint first = words[0][0];
     assert_true(framebuffer_read_words(g->drawer->gl, &g->targets, targets - 1, &words[0][0]));
-    const int number = layout_case_of(g->layout, first, words[0][format_table[g->layout->formats[targets - 1]].lanes - 1]);
+    const int number = layout_case_of(
+        g->layout, first, words[0][format_table[g->layout->formats[targets - 1]].lanes - 1]);
     assert_true(number < g->layout->case_count);
     return number;
 }
@@ -184,7 +192,10 @@ static void draw_and_check(Fixture *f, Document *d, Gbuffer *g, bool front)
     check_halves(f, g);
 }
 
-static Drawer *drawer_for(Fixture *f, Target target) { return target_table[target].in_out ? &f->core : &f->compat; }
+static Drawer *drawer_for(Fixture *f, Target target)
+{
+    return target_table[target].in_out ? &f->core : &f->compat;
+}
 
 static bool can_draw(const LayoutRow *layout, int target)
 {
@@ -229,7 +240,8 @@ static void what_is_packed_comes_back(void **state)
         for (int layout = 0; layout < LAYOUT_COUNT; layout++)
             for (int target = 0; target < TARGET_COUNT; target++)
                 for (int level = 0; level <= 2; level += 2)
-                    if (can_draw(&layout_table[layout], target) && (!kept || layout_table[layout].case_count > 1)) {
+                    if (can_draw(&layout_table[layout], target) &&
+                        (!kept || layout_table[layout].case_count > 1)) {
                         check_uniforms(f, &d, layout, target, level);
                         check_case(f, layout, (Kept)kept);
                     }
@@ -262,20 +274,22 @@ static void constants_come_back(void **state)
     }
 }
 
-/* Layouts as a document of one's own will make them: every format, every encoding, at several widths. */
-#define SLOT3(slot)                                                                                                    \
-    {                                                                                                                  \
-        {SLOT_##slot, 0}, {SLOT_##slot, 1}, { SLOT_##slot, 2 }                                                         \
+/* Layouts as a document of one's own will make them: every format, every encoding, at several
+ * widths. */
+#define SLOT3(slot)                                                                                \
+    {                                                                                              \
+        {SLOT_##slot, 0}, {SLOT_##slot, 1}, { SLOT_##slot, 2 }                                     \
     }
-#define TRIPLE(code, bits_, slot)                                                                                      \
-    {                                                                                                                  \
-        .encoding = ENCODING_##code, .bits = bits_, .count = 3, .source = SLOT3(slot)                                  \
+#define TRIPLE(code, bits_, slot)                                                                  \
+    {                                                                                              \
+        .encoding = ENCODING_##code, .bits = bits_, .count = 3, .source = SLOT3(slot)              \
     }
-#define SINGLE(code, bits_, slot)                                                                                      \
-    {                                                                                                                  \
-        .encoding = ENCODING_##code, .bits = bits_, .count = 1, .source = { {SLOT_##slot, 0} }                         \
+#define SINGLE(code, bits_, slot)                                                                  \
+    {                                                                                              \
+        .encoding = ENCODING_##code, .bits = bits_, .count = 1, .source = { {SLOT_##slot, 0} }     \
     }
-#define CASE_OF(fields) &(CaseRow){fields, sizeof fields / sizeof *fields, "", NULL, 0}, 1, NULL, 0, 0
+#define CASE_OF(fields)                                                                            \
+    &(CaseRow){fields, sizeof fields / sizeof *fields, "", NULL, 0}, 1, NULL, 0, 0
 
 static void try_row(Fixture *f, Document *d, const LayoutRow *row)
 {
@@ -299,21 +313,26 @@ static void any_rows_are_a_layout(void **state)
     static const FieldRow one[] = {TRIPLE(octahedral, 16, normal)};
     static const FieldRow two[] = {TRIPLE(octahedral, 8, normal), TRIPLE(unorm, 5, diffuse),
                                    TRIPLE(unorm, 8, specular)};
-    static const FieldRow three[] = {TRIPLE(sphere, 8, normal), TRIPLE(unorm, 16, diffuse), TRIPLE(root, 12, specular),
-                                     SINGLE(logarithm, 4, shininess)};
-    static const FieldRow four[] = {
-        TRIPLE(sharedExponent, 9, emissive), TRIPLE(half, 16, ambient),  SINGLE(half, 16, ior),
-        SINGLE(full, 32, shininess),         TRIPLE(sphere, 12, normal), TRIPLE(unorm, 2, transparency)};
-    static const FieldRow five[] = {
-        TRIPLE(octahedralRadix, 8, normal),
-        TRIPLE(raw, 16, diffuse),
-        TRIPLE(plain, 16, specular),
-        {.encoding = ENCODING_pair, .bits = 7, .count = 2, .source = {{SLOT_ambient, 2}, {SLOT_emissive, 0}}},
-        TRIPLE(octahedralWhole, 8, normal),
-        SINGLE(plain, 16, shininess)};
+    static const FieldRow three[] = {TRIPLE(sphere, 8, normal), TRIPLE(unorm, 16, diffuse),
+                                     TRIPLE(root, 12, specular), SINGLE(logarithm, 4, shininess)};
+    static const FieldRow four[] = {TRIPLE(sharedExponent, 9, emissive),
+                                    TRIPLE(half, 16, ambient),
+                                    SINGLE(half, 16, ior),
+                                    SINGLE(full, 32, shininess),
+                                    TRIPLE(sphere, 12, normal),
+                                    TRIPLE(unorm, 2, transparency)};
+    static const FieldRow five[] = {TRIPLE(octahedralRadix, 8, normal),
+                                    TRIPLE(raw, 16, diffuse),
+                                    TRIPLE(plain, 16, specular),
+                                    {.encoding = ENCODING_pair,
+                                     .bits = 7,
+                                     .count = 2,
+                                     .source = {{SLOT_ambient, 2}, {SLOT_emissive, 0}}},
+                                    TRIPLE(octahedralWhole, 8, normal),
+                                    SINGLE(plain, 16, shininess)};
     static const FieldRow six[] = {TRIPLE(octahedral, 7, normal), TRIPLE(octahedral, 12, normal),
-                                   SINGLE(logarithm, 16, shininess), TRIPLE(sharedExponent, 4, emissive),
-                                   TRIPLE(raw, 16, diffuse)};
+                                   SINGLE(logarithm, 16, shininess),
+                                   TRIPLE(sharedExponent, 4, emissive), TRIPLE(raw, 16, diffuse)};
     const LayoutRow rows[] = {
         {"one", "", {FORMAT_R32UI}, CASE_OF(one)},
         {"two", "", {FORMAT_RG32UI}, CASE_OF(two)},
@@ -343,10 +362,16 @@ static void rows_that_do_not_fit_are_told(void **state)
     static const FieldRow odd[] = {SINGLE(radix, 8, shininess)};
     static const FieldRow floats[] = {TRIPLE(plain, 16, diffuse)};
     Placement placement;
-    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(full)}, 0, &placement), &full[1]);
-    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(wide)}, 0, &placement), wide);
-    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_RGBA16F}, CASE_OF(odd)}, 0, &placement), odd);
-    assert_ptr_equal(layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement), floats);
+    assert_ptr_equal(
+        layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(full)}, 0, &placement),
+        &full[1]);
+    assert_ptr_equal(
+        layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(wide)}, 0, &placement), wide);
+    assert_ptr_equal(
+        layout_allocate(&(LayoutRow){"", "", {FORMAT_RGBA16F}, CASE_OF(odd)}, 0, &placement), odd);
+    assert_ptr_equal(
+        layout_allocate(&(LayoutRow){"", "", {FORMAT_R32UI}, CASE_OF(floats)}, 0, &placement),
+        floats);
 }
 
 int main(void)

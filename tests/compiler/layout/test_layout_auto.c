@@ -1,4 +1,5 @@
-/* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every material has a case. */
+/* --layout=auto: the smallest layouts are small, whatever the order of their materials, and every
+ * material has a case. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/pipeline.h"
@@ -17,7 +18,8 @@ static const FieldRow *field_of(const Set *set, Slot slot)
     return NULL;
 }
 
-/* Normal and three times eight bits; nothing else is in the layout, in its GLSL, or in the program. */
+/* Normal and three times eight bits; nothing else is in the layout, in its GLSL, or in the
+ * program. */
 static void diffuse_colors_take_eight_bytes(void **state)
 {
     (void)state;
@@ -27,7 +29,8 @@ static void diffuse_colors_take_eight_bytes(void **state)
     assert_true(set.layout->row->cases[0].field_count == 2 && set.layout->row->fixed_count == 0);
     MatcOptions options = set.documents[0].options;
     options.custom = set.layout;
-    MatcProgram *program = matc_compile(set.documents[0].document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
+    MatcProgram *program =
+        matc_compile(set.documents[0].document, 0, MATC_FRAGMENT | MATC_UNPACK, &options);
     const char *unpack = matc_output(program, MATC_UNPACK, NULL);
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         char has[64], member[64];
@@ -40,7 +43,8 @@ static void diffuse_colors_take_eight_bytes(void **state)
     assert_null(strstr(unpack, "sharedExponent"));
     assert_null(strstr(unpack, "logarithm"));
     assert_int_equal(matc_target_count(program), 1);
-    assert_non_null(strstr(matc_layout_report(set.layout), "specular                  0                  dropped"));
+    assert_non_null(strstr(matc_layout_report(set.layout),
+                           "specular                  0                  dropped"));
     matc_program_free(program);
     set_close(&set);
 }
@@ -57,13 +61,15 @@ static void ratios_of_the_draw_are_no_constants(void **state)
     set_close(&set);
 }
 
-/* Lanes that are alike are stored once, what never changes not at all, light up to 1 as colours are. */
+/* Lanes that are alike are stored once, what never changes not at all, light up to 1 as colours
+ * are. */
 static void ranges_make_fields(void **state)
 {
     (void)state;
     Set set;
     set_open(&set, grays, 1, 0);
-    const FieldRow *diffuse = field_of(&set, SLOT_diffuse), *emissive = field_of(&set, SLOT_emissive);
+    const FieldRow *diffuse = field_of(&set, SLOT_diffuse),
+                   *emissive = field_of(&set, SLOT_emissive);
     assert_true(diffuse && diffuse->gray && diffuse->bits < 8);
     assert_true(field_low(diffuse) >= 0.2 && field_high(diffuse) < 0.41);
     assert_true(emissive && !emissive->gray && emissive->encoding != ENCODING_sharedExponent);
@@ -89,7 +95,8 @@ static void ends_and_lanes_are_kept(void **state)
     static const char *const bright[] = {"tests/layouts/bright.yaml"};
     Set set;
     set_open(&set, bright, 1, 0);
-    const FieldRow *emissive = field_of(&set, SLOT_emissive), *diffuse = field_of(&set, SLOT_diffuse);
+    const FieldRow *emissive = field_of(&set, SLOT_emissive),
+                   *diffuse = field_of(&set, SLOT_diffuse);
     assert_true(emissive && field_high(emissive) >= 3);
     assert_true(diffuse && field_high(diffuse) >= 0.9 && !diffuse->gray);
     set_close(&set);
@@ -127,8 +134,10 @@ static void smaller_errors_take_more_bits(void **state)
     for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
         Set set;
         set_open(&set, glow, 1, errors[i]);
-        const int bits = all_bits(&set), placed = placed_bits(&set), bytes = matc_layout_bytes(set.layout);
-        print_message("error %g: %d bits, %d of them together, %d bytes\n", errors[i], bits, placed, bytes);
+        const int bits = all_bits(&set), placed = placed_bits(&set),
+                  bytes = matc_layout_bytes(set.layout);
+        print_message("error %g: %d bits, %d of them together, %d bytes\n", errors[i], bits, placed,
+                      bytes);
         assert_true(bits > before && bytes * 8 >= placed && bytes * 8 < placed + 64);
         before = bits;
         set_close(&set);
@@ -186,10 +195,12 @@ static void mixed_sets_have_cases(void **state)
     const char *report = matc_layout_report(set.layout), *text = matc_layout_text(set.layout);
     assert_int_equal(matc_layout_bytes(set.layout), 16);
     assert_true(row->case_count > 1 && !layout_is_whole(row));
-    assert_non_null(
-        strstr(report, "16 bytes a pixel in 4 cases for 11 materials; one case would take 28, compact has"));
-    assert_non_null(strstr(report, "\n2                         2                  normal, diffuse, transparency, "
-                                   "transparencyShininess, ambient, ior\n"));
+    assert_non_null(strstr(
+        report,
+        "16 bytes a pixel in 4 cases for 11 materials; one case would take 28, compact has"));
+    assert_non_null(strstr(
+        report, "\n2                         2                  normal, diffuse, transparency, "
+                "transparencyShininess, ambient, ior\n"));
     assert_non_null(strstr(report, "refused"));
     MatcLayout *back = matc_layout_read("back.yaml", text, strlen(text), &set.documents[0].options);
     assert_true(matc_layout_ok(back));
@@ -214,12 +225,13 @@ static void mixed_sets_have_cases(void **state)
     set_close(&set);
 }
 
-/* At every level, in every pass, and with numbers that come from a buffer, each material of the set has a case; one that the set is not for is
- * refused, and its slots are told. */
+/* At every level, in every pass, and with numbers that come from a buffer, each material of the set
+ * has a case; one that the set is not for is refused, and its slots are told. */
 static void none_is_without_a_case(void **state)
 {
     (void)state;
-    static const char *const constants[] = {"baked", "uniform"}, *const passes[] = {"gbuffer", "plane"};
+    static const char *const constants[] = {"baked", "uniform"}, *const passes[] = {"gbuffer",
+                                                                                    "plane"};
     static const char other[] = "material: Phong\nemissive: 5\ntransparency: 0.5\nambient: 0\n";
     Set set;
     set_open(&set, mixed, 1, 0);
@@ -230,7 +242,8 @@ static void none_is_without_a_case(void **state)
         options.constants = constants[i % 2];
         options.pass = passes[i / 2 % 2];
         for (int k = 0; k < set.documents[0].graph->material_count; k++) {
-            MatcProgram *program = matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
+            MatcProgram *program =
+                matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
             if (!matc_ok(program))
                 fail_msg("-O%d, %s, %s: %s", i / 4, constants[i % 2], options.pass,
                          matc_program_diagnostics(program, MATC_TEXT));
@@ -240,16 +253,18 @@ static void none_is_without_a_case(void **state)
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_false(matc_ok(program));
         assert_null(matc_output(program, MATC_FRAGMENT, NULL));
-        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
-                               "other.yaml:1:11: error: layout auto has no case that stores all that this material "
-                               "has: diffuse, transparency, emissive, ior\n"));
+        assert_non_null(strstr(
+            matc_program_diagnostics(program, MATC_TEXT),
+            "other.yaml:1:11: error: layout auto has no case that stores all that this material "
+            "has: diffuse, transparency, emissive, ior\n"));
         matc_program_free(program);
         matc_document_free(document);
     }
     set_close(&set);
 }
 
-/* Of the two the layout holds one's exponent for both: the other has no lobe, and nothing is said of it. */
+/* Of the two the layout holds one's exponent for both: the other has no lobe, and nothing is said
+ * of it. */
 static void constants_are_for_those_to_which_they_matter(void **state)
 {
     (void)state;
@@ -262,7 +277,8 @@ static void constants_are_for_those_to_which_they_matter(void **state)
             MatcOptions options = set.documents[0].options;
             options.custom = set.layout;
             options.optimize = i;
-            MatcProgram *program = matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
+            MatcProgram *program =
+                matc_compile(set.documents[0].document, k, MATC_FRAGMENT, &options);
             assert_string_equal(matc_program_diagnostics(program, MATC_TEXT), "");
             matc_program_free(program);
         }
@@ -281,8 +297,8 @@ static void none_is_told(void **state)
     assert_false(matc_layout_ok(layout));
     assert_non_null(strstr(matc_layout_diagnostics(layout, MATC_TEXT), "no materials"));
     matc_layout_free(layout);
-    static const char text[] =
-        "material: Phong\nambient: { material: SunSkyLight, sun: { param: s, default: [0, 1, 1] } }\n";
+    static const char text[] = "material: Phong\nambient: { material: SunSkyLight, sun: { param: "
+                               "s, default: [0, 1, 1] } }\n";
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
     assert_false(matc_ranges_add(&ranges, document, 0, &options, &fault));
     assert_non_null(fault);

@@ -1,4 +1,5 @@
-/* --layout=auto: which sets of slots are kept of many materials, and how they are divided into cases. */
+/* --layout=auto: which sets of slots are kept of many materials, and how they are divided into
+ * cases. */
 #include "tests/test.h"
 #include "compiler/layout/auto_layout.h"
 #include "compiler/layout/custom.h"
@@ -76,7 +77,8 @@ static bool has_case(const LayoutRow *row, unsigned slots)
     return false;
 }
 
-/* More sets than there is room for, shuffled and joined in parts: the same bytes, and no material is lost. */
+/* More sets than there is room for, shuffled and joined in parts: the same bytes, and no material
+ * is lost. */
 static void order_is_of_no_account(void **state)
 {
     (void)state;
@@ -99,7 +101,8 @@ static void order_is_of_no_account(void **state)
             slots[at] = kept;
         }
         for (int i = 0, from = 0; i < PARTS; i++) {
-            const int to = i + 1 < PARTS ? from + (int)(next_random(&random) % (COUNT / PARTS)) : COUNT;
+            const int to =
+                i + 1 < PARTS ? from + (int)(next_random(&random) % (COUNT / PARTS)) : COUNT;
             parts[i] = join_all(slots + from, to - from);
             from = to;
         }
@@ -113,7 +116,8 @@ static void order_is_of_no_account(void **state)
     }
 }
 
-/* Of so many sets that some are joined, each finds a case all the same, and every case has its place. */
+/* Of so many sets that some are joined, each finds a case all the same, and every case has its
+ * place. */
 static void every_set_finds_a_case(void **state)
 {
     (void)state;
@@ -128,8 +132,9 @@ static void every_set_finds_a_case(void **state)
             while (__builtin_popcount(slots[i]) > 9 - (int)rarity / 2);
         const MatcRanges ranges = join_all(slots, COUNT);
         MatcLayout *layout = layout_of(&ranges);
-        print_message("1 in %u: %d sets, %d more materials, %d bytes in %d cases\n", rarity, ranges.set_count,
-                      ranges.others.materials, matc_layout_bytes(layout), layout->row->case_count);
+        print_message("1 in %u: %d sets, %d more materials, %d bytes in %d cases\n", rarity,
+                      ranges.set_count, ranges.others.materials, matc_layout_bytes(layout),
+                      layout->row->case_count);
         for (int i = 0; i < COUNT; i++)
             assert_true(has_case(layout->row, slots[i]));
         for (int number = 0; number < layout->row->case_count; number++) {
@@ -172,7 +177,8 @@ typedef struct {
     int most;
 } Search;
 
-/* The fewest bits that the largest case has, by all ways to put the sets from `next` on into them; `used` have one already. */
+/* The fewest bits that the largest case has, by all ways to put the sets from `next` on into them;
+ * `used` have one already. */
 static int fewest_bits(Search *s, int next, int used)
 {
     int best = 1 << 20, largest = 0;
@@ -193,7 +199,8 @@ static int fewest_bits(Search *s, int next, int used)
     return best;
 }
 
-/* No division has fewer words than its bits need; what is found has no more, but where pieces do not fill words. */
+/* No division has fewer words than its bits need; what is found has no more, but where pieces do
+ * not fill words. */
 static void few_sets_are_divided_best(void **state)
 {
     (void)state;
@@ -224,8 +231,9 @@ static void few_sets_are_divided_best(void **state)
         several += found > 1;
         matc_layout_free(layout);
     }
-    print_message("%d of %d divisions into cases, %d with the words and cases that bits alone would need\n", several,
-                  DIVISIONS, exact);
+    print_message(
+        "%d of %d divisions into cases, %d with the words and cases that bits alone would need\n",
+        several, DIVISIONS, exact);
     assert_true(several > DIVISIONS / 4 && exact > DIVISIONS * 3 / 4);
 }
 
@@ -233,7 +241,8 @@ static void few_sets_are_divided_best(void **state)
 static void one_case_where_that_does(void **state)
 {
     (void)state;
-    const unsigned plain = 1u << SLOT_normal | 1u << SLOT_diffuse, shiny = plain | 1u << SLOT_specular;
+    const unsigned plain = 1u << SLOT_normal | 1u << SLOT_diffuse,
+                   shiny = plain | 1u << SLOT_specular;
     const MatcRanges same = join_all((unsigned[]){shiny, shiny | 1u << SLOT_emissive, plain}, 3);
     MatcLayout *layout = layout_of(&same);
     assert_int_equal(layout->row->case_count, 1);

@@ -1,4 +1,5 @@
-/* --layout=auto: what is claimed of materials holds, of random trees by the oracle, and of sets as they are drawn. */
+/* --layout=auto: what is claimed of materials holds, of random trees by the oracle, and of sets as
+ * they are drawn. */
 /* ctest: unsanitized seconds=29 */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
@@ -38,15 +39,16 @@ static void check_set(Kept *kept, Drawer *drawer, const Set *set)
 static void what_is_packed_comes_back(void **state)
 {
     (void)state;
-    static const char *const all[] = {"examples/materials/algorithmSwitch.yaml", "examples/materials/brick.yaml",
-                                      "examples/materials/brushedSteel.yaml",    "examples/materials/chess.json",
-                                      "examples/materials/glassChecker.yaml",    "examples/materials/lava.yaml",
-                                      "examples/materials/leopardSkin.yaml",     "examples/materials/malachite.json",
-                                      "examples/materials/marble.yaml",          "examples/materials/oak.yaml",
-                                      "examples/materials/phong.yaml",           "examples/materials/planet.yaml",
-                                      "examples/materials/polishedGranite.yaml", "examples/materials/rgba.yaml",
-                                      "examples/materials/rustedMetal.yaml",     "examples/materials/sideSwitch.yaml",
-                                      "examples/materials/sunSky.yaml",          "examples/materials/tiles.yaml"};
+    static const char *const all[] = {
+        "examples/materials/algorithmSwitch.yaml", "examples/materials/brick.yaml",
+        "examples/materials/brushedSteel.yaml",    "examples/materials/chess.json",
+        "examples/materials/glassChecker.yaml",    "examples/materials/lava.yaml",
+        "examples/materials/leopardSkin.yaml",     "examples/materials/malachite.json",
+        "examples/materials/marble.yaml",          "examples/materials/oak.yaml",
+        "examples/materials/phong.yaml",           "examples/materials/planet.yaml",
+        "examples/materials/polishedGranite.yaml", "examples/materials/rgba.yaml",
+        "examples/materials/rustedMetal.yaml",     "examples/materials/sideSwitch.yaml",
+        "examples/materials/sunSky.yaml",          "examples/materials/tiles.yaml"};
     static const struct {
         const char *const *paths;
         int count;
@@ -76,18 +78,21 @@ static void what_is_packed_comes_back(void **state)
         set_close(&set);
     }
     drawer_close(&drawer);
-    print_message("%d materials, %d slots, %ld values, errors up to %.4f of their bounds\n", kept.materials,
-                  kept.fields, kept.values, kept.worst);
+    print_message("%d materials, %d slots, %ld values, errors up to %.4f of their bounds\n",
+                  kept.materials, kept.fields, kept.values, kept.worst);
     assert_true(kept.values > 100000 && kept.worst > 0.9 && cases > 8);
 }
 
 typedef struct {
-    long bounded, constant;   /* slots of trees */
-    long compared, overflown; /* lanes: sums, products and powers of maps may leave what a number holds, and are no number then */
+    long bounded, constant; /* slots of trees */
+    /* lanes: sums, products and powers of maps may leave what a number holds, and are no number
+     * then */
+    long compared, overflown;
 } Claims;
 
 /* The oracle's value lies in the interval that is claimed, roundings aside. */
-static void compare_claim(const MatcRanges *ranges, const SlotValues *values, uint64_t tree, Claims *claims)
+static void compare_claim(const MatcRanges *ranges, const SlotValues *values, uint64_t tree,
+                          Claims *claims)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
         const SlotRow *row = &slot_table[slot];
@@ -101,11 +106,11 @@ static void compare_claim(const MatcRanges *ranges, const SlotValues *values, ui
             double value = fmin(fmax(values->lane[slot][lane], row->low), row->high);
             double slack = 1e-5 * fmax(1, fabs(value));
             if (!(value >= range->low[lane] - slack && value <= range->high[lane] + slack))
-                fail_msg("tree %d: %s lane %d is %.9g, claimed %.9g to %.9g", (int)tree, row->name, lane, value,
-                         range->low[lane], range->high[lane]);
+                fail_msg("tree %d: %s lane %d is %.9g, claimed %.9g to %.9g", (int)tree, row->name,
+                         lane, value, range->low[lane], range->high[lane]);
             if (range->alike && !(fabs(values->lane[slot][lane] - values->lane[slot][0]) <= slack))
-                fail_msg("tree %d: %s lanes %.9g, %.9g are not alike", (int)tree, row->name, values->lane[slot][0],
-                         values->lane[slot][lane]);
+                fail_msg("tree %d: %s lanes %.9g, %.9g are not alike", (int)tree, row->name,
+                         values->lane[slot][0], values->lane[slot][lane]);
         }
     }
 }
@@ -138,8 +143,9 @@ static void check_tree(uint64_t tree, const Point *points, Claims *claims)
     for (int slot = SLOT_diffuse; slot < SLOT_COUNT; slot++) {
         const MatcSlotRange *range = &ranges.slot[slot];
         claims->constant += range->counted && range->low[0] == range->high[0];
-        claims->bounded += range->counted && range->low[0] < range->high[0] &&
-                    range->high[0] - range->low[0] < 0.999 * (slot_table[slot].high - slot_table[slot].low);
+        claims->bounded +=
+            range->counted && range->low[0] < range->high[0] &&
+            range->high[0] - range->low[0] < 0.999 * (slot_table[slot].high - slot_table[slot].low);
     }
     oracle_close(oracle);
     matc_document_free(document);
@@ -154,9 +160,11 @@ static void claims_are_sound(void **state)
     points_make(points);
     for (uint64_t tree = 0; tree < TREES; tree++)
         check_tree(tree, points, &claims);
-    print_message("%d trees: %ld slots constant, %ld in a part of what a surface can have; of %ld lanes %ld overflow\n",
+    print_message("%d trees: %ld slots constant, %ld in a part of what a surface can have; of %ld "
+                  "lanes %ld overflow\n",
                   TREES, claims.constant, claims.bounded, claims.compared, claims.overflown);
-    assert_true(claims.constant > TREES && claims.bounded > TREES / 10); /* the claims are not empty */
+    /* the claims are not empty */
+    assert_true(claims.constant > TREES && claims.bounded > TREES / 10);
     assert_true(claims.overflown < claims.compared / 200);
 }
 

@@ -1,4 +1,5 @@
-/* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts promise they keep. */
+/* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts
+ * promise they keep. */
 #include "tests/test.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/layout/custom.h"
@@ -14,17 +15,20 @@
 
 static void fields_are_equal(const FieldRow *a, const FieldRow *b)
 {
-    assert_true(a->encoding == b->encoding && a->bits == b->bits && a->count == b->count && a->gray == b->gray);
+    assert_true(a->encoding == b->encoding && a->bits == b->bits && a->count == b->count &&
+                a->gray == b->gray);
     assert_true(a->low == b->low && a->high == b->high);
     for (int i = 0; i < a->count; i++)
-        assert_true(a->source[i].slot == b->source[i].slot && a->source[i].lane == b->source[i].lane);
+        assert_true(a->source[i].slot == b->source[i].slot &&
+                    a->source[i].lane == b->source[i].lane);
 }
 
 static void constants_are_equal(const FixedRow *a, const FixedRow *b, int count)
 {
     for (int i = 0; i < count; i++) {
         assert_int_equal(a[i].slot, b[i].slot);
-        assert_memory_equal(a[i].value, b[i].value, (size_t)type_table[slot_table[a[i].slot].type].lanes * sizeof(double));
+        assert_memory_equal(a[i].value, b[i].value,
+                            (size_t)type_table[slot_table[a[i].slot].type].lanes * sizeof(double));
     }
 }
 
@@ -38,7 +42,8 @@ static void rows_are_equal(const LayoutRow *a, const LayoutRow *b)
     for (int number = 0; number < a->case_count; number++) {
         assert_string_equal(a->cases[number].doc, b->cases[number].doc);
         assert_int_equal(a->cases[number].fixed_count, b->cases[number].fixed_count);
-        constants_are_equal(a->cases[number].fixed, b->cases[number].fixed, a->cases[number].fixed_count);
+        constants_are_equal(a->cases[number].fixed, b->cases[number].fixed,
+                            a->cases[number].fixed_count);
         assert_int_equal(a->cases[number].field_count, b->cases[number].field_count);
         for (int i = 0; i < a->cases[number].field_count; i++)
             fields_are_equal(&a->cases[number].fields[i], &b->cases[number].fields[i]);
@@ -80,19 +85,20 @@ static void what_is_written_reads_back(void **state)
         reads_back(&layout_table[i]);
 }
 
-/* Constants, ranges and grey lanes, which no built-in layout has; numbers that need all of their digits. */
+/* Constants, ranges and grey lanes, which no built-in layout has; numbers that need all of their
+ * digits. */
 static void all_of_a_file_reads_back(void **state)
 {
     (void)state;
-    MatcLayout *layout =
-        read_text("layout: all\ndoc: \"A \\\"quoted\\\" one, with a \\\\.\"\ntargets: [RGBA32UI, RGBA16F]\n"
-                  "fields:\n"
-                  "  - { slot: normal, encoding: octahedral, bits: 16 }\n"
-                  "  - { slot: diffuse, encoding: unorm, bits: 9, range: [0.1, 0.30000000000000004] }\n"
-                  "  - { slot: specular.bgr, encoding: root, bits: 7 }\n"
-                  "  - { slot: ambient, encoding: root, bits: 5, gray: true }\n"
-                  "  - { slot: [emissive.b, shininess, emissive.rg], encoding: raw }\n"
-                  "constants: { transparency: [0.5, 0.25, 1e-7], ior: 1.5 }\n");
+    MatcLayout *layout = read_text(
+        "layout: all\ndoc: \"A \\\"quoted\\\" one, with a \\\\.\"\ntargets: [RGBA32UI, RGBA16F]\n"
+        "fields:\n"
+        "  - { slot: normal, encoding: octahedral, bits: 16 }\n"
+        "  - { slot: diffuse, encoding: unorm, bits: 9, range: [0.1, 0.30000000000000004] }\n"
+        "  - { slot: specular.bgr, encoding: root, bits: 7 }\n"
+        "  - { slot: ambient, encoding: root, bits: 5, gray: true }\n"
+        "  - { slot: [emissive.b, shininess, emissive.rg], encoding: raw }\n"
+        "constants: { transparency: [0.5, 0.25, 1e-7], ior: 1.5 }\n");
     const LayoutRow *row = layout->row;
     assert_int_equal(row->cases[0].fields[2].source[0].lane, 2);
     assert_int_equal(row->cases[0].fields[3].count, 1);
@@ -102,16 +108,19 @@ static void all_of_a_file_reads_back(void **state)
     matc_layout_free(layout);
 }
 
-/* Of 1023 steps over [0.2, 0.7]: 0.2 is none, 0.7 all, 0.45 half of them, rounded up. Beyond the ends, the nearer one. */
+/* Of 1023 steps over [0.2, 0.7]: 0.2 is none, 0.7 all, 0.45 half of them, rounded up. Beyond the
+ * ends, the nearer one. */
 static void a_range_is_counted_from_its_lower_end(void **state)
 {
     (void)state;
-    static const char material[] = "{ material: Phong, diffuse: [0.2, 0.45, 0.7], specular: [0.1, 0.7, 0.9] }\n";
+    static const char material[] =
+        "{ material: Phong, diffuse: [0.2, 0.45, 0.7], specular: [0.1, 0.7, 0.9] }\n";
     MatcOptions options;
     matc_options_init(&options);
-    MatcLayout *layout = read_text("layout: range\ntargets: [RG32UI]\nfields:\n"
-                                   "  - { slot: diffuse, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n"
-                                   "  - { slot: specular, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n");
+    MatcLayout *layout =
+        read_text("layout: range\ntargets: [RG32UI]\nfields:\n"
+                  "  - { slot: diffuse, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n"
+                  "  - { slot: specular, encoding: unorm, bits: 10, range: [0.2, 0.7] }\n");
     options.custom = layout;
     MatcDocument *document = matc_read("test.yaml", material, sizeof material - 1, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
@@ -130,8 +139,9 @@ static void a_range_is_counted_from_its_lower_end(void **state)
 static void json_is_read_too(void **state)
 {
     (void)state;
-    static const char text[] = "{ \"layout\": \"j\", \"targets\": [\"R32UI\"],\n"
-                               "  \"fields\": [{ \"slot\": \"diffuse\", \"encoding\": \"unorm\", \"bits\": 10 }] }\n";
+    static const char text[] =
+        "{ \"layout\": \"j\", \"targets\": [\"R32UI\"],\n"
+        "  \"fields\": [{ \"slot\": \"diffuse\", \"encoding\": \"unorm\", \"bits\": 10 }] }\n";
     MatcOptions options;
     matc_options_init(&options);
     MatcLayout *layout = matc_layout_read("j.json", text, sizeof text - 1, &options);
@@ -139,7 +149,8 @@ static void json_is_read_too(void **state)
     assert_string_equal(matc_layout_name(layout), "j");
     options.custom = layout;
     MatcDocument *document = matc_read("test.yaml", "material: Phong\n", 16, &options);
-    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
+    MatcProgram *program =
+        matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
     assert_true(matc_ok(program));
     assert_int_equal(matc_target_count(program), 1);
     assert_string_equal(matc_target_format(program, 0), "R32UI");
@@ -148,7 +159,8 @@ static void json_is_read_too(void **state)
     matc_program_free(program);
     options.target = "glsl110";
     program = matc_compile(document, 0, MATC_FRAGMENT, &options);
-    assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT), "layout j packs whole numbers"));
+    assert_non_null(
+        strstr(matc_program_diagnostics(program, MATC_TEXT), "layout j packs whole numbers"));
     matc_program_free(program);
     matc_document_free(document);
     matc_layout_free(layout);
@@ -164,25 +176,30 @@ static void json_is_read_too(void **state)
 static void another_constant_is_told(void **state)
 {
     (void)state;
-    static const char same[] = "material: RGBA\n", other[] = "material: Phong\nspecular: 0.5\nshininess: 0.9\n";
-    MatcLayout *layout = read_text("layout: k\ntargets: [R32UI]\nfields: [{ slot: diffuse, encoding: root, bits: 8 }]\n"
-                                   "constants: { shininess: 4 }\n");
+    static const char same[] = "material: RGBA\n",
+                      other[] = "material: Phong\nspecular: 0.5\nshininess: 0.9\n";
+    MatcLayout *layout = read_text(
+        "layout: k\ntargets: [R32UI]\nfields: [{ slot: diffuse, encoding: root, bits: 8 }]\n"
+        "constants: { shininess: 4 }\n");
     MatcOptions options;
     matc_options_init(&options);
     options.custom = layout;
     for (int i = 0; i < 2; i++) {
-        MatcDocument *document = matc_read("test.yaml", i ? other : same, strlen(i ? other : same), &options);
+        MatcDocument *document =
+            matc_read("test.yaml", i ? other : same, strlen(i ? other : same), &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
         assert_true(matc_ok(program));
         const char *said = matc_program_diagnostics(program, MATC_TEXT);
-        assert_true((strstr(said, "warning: layout k gives back another shininess") != NULL) == (i == 1));
+        assert_true((strstr(said, "warning: layout k gives back another shininess") != NULL) ==
+                    (i == 1));
         matc_program_free(program);
         matc_document_free(document);
     }
     matc_layout_free(layout);
 }
 
-/* The example layouts, with materials that they are for, in every case of theirs; test_layout_claims has mixed. */
+/* The example layouts, with materials that they are for, in every case of theirs;
+ * test_layout_claims has mixed. */
 static void examples_keep_what_they_promise(void **state)
 {
     (void)state;
@@ -217,13 +234,14 @@ static void examples_keep_what_they_promise(void **state)
         free(text);
     }
     drawer_close(&drawer);
-    print_message("%d materials, %ld values, errors up to %.3f of their bounds\n", kept.materials, kept.values,
-                  kept.worst);
+    print_message("%d materials, %ld values, errors up to %.3f of their bounds\n", kept.materials,
+                  kept.values, kept.worst);
     assert_string_equal(kept.error, "");
     assert_true(kept.values > 10000 && kept.worst > 0.5);
 }
 
-/* The text that reads back the cases in `cases` of compact, and the case that a material takes. From malloc. */
+/* The text that reads back the cases in `cases` of compact, and the case that a material takes.
+ * From malloc. */
 static char *unpacking(const char *document, unsigned cases, int *taken)
 {
     MatcOptions options;
@@ -239,7 +257,8 @@ static char *unpacking(const char *document, unsigned cases, int *taken)
     return text;
 }
 
-/* What a set's materials do not take is not in the text that reads them back: neither code nor slots. */
+/* What a set's materials do not take is not in the text that reads them back: neither code nor
+ * slots. */
 static void unpacking_holds_what_is_taken(void **state)
 {
     (void)state;
@@ -249,7 +268,8 @@ static void unpacking_holds_what_is_taken(void **state)
         const char *there, *gone;
     } tries[] = {
         {"material: Phong\ndiffuse: .5\n", 0, 30, "SURFACE_HAS_shininess", "number"},
-        {"material: Phong\ndiffuse: .5\ntransparency: .5\n", 1, 30, "SURFACE_HAS_diffuseTransparency", "SURFACE_HAS_emissive"},
+        {"material: Phong\ndiffuse: .5\ntransparency: .5\n", 1, 30,
+         "SURFACE_HAS_diffuseTransparency", "SURFACE_HAS_emissive"},
         {"material: Principled\n", 4, 30, "SURFACE_HAS_roughness", "SURFACE_HAS_shininess"},
         {"material: Principled\nfuzz: 1\n", 9, 35, "SURFACE_HAS_fuzzColor", "SURFACE_HAS_coat"},
     };

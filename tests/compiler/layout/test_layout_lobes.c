@@ -1,5 +1,6 @@
-/* Which lobes a Principled may have at once: compact holds any two, light of its own and holes among them, and says what it loses of more; --layout=auto any
- * two and light besides. All numbers vary, those of the base too. */
+/* Which lobes a Principled may have at once: compact holds any two, light of its own and holes
+ * among them, and says what it loses of more; --layout=auto any two and light besides. All numbers
+ * vary, those of the base too. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 #include "compiler/base/file.h"
@@ -18,12 +19,19 @@ static const struct {
     {"emission", "emission: '= 3 * u'\nemissionColor: '= [u, v, 1]'\n"},
     {"holes", "opacity: '= u'\n"},
 };
-enum { LOBES = sizeof lobes / sizeof *lobes, SUBSURFACE = 3, LEAF = 4, FILM = 6, EMISSION = 7, LONGEST = 2048 };
+enum {
+    LOBES = sizeof lobes / sizeof *lobes,
+    SUBSURFACE = 3,
+    LEAF = 4,
+    FILM = 6,
+    EMISSION = 7,
+    LONGEST = 2048
+};
 
 static void put(char *text, int a, int b)
 {
-    strcpy(text,
-           "material: Principled\nbaseColor: '= [u, v, .5]'\nmetalness: '= v'\nroughness: '= u'\nspecular: '= v'\n");
+    strcpy(text, "material: Principled\nbaseColor: '= [u, v, .5]'\nmetalness: '= v'\nroughness: '= "
+                 "u'\nspecular: '= v'\n");
     strcat(text, lobes[a].params);
     if (a != b)
         strcat(text, lobes[b].params);
@@ -109,7 +117,8 @@ static bool auto_loses(const char *path, const char *text)
     assert_non_null(file);
     fputs(text, file);
     fclose(file);
-    snprintf(command, sizeof command, "'%s' --layout=auto --no-validate -o /dev/null '%s' 2>&1", MATC_PROGRAM, path);
+    snprintf(command, sizeof command, "'%s' --layout=auto --no-validate -o /dev/null '%s' 2>&1",
+             MATC_PROGRAM, path);
     FILE *said = popen(command, "r");
     bool loses = false;
     while (fgets(line, sizeof line, said))
@@ -129,7 +138,8 @@ static void auto_holds_any_two_and_light(void **state)
             put(text, a, b);
             strcat(text, lobes[EMISSION].params);
             if (auto_loses(path, text))
-                fail_msg("%s and %s with emission: auto loses one of them", lobes[a].name, lobes[b].name);
+                fail_msg("%s and %s with emission: auto loses one of them", lobes[a].name,
+                         lobes[b].name);
         }
     unlink(path);
 }

@@ -1,4 +1,5 @@
-/* Rows of layouts.def, without drawing: places do not overlap, and glslang takes every layout in every GLSL that it has. */
+/* Rows of layouts.def, without drawing: places do not overlap, and glslang takes every layout in
+ * every GLSL that it has. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"
@@ -13,11 +14,14 @@ static void check_places(const LayoutRow *layout, int number)
     const bool further = number >= layout->case_count - layout->further_count;
     const int last = layout_targets(layout) - 1;
     const FormatRow *end = &format_table[layout->formats[last]];
-    const int behind = number - (layout->case_count - layout->further_count); /* fifteen of four bits, then with as many more as the rest takes */
+    /* fifteen of four bits, then with as many more as the rest takes */
+    const int behind = number - (layout->case_count - layout->further_count);
     int bits = 0;
     while (further && bits < 4 && 1 << bits < layout->further_count)
         bits++;
-    for (int more = 0; further && layout->further_count > 16 && behind >= 15 && 1 << more < layout->further_count - 15; more++)
+    for (int more = 0; further && layout->further_count > 16 && behind >= 15 &&
+                       1 << more < layout->further_count - 15;
+         more++)
         bits++;
     memset(taken[0][0], 1, (size_t)(layout_case_bits(layout) + bits));
     if (further || (layout->further_count && !number))
@@ -26,7 +30,8 @@ static void check_places(const LayoutRow *layout, int number)
     for (int k = 0; k < placement.count; k++) {
         const Piece *piece = &placement.pieces[k];
         const FormatRow *format = &format_table[layout->formats[piece->target]];
-        int lanes = format->words ? 1 : piece->size, bits = format->words ? piece->size : format->bits;
+        int lanes = format->words ? 1 : piece->size,
+            bits = format->words ? piece->size : format->bits;
         assert_true(piece->lane + lanes <= format->lanes && piece->shift + bits <= format->bits);
         for (int lane = 0; lane < lanes; lane++)
             for (int bit = 0; bit < bits; bit++)
@@ -59,29 +64,33 @@ static void old_glsl_has_no_whole_numbers(void **state)
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
     options.layout = "integer";
     options.target = "glsl110";
-    MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
+    MatcProgram *program =
+        matc_compile(document, 0, MATC_FRAGMENT | MATC_UNPACK | MATC_REFLECT, &options);
     assert_false(matc_ok(program));
-    assert_non_null(
-        strstr(matc_program_diagnostics(program, MATC_TEXT), "layout integer packs whole numbers, which glsl110"));
+    assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT),
+                           "layout integer packs whole numbers, which glsl110"));
     matc_program_free(program);
     options.target = NULL;
     program = matc_compile(document, 0, MATC_FRAGMENT | MATC_REFLECT, &options);
     assert_true(matc_ok(program));
     assert_int_equal(matc_target_count(program), 3);
     assert_string_equal(matc_target_format(program, 2), "RGBA32UI");
-    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL), "\"location\": 2, \"format\": \"RGBA32UI\""));
+    assert_non_null(strstr(matc_output(program, MATC_REFLECT, NULL),
+                           "\"location\": 2, \"format\": \"RGBA32UI\""));
     matc_program_free(program);
     matc_document_free(document);
 }
 
-/* Every layout in every GLSL that it has, for both passes that write one: glslang takes it, SPIR-V too. */
+/* Every layout in every GLSL that it has, for both passes that write one: glslang takes it, SPIR-V
+ * too. */
 static void every_layout_is_valid(void **state)
 {
     (void)state;
     MatcOptions options;
     matc_options_init(&options);
-    static const char text[] = "material: Phong\ndiffuse: { map: Granite }\nemissive: { map: Wood }\n"
-                               "transparency: { param: clear, default: 0.5 }\ninput: { map: BumpMap }\n";
+    static const char text[] =
+        "material: Phong\ndiffuse: { map: Granite }\nemissive: { map: Wood }\n"
+        "transparency: { param: clear, default: 0.5 }\ninput: { map: BumpMap }\n";
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
     assert_int_equal(matc_material_count(document), 1);
     for (int i = 0; i < LAYOUT_COUNT * TARGET_COUNT * 4; i++) {
@@ -95,9 +104,11 @@ static void every_layout_is_valid(void **state)
         if (!target_table[target].words && layout_has_words(layout))
             continue;
         MatcProgram *program = matc_compile(
-            document, 0, MATC_FRAGMENT | MATC_UNPACK | (target_table[target].spirv ? MATC_SPIRV : 0), &options);
+            document, 0,
+            MATC_FRAGMENT | MATC_UNPACK | (target_table[target].spirv ? MATC_SPIRV : 0), &options);
         if (!matc_ok(program))
-            fail_msg("%s, %s: %s", layout->name, options.target, matc_program_diagnostics(program, MATC_TEXT));
+            fail_msg("%s, %s: %s", layout->name, options.target,
+                     matc_program_diagnostics(program, MATC_TEXT));
         matc_program_free(program);
     }
     matc_document_free(document);

@@ -1,5 +1,6 @@
-/* The table of normal encodings: mean, rms and greatest error in degrees over two million random directions, beside measured
- * figures. The encodings are the C references, in double precision; test_codes holds the GLSL to them. */
+/* The table of normal encodings: mean, rms and greatest error in degrees over two million random
+ * directions, beside measured figures. The encodings are the C references, in double precision;
+ * test_codes holds the GLSL to them. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "compiler/library/normal.h"
@@ -18,15 +19,18 @@ static void errors_are_those_of_the_table(void **state)
     for (int i = 0; i < normal_rows; i++) {
         const NormalRow *row = &normal_table[i];
         NormalAngles a = normals_measure(row, DIRECTIONS);
-        bool fine = normals_off(a.mean, row->mean) <= 0.01 && normals_off(a.rms, row->rms) <= 0.01 &&
+        bool fine = normals_off(a.mean, row->mean) <= 0.01 &&
+                    normals_off(a.rms, row->rms) <= 0.01 &&
                     (normals_are_singular(row) || normals_off(a.maximum, row->maximum) <= 0.01);
-        print_message("%-36s %10.5f %10.5f %10.5f%s\n", row->name, a.mean, a.rms, a.maximum, fine ? "" : " differs");
+        print_message("%-36s %10.5f %10.5f %10.5f%s\n", row->name, a.mean, a.rms, a.maximum,
+                      fine ? "" : " differs");
         wrong += !fine;
     }
     assert_int_equal(wrong, 0);
 }
 
-/* Every code of 8 and 12 bits: its direction has that code, but on the folded border, where it has that direction. */
+/* Every code of 8 and 12 bits: its direction has that code, but on the folded border, where it has
+ * that direction. */
 static void every_code_is_its_own(void **state)
 {
     (void)state;

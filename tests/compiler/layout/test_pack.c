@@ -1,5 +1,6 @@
-/* What is packed into half floats survives a real RGBA16F target: every code of packPair, and normals through the spheremap.
- * The GLSL is the library's own, drawn; the reading side is a second program that samples the target. */
+/* What is packed into half floats survives a real RGBA16F target: every code of packPair, and
+ * normals through the spheremap. The GLSL is the library's own, drawn; the reading side is a second
+ * program that samples the target. */
 #include "tests/test.h"
 #include "tests/value/canvas.h"
 #include "tests/value/half.h"
@@ -41,15 +42,18 @@ static void draw(Fixture *f, const Drawing *drawing, const Framebuffer *target, 
 }
 
 /* numbers -> pack -> half floats -> unpack -> numbers. `t` is the texel under the pixel. */
-static void round_trip(Fixture *f, const char *pack, const char *packing, const char *unpack, const char *unpacking)
+static void round_trip(Fixture *f, const char *pack, const char *packing, const char *unpack,
+                       const char *unpacking)
 {
-    const TextureSpec numbers = {.width = SIDE, .height = SIDE, .lanes = 4, .floats = &f->numbers[0][0]};
+    const TextureSpec numbers = {
+        .width = SIDE, .height = SIDE, .lanes = 4, .floats = &f->numbers[0][0]};
     f->canvas.gl->DeleteTextures(1, &f->source); /* GL ignores the name 0 */
     f->source = texture_make(f->canvas.gl, &numbers);
     assert_true(f->source);
-    draw(f, &(Drawing){.functions = pack, .expression = packing, .texture = f->source}, &f->canvas.halves, f->packed);
-    draw(f, &(Drawing){.functions = unpack, .expression = unpacking, .source = &f->canvas.halves}, &f->canvas.floats,
-         f->unpacked);
+    draw(f, &(Drawing){.functions = pack, .expression = packing, .texture = f->source},
+         &f->canvas.halves, f->packed);
+    draw(f, &(Drawing){.functions = unpack, .expression = unpacking, .source = &f->canvas.halves},
+         &f->canvas.floats, f->unpacked);
 }
 
 static void all_plain(const Fixture *f, int lanes)
@@ -67,7 +71,8 @@ static void round_trip_pairs(Fixture *f)
     all_plain(f, 2);
 }
 
-/* Code (k, m) is that of every x in [k, k + 1) / 127.5: its middle in lanes x, y; 1 where that is beyond. */
+/* Code (k, m) is that of every x in [k, k + 1) / 127.5: its middle in lanes x, y; 1 where that is
+ * beyond. */
 static void every_code_survives(void **state)
 {
     Fixture *f = *state;
@@ -108,20 +113,23 @@ static void packing_again_changes_nothing(void **state)
 /* Numbers beyond [0, 1] are taken into it, and no number is stored more than a step off. */
 static void anything_can_be_packed(void **state)
 {
-    static const float hard[] = {0,     -0.f,   1,     -1,          2,          1e30f,        -1e30f,
-                                 3e38f, 1e-38f, 1e-8f, 0.99999994f, 1.0000001f, 127 / 127.5f, 126.99999f / 127.5f,
-                                 1e-45f};
+    static const float hard[] = {
+        0,     -0.f,   1,     -1,          2,          1e30f,        -1e30f,
+        3e38f, 1e-38f, 1e-8f, 0.99999994f, 1.0000001f, 127 / 127.5f, 126.99999f / 127.5f,
+        1e-45f};
     enum { HARD = sizeof hard / sizeof *hard };
     Fixture *f = *state;
     for (int i = 0; i < TEXELS; i++)
         for (int lane = 0; lane < 4; lane++) {
             int n = i / (lane % 2 ? 1 : HARD) % HARD;
-            f->numbers[i][lane] = lane < 2 ? hard[n] : (float)fmod(i * (lane == 2 ? 0.6180339887 : 0.4142135624), 1);
+            f->numbers[i][lane] =
+                lane < 2 ? hard[n] : (float)fmod(i * (lane == 2 ? 0.6180339887 : 0.4142135624), 1);
         }
     round_trip_pairs(f);
     for (int i = 0; i < TEXELS; i++)
         for (int lane = 0; lane < 4; lane++) {
-            double number = fmin(fmax(f->numbers[i][lane], 0), 1), error = number - f->unpacked[i][lane];
+            double number = fmin(fmax(f->numbers[i][lane], 0), 1),
+                   error = number - f->unpacked[i][lane];
             if (error < -6e-8 || error > 1 / 127.5 + 6e-8)
                 fail_msg("%.9g comes back as %.9g", f->numbers[i][lane], f->unpacked[i][lane]);
         }
@@ -160,18 +168,20 @@ static void add_angle(Angles *angles, double angle)
     angles->worst = fmax(angles->worst, angle);
 }
 
-/* numerics.md: spheremap in two halves, mean and worst, sphere and hemisphere that is seen. Those are of a driver that
- * rounds; one that cuts, as llvmpipe does, errs twice as much. */
+/* numerics.md: spheremap in two halves, mean and worst, sphere and hemisphere that is seen. Those
+ * are of a driver that rounds; one that cuts, as llvmpipe does, errs twice as much. */
 static void normals_come_back(void **state)
 {
-    const double mean_sphere = 0.0419, worst_sphere = 3.93, mean_seen = 0.0324, worst_seen = 0.108, cut = 2.1;
+    const double mean_sphere = 0.0419, worst_sphere = 3.93, mean_seen = 0.0324, worst_seen = 0.108,
+                 cut = 2.1;
     enum { ROUNDS = 16 };
     Fixture *f = *state;
     Angles sphere = {0}, seen = {0};
     for (int round = 0; round < ROUNDS; round++) {
         for (int i = 0; i < TEXELS; i++) {
             double index = (double)round * TEXELS + i;
-            put_normal(f->numbers[i], 1 - 2 * (index + 0.5) / ((double)ROUNDS * TEXELS), index * 2.399963229728653);
+            put_normal(f->numbers[i], 1 - 2 * (index + 0.5) / ((double)ROUNDS * TEXELS),
+                       index * 2.399963229728653);
         }
         round_trip(f, "encodeSpheremap", "vec4(encodeSpheremap(t.xyz), 0., 1.)", "decodeSpheremap",
                    "vec4(decodeSpheremap(t.xy), 0.)");
@@ -185,11 +195,14 @@ static void normals_come_back(void **state)
         }
         for (int i = 0; i < TEXELS; i++)
             for (int lane = 0; lane < 2; lane++)
-                assert_true(isfinite(f->packed[i][lane]) && f->packed[i][lane] >= 0 && f->packed[i][lane] <= 1);
+                assert_true(isfinite(f->packed[i][lane]) && f->packed[i][lane] >= 0 &&
+                            f->packed[i][lane] <= 1);
     }
     print_message("degrees: sphere mean %.4f worst %.2f, hemisphere mean %.4f worst %.4f\n",
-                  sphere.sum / (double)sphere.count, sphere.worst, seen.sum / (double)seen.count, seen.worst);
-    assert_true(sphere.sum / (double)sphere.count <= cut * mean_sphere && sphere.worst <= cut * worst_sphere);
+                  sphere.sum / (double)sphere.count, sphere.worst, seen.sum / (double)seen.count,
+                  seen.worst);
+    assert_true(sphere.sum / (double)sphere.count <= cut * mean_sphere &&
+                sphere.worst <= cut * worst_sphere);
     assert_true(seen.sum / (double)seen.count <= cut * mean_seen && seen.worst <= cut * worst_seen);
 }
 
@@ -209,9 +222,11 @@ static void hard_normals_come_back(void **state)
                "vec4(decodeSpheremap(t.xy), 0.)");
     for (int i = 0; i < TEXELS; i++) {
         const float *n = f->unpacked[i];
-        assert_true(fabs(sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]) - 1) < 1e-6);
+        assert_true(
+            fabs(sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]) - 1) < 1e-6);
         assert_true(angle_between(f->numbers[i], n) < 8); /* next to -z */
-        assert_true(f->packed[i][0] >= 0 && f->packed[i][0] <= 1 && f->packed[i][1] >= 0 && f->packed[i][1] <= 1);
+        assert_true(f->packed[i][0] >= 0 && f->packed[i][0] <= 1 && f->packed[i][1] >= 0 &&
+                    f->packed[i][1] <= 1);
     }
 }
 

@@ -3,23 +3,26 @@
 #include "grammar/layout_tables.h"
 #include "tests/preview.h"
 
-/* The same picture but for quantisation: mean and greatest difference to that of the thesis' layout, in steps of 255. */
+/* The same picture but for quantisation: mean and greatest difference to that of the thesis'
+ * layout, in steps of 255. */
 static void pictures_are_alike(void **state)
 {
     (void)state;
     enum { PIXELS = 96 * 96 };
     static unsigned char first[3 * PIXELS], picture[3 * PIXELS];
-    static const char text[] = "material: Phong\n"
-                               "diffuse: { map: Checker, color1: [0.2, 0.5, 0.8], color2: [0.6, 0.3, 0.1] }\n"
-                               "specular: [0.4, 0.35, 0.3]\nshininess: 0.8\ntransparency: [0.1, 0.2, 0.05]\n"
-                               "diffuseTransparency: [0.1, 0.05, 0.2]\nemissive: [0.02, 0.05, 0.01]\n";
+    static const char text[] =
+        "material: Phong\n"
+        "diffuse: { map: Checker, color1: [0.2, 0.5, 0.8], color2: [0.6, 0.3, 0.1] }\n"
+        "specular: [0.4, 0.35, 0.3]\nshininess: 0.8\ntransparency: [0.1, 0.2, 0.05]\n"
+        "diffuseTransparency: [0.1, 0.05, 0.2]\nemissive: [0.02, 0.05, 0.01]\n";
     MatcOptions compile;
     matc_options_init(&compile);
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
     assert_int_equal(matc_material_count(document), 1);
     for (int layout = 0; layout < LAYOUT_COUNT; layout++) {
-        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile, .samples = 2}},
-                                                .preview = {.width = 96, .height = 96}};
+        const MaterialPictureOptions options = {
+            .pictures = {.render = {.compile = &compile, .samples = 2}},
+            .preview = {.width = 96, .height = 96}};
         double sum = 0;
         int greatest = 0;
         compile.layout = layout_table[layout].name;
@@ -29,7 +32,8 @@ static void pictures_are_alike(void **state)
             sum += difference;
             greatest = difference > greatest ? difference : greatest;
         }
-        print_message("%s: mean %.4f, greatest %d\n", layout_table[layout].name, sum / (3 * PIXELS), greatest);
+        print_message("%s: mean %.4f, greatest %d\n", layout_table[layout].name, sum / (3 * PIXELS),
+                      greatest);
         assert_true(sum / (3 * PIXELS) < 1.5 && greatest <= 12);
     }
     matc_document_free(document);
@@ -54,8 +58,9 @@ static void shapes_are_seen(void **state)
     (void)state;
     enum { SIZE = 96 };
     static unsigned char rgb[3 * SIZE * SIZE];
-    static const char text[] = "{ material: Phong, diffuse: { map: Checker, color1: 0.6, color2: [0.1, 0.3, 0.5], "
-                               "input: { map: UVTransform, scaleU: 8, scaleV: 4 } }, shininess: 0.7 }";
+    static const char text[] =
+        "{ material: Phong, diffuse: { map: Checker, color1: 0.6, color2: [0.1, 0.3, 0.5], "
+        "input: { map: UVTransform, scaleU: 8, scaleV: 4 } }, shininess: 0.7 }";
     char error[512] = "";
     MatcOptions compile;
     MaterialSaid said;
@@ -65,8 +70,9 @@ static void shapes_are_seen(void **state)
     if (!gl)
         fail_msg("%s", error);
     for (int shape = 0; shape < SHAPE_count; shape++) {
-        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
-                                                .preview = {.shape = (ShapeKind)shape, .width = SIZE, .height = SIZE}};
+        const MaterialPictureOptions options = {
+            .pictures = {.render = {.compile = &compile}},
+            .preview = {.shape = (ShapeKind)shape, .width = SIZE, .height = SIZE}};
         MaterialPictures *pictures = material_pictures_open(gl, &options);
         if (!pictures || !material_pictures_show(pictures, document, 0, &said) ||
             !scene_pictures_pixels(material_pictures_of(pictures), rgb))
@@ -80,13 +86,15 @@ static void shapes_are_seen(void **state)
     matc_document_free(document);
 }
 
-/* One renderer for all: each picture is what a renderer of its own draws, whatever was drawn before. */
+/* One renderer for all: each picture is what a renderer of its own draws, whatever was drawn
+ * before. */
 static void pictures_do_not_mix(void **state)
 {
     (void)state;
     enum { SIZE = 24, BYTES = 3 * SIZE * SIZE };
-    static const char text[] = "materials: { a: { material: Phong, diffuse: [0.6, 0.3, 0.1] }, b: { material: Phong, "
-                               "transparency: 0.5 }, c: { material: Phong, diffuse: [0.1, 0.3, 0.1] } }";
+    static const char text[] =
+        "materials: { a: { material: Phong, diffuse: [0.6, 0.3, 0.1] }, b: { material: Phong, "
+        "transparency: 0.5 }, c: { material: Phong, diffuse: [0.1, 0.3, 0.1] } }";
     static const int order[] = {0, 1, 2, 1, 0};
     static unsigned char alone[3][BYTES], rgb[BYTES];
     MatcOptions compile;
@@ -96,14 +104,16 @@ static void pictures_do_not_mix(void **state)
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &compile);
     GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
     assert_non_null(gl);
-    const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
-                                            .preview = {.shape = SHAPE_torus, .width = SIZE, .height = SIZE}};
+    const MaterialPictureOptions options = {
+        .pictures = {.render = {.compile = &compile}},
+        .preview = {.shape = SHAPE_torus, .width = SIZE, .height = SIZE}};
     for (int i = -3; i < (int)(sizeof order / sizeof *order); i++) {
         static MaterialPictures *all;
         MaterialPictures *pictures = i < 0 || !all ? material_pictures_open(gl, &options) : all;
         const int material = i < 0 ? i + 3 : order[i];
         assert_true(pictures && material_pictures_show(pictures, document, material, &said));
-        assert_true(scene_pictures_pixels(material_pictures_of(pictures), i < 0 ? alone[material] : rgb));
+        assert_true(
+            scene_pictures_pixels(material_pictures_of(pictures), i < 0 ? alone[material] : rgb));
         free(said.diagnostics);
         all = i < 0 ? NULL : pictures;
         if (i < 0 || i + 1 == (int)(sizeof order / sizeof *order))
@@ -132,11 +142,13 @@ static void faults_are_told(void **state)
         MatcOptions compile;
         MaterialSaid said;
         matc_options_init(&compile);
-        MatcDocument *document = matc_read("test.yaml", cases[i].text, strlen(cases[i].text), &compile);
+        MatcDocument *document =
+            matc_read("test.yaml", cases[i].text, strlen(cases[i].text), &compile);
         compile.layout = cases[i].layout;
         GlContext *gl = gl_open(GL_KIND_osmesa, true, error, sizeof error);
-        const MaterialPictureOptions options = {
-            .pictures = {.render = {.compile = &compile}}, .preview = {.width = 8, .height = 8}, .slot = cases[i].slot};
+        const MaterialPictureOptions options = {.pictures = {.render = {.compile = &compile}},
+                                                .preview = {.width = 8, .height = 8},
+                                                .slot = cases[i].slot};
         MaterialPictures *pictures = gl ? material_pictures_open(gl, &options) : NULL;
         assert_non_null(pictures);
         assert_false(material_pictures_show(pictures, document, 0, &said));

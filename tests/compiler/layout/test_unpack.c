@@ -1,5 +1,5 @@
-/* The text that reads a whole layout back, drawn with the words of each of its cases: every slot that a case leaves out is what the case says, or what absent
- * slots are, and no other case's. */
+/* The text that reads a whole layout back, drawn with the words of each of its cases: every slot
+ * that a case leaves out is what the case says, or what absent slots are, and no other case's. */
 #include "tests/test.h"
 #include "compiler/layout/layout.h"
 #include "compiler/matc.h"
@@ -14,7 +14,8 @@ enum { SIDE = 32, ROOM = 1 << 14 }; /* a column a slot, a row a case */
 /* first[] and last[]: a word of each case. */
 static size_t put_words(char *text, const LayoutRow *row, const char *name, int target, int lane)
 {
-    size_t size = (size_t)snprintf(text, ROOM, "const uint %s[%d] = uint[](", name, row->case_count);
+    size_t size =
+        (size_t)snprintf(text, ROOM, "const uint %s[%d] = uint[](", name, row->case_count);
     for (int i = 0; i < row->case_count; i++)
         size += (size_t)snprintf(text + size, ROOM - size, "%s%.0fu", i ? ", " : "",
                                  layout_case_code(row, i, target, lane));
@@ -27,17 +28,20 @@ static void put_body(char text[ROOM], const LayoutRow *row)
     const int last = layout_targets(row) - 1;
     size_t size = put_words(text, row, "first", 0, 0);
     size += put_words(text + size, row, "last", last, 3);
-    size += (size_t)snprintf(text + size, ROOM - size,
-                             "vec4 passPixel(ivec2 p) {\n    int i = min(p.y, %d);\n    Surface s = unpackTexels(",
-                             row->case_count - 1);
+    size += (size_t)snprintf(
+        text + size, ROOM - size,
+        "vec4 passPixel(ivec2 p) {\n    int i = min(p.y, %d);\n    Surface s = unpackTexels(",
+        row->case_count - 1);
     for (int target = 0; target <= last; target++)
-        size += (size_t)snprintf(text + size, ROOM - size, "%suvec4(%s, 0u, 0u, %s)", target ? ", " : "",
-                                 target ? "0u" : "first[i]", target == last ? "last[i]" : "0u");
+        size += (size_t)snprintf(text + size, ROOM - size, "%suvec4(%s, 0u, 0u, %s)",
+                                 target ? ", " : "", target ? "0u" : "first[i]",
+                                 target == last ? "last[i]" : "0u");
     size += (size_t)snprintf(text + size, ROOM - size, ");\n");
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (layout_has_slot(row, (Slot)slot))
-            size += (size_t)snprintf(text + size, ROOM - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
-                                     slot_table[slot].name, fill[type_table[slot_table[slot].type].lanes]);
+            size += (size_t)snprintf(
+                text + size, ROOM - size, "    if (p.x == %d) return vec4(s.%s%s);\n", slot,
+                slot_table[slot].name, fill[type_table[slot_table[slot].type].lanes]);
     size += (size_t)snprintf(text + size, ROOM - size, "    return vec4(0.0);\n}\n");
     assert_true(size < ROOM);
 }
@@ -50,9 +54,11 @@ static void check_case(const LayoutRow *row, int number, float (*said)[4])
             continue;
         const FixedRow *own = layout_case_fixed(fields, (Slot)slot);
         for (int lane = 0; lane < type_table[slot_table[slot].type].lanes; lane++) {
-            const double want = own ? own->value[lane] : slot_table[slot].absent, is = said[number * SIDE + slot][lane];
+            const double want = own ? own->value[lane] : slot_table[slot].absent,
+                         is = said[number * SIDE + slot][lane];
             if (is != (float)want)
-                fail_msg("%s, case %d: %s is %g, not %g", row->name, number, slot_table[slot].name, is, want);
+                fail_msg("%s, case %d: %s is %g, not %g", row->name, number, slot_table[slot].name,
+                         is, want);
         }
     }
 }
@@ -75,7 +81,8 @@ static void cases_have_what_they_leave_out(void **state)
         MatcProgram *program = matc_compile(read, 0, MATC_UNPACK, &options);
         assert_true(matc_ok(program));
         put_body(body, row);
-        const ScreenPassText text = {.body = {matc_output(program, MATC_UNPACK, NULL), body}, .format = "RGBA32F"};
+        const ScreenPassText text = {.body = {matc_output(program, MATC_UNPACK, NULL), body},
+                                     .format = "RGBA32F"};
         pass_values(gl, &text, SIDE, said);
         for (int number = 0; number < row->case_count; number++)
             check_case(row, number, said);

@@ -1,5 +1,6 @@
-/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, lanes and signs in any order, comes out
- * whole and fraction far from the origin. The truth is a matrix and an offset in long double that the test carries along. */
+/* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, lanes and
+ * signs in any order, comes out whole and fraction far from the origin. The truth is a matrix and
+ * an offset in long double that the test carries along. */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/lower/footprint.h"
@@ -48,8 +49,12 @@ static void open_trial(Trial *t, uint64_t seed, bool simplify)
     t->options.coordinates = "long";
     t->options.pass = "value";
     assert_null(choice_job(&t->options, &t->job));
-    t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
-    t->l = (Lower){.session = &t->session, .graph = &t->graph, .ir = ir_new(&t->session, &t->graph), .job = &t->job};
+    t->session = (Session){
+        .options = &t->options, .arena = &t->arena, .optimize = simplify ? 2 : 0, .check = true};
+    t->l = (Lower){.session = &t->session,
+                   .graph = &t->graph,
+                   .ir = ir_new(&t->session, &t->graph),
+                   .job = &t->job};
     t->l.ir->simplify = simplify ? opt_simplify : NULL;
     t->value = build_input(t->l.ir, INPUT_X);
     for (int i = 0; i < LANES; i++)
@@ -72,7 +77,8 @@ static void step_sum(Trial *t)
     for (int i = 0; i < LANES; i++) {
         for (int k = 0; form == 3 && k < LANES; k++)
             t->exact.row[i][k] *= -1;
-        t->exact.offset[i] = (form == 3 ? -1 : 1) * t->exact.offset[i] + (form == 2 ? -1 : 1) * (long double)shift[i];
+        t->exact.offset[i] = (form == 3 ? -1 : 1) * t->exact.offset[i] +
+                             (form == 2 ? -1 : 1) * (long double)shift[i];
     }
 }
 
@@ -88,7 +94,8 @@ static void step_product(Trial *t)
     double by[LANES] = {factor(t), factor(t), factor(t)};
     bool one = choose(t, 2), first = choose(t, 2);
     Ref constant = one ? build_float(t->l.ir, by[0]) : ir_const(t->l.ir, TYPE_vec3, by);
-    t->value = build_mul_of(t->l.ir, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant});
+    t->value =
+        build_mul_of(t->l.ir, first ? (Ref[]){constant, t->value} : (Ref[]){t->value, constant});
     for (int i = 0; i < LANES; i++)
         scale_lane(t, i, by[one ? 0 : i]);
 }
@@ -112,8 +119,8 @@ static void step_matrix(Trial *t)
     column[k][k] = cos(angle) * stretch;
     column[i][k] = sin(angle);
     column[k][i] = -sin(angle);
-    Ref args[] = {t->value, ir_const(t->l.ir, TYPE_vec3, column[0]), ir_const(t->l.ir, TYPE_vec3, column[1]),
-                  ir_const(t->l.ir, TYPE_vec3, column[2])};
+    Ref args[] = {t->value, ir_const(t->l.ir, TYPE_vec3, column[0]),
+                  ir_const(t->l.ir, TYPE_vec3, column[1]), ir_const(t->l.ir, TYPE_vec3, column[2])};
     t->value = build_linear(t->l.ir, args, 4);
     Exact before = t->exact;
     for (int row = 0; row < LANES; row++) {
@@ -151,7 +158,8 @@ static void step_lanes(Trial *t)
 
 static void step(Trial *t)
 {
-    static void (*const steps[])(Trial * t) = {step_sum, step_product, step_sign, step_matrix, step_lanes};
+    static void (*const steps[])(Trial * t) = {step_sum, step_product, step_sign, step_matrix,
+                                               step_lanes};
     steps[choose(t, sizeof steps / sizeof *steps)](t);
 }
 
@@ -177,7 +185,8 @@ static bool nothing_rounds(const Exact *exact)
     return true;
 }
 
-/* The factors that the program multiplies a float's halves with have 12 bits, so that every product is exact. */
+/* The factors that the program multiplies a float's halves with have 12 bits, so that every product
+ * is exact. */
 static void check_bits(const Ir *ir, Ref call)
 {
     for (int i = 1; i < ir_at(ir, call)->count; i++)
@@ -193,7 +202,8 @@ static void check_point(Trial *t, double scale, const double point[LANES])
     double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];
     for (int i = 0; i < LANES; i++)
         inputs[INPUT_X][i] = point[i];
-    ir_eval(t->l.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, (const double(*)[4])inputs, result);
+    ir_eval(t->l.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, (const double(*)[4])inputs,
+            result);
     for (int i = 0; i < LANES; i++) {
         long double want = t->exact.offset[i], size = fabsl(want);
         for (int k = 0; k < LANES; k++) {
@@ -220,7 +230,9 @@ static void check(Trial *t, double scale)
     assert_null(ir_check(t->l.ir));
     check_bits(t->l.ir, parts.whole);
     for (int i = 0; i < POINTS; i++)
-        check_point(t, scale, (double[]){(float)(1e5 * factor(t)), (float)(3e4 * factor(t)), (float)(7e3 * factor(t))});
+        check_point(t, scale,
+                    (double[]){(float)(1e5 * factor(t)), (float)(3e4 * factor(t)),
+                               (float)(7e3 * factor(t))});
 }
 
 static void whole_and_fraction_are_exact(void **state)
@@ -261,14 +273,17 @@ static void what_is_exact_is_left(void **state)
 {
     (void)state;
     static const Border borders[] = {
-        {{1, 1, 1}, {0, 0, 0}, false},     {{2, 4, 0.5}, {0, 0, 0}, false}, {{-2, 1, 1}, {0, 0, 0}, false},
-        {{2, 2, 3}, {0, 0, 0}, true},      {{1, 1, 1}, {0, 0, 1}, true},    {{1, 1, 1}, {0.5, 0, 0}, true},
-        {{1, 1.0625, 1}, {0, 0, 0}, true}, {{0, 2, 2}, {5, 0, 0}, false},   {{0, 2, 2}, {5, 1, 0}, true},
+        {{1, 1, 1}, {0, 0, 0}, false},     {{2, 4, 0.5}, {0, 0, 0}, false},
+        {{-2, 1, 1}, {0, 0, 0}, false},    {{2, 2, 3}, {0, 0, 0}, true},
+        {{1, 1, 1}, {0, 0, 1}, true},      {{1, 1, 1}, {0.5, 0, 0}, true},
+        {{1, 1.0625, 1}, {0, 0, 0}, true}, {{0, 2, 2}, {5, 0, 0}, false},
+        {{0, 2, 2}, {5, 1, 0}, true},
     };
     for (size_t i = 0; i < sizeof borders / sizeof *borders; i++) {
         Trial t;
         open_trial(&t, i, false);
-        Ref by = ir_const(t.l.ir, TYPE_vec3, borders[i].factor), shift = ir_const(t.l.ir, TYPE_vec3, borders[i].offset);
+        Ref by = ir_const(t.l.ir, TYPE_vec3, borders[i].factor),
+            shift = ir_const(t.l.ir, TYPE_vec3, borders[i].offset);
         t.value = build_add(t.l.ir, build_mul(t.l.ir, t.value, by), shift);
         for (int lane = 0; lane < LANES; lane++) {
             scale_lane(&t, lane, borders[i].factor[lane]);
@@ -294,14 +309,16 @@ static void sums_of_lanes_round(void **state)
     close_trial(&t);
 }
 
-/* Values of two inputs have no one start; nor has the fourth lane of a vector one that is followed. */
+/* Values of two inputs have no one start; nor has the fourth lane of a vector one that is
+ * followed. */
 static void other_starts_are_left(void **state)
 {
     (void)state;
     Trial t;
     LongCoordinate parts;
     open_trial(&t, 0, false);
-    Ref other = build_input(t.l.ir, INPUT_P), three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
+    Ref other = build_input(t.l.ir, INPUT_P),
+        three = ir_const(t.l.ir, TYPE_vec3, (double[]){3, 3, 3});
     Ref both = build_mul(t.l.ir, build_add(t.l.ir, t.value, other), three);
     assert_true(affine_coordinate(&t.l, both, 1, &parts)); /* of their sum, as it is */
     assert_int_equal(ir_arg(t.l.ir, parts.whole, 0), ir_arg(t.l.ir, both, 0));

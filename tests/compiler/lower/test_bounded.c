@@ -1,4 +1,5 @@
-/* --trigonometry=bounded leaves nothing to the driver's sines: neither a function of the library nor a whole program calls one. */
+/* --trigonometry=bounded leaves nothing to the driver's sines: neither a function of the library
+ * nor a whole program calls one. */
 #include "tests/test.h"
 #include "compiler/emit/chunks.h"
 #include "tests/value/documents.h"
@@ -10,7 +11,8 @@
 #define SOURCE_FOLDER "."
 #endif
 
-static const char *const drivers[] = {"sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh"};
+static const char *const drivers[] = {"sin",  "cos",  "tan",  "asin", "acos",
+                                      "atan", "sinh", "cosh", "tanh"};
 enum { DRIVER_COUNT = sizeof drivers / sizeof *drivers, MOST_SHOWN = 10 };
 
 static bool is_driver_call(const char *name, size_t size)
@@ -43,8 +45,8 @@ static void calls_are_seen(void **state)
 {
     (void)state;
     static const char *const calls[] = {"x = sin(y);", "atan(y, x)", "2.0*cos(1.0)"};
-    static const char *const others[] = {"// of sin(x)\nfloat x;", "mySin(x)", "sinMean(x)", "a_sin(x)",
-                                         "float sin = 1.0;"};
+    static const char *const others[] = {"// of sin(x)\nfloat x;", "mySin(x)", "sinMean(x)",
+                                         "a_sin(x)", "float sin = 1.0;"};
     for (size_t i = 0; i < sizeof calls / sizeof *calls; i++)
         assert_non_null(driver_call(calls[i]));
     for (size_t i = 0; i < sizeof others / sizeof *others; i++)
@@ -96,13 +98,14 @@ static int check_program(const Document *d, int material, const MatcOptions *opt
     static int shown;
     if (call && shown++ < MOST_SHOWN)
         fprintf(stderr, "%s %s, pass %s, aa=%s, derivatives=%s: %.*s\n", document_name(d),
-                matc_material_name(d->document, material), options->pass, options->aa, options->derivatives,
-                (int)strcspn(call, "\n"), call);
+                matc_material_name(d->document, material), options->pass, options->aa,
+                options->derivatives, (int)strcspn(call, "\n"), call);
     matc_program_free(program);
     return call != NULL;
 }
 
-/* Every way in which a sine comes into a program: as it is written, by a mean over the pixel, by a slope, by the sky. */
+/* Every way in which a sine comes into a program: as it is written, by a mean over the pixel, by a
+ * slope, by the sky. */
 static int check_material(const Document *d, int material)
 {
     static const char *const passes[] = {"gbuffer", "sky"}, *const aa[] = {"none", "box", "aniso"},

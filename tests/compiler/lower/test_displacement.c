@@ -1,5 +1,7 @@
-/* True displacement: the program that shows it and its slopes, in double, against the oracle; and the bound that matc proves, against closed forms
- * and many points; normals on curved bases, against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by the examples. */
+/* True displacement: the program that shows it and its slopes, in double, against the oracle; and
+ * the bound that matc proves, against closed forms and many points; normals on curved bases,
+ * against closed forms. Normals of displaced surfaces are test_equiv's and test_value's besides, by
+ * the examples. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "compiler/choice.h"
@@ -14,12 +16,17 @@
 #define SOURCE_FOLDER "."
 #endif
 
-static const float far = 100;        /* beyond, the oracle's differences are too wide beside what maps do, as in test_equiv */
-static const float tip = 1e-6f;      /* of a distance from an axis, beside which differences are wide */
+/* beyond, the oracle's differences are too wide beside what maps do, as in test_equiv */
+static const float far = 100;
+/* of a distance from an axis, beside which differences are wide */
+static const float tip = 1e-6f;
 static const double value_bound = 1e-12, slope_bound = 1e-6;
 
 /* In [-2, 2): five lanes that fill a box evenly, by powers of the root of x^6 = x + 1. */
-static double spread(int index, int lane) { return 4 * fmod((index + 1) * pow(1.1347241384015194, -(lane + 1)), 1) - 2; }
+static double spread(int index, int lane)
+{
+    return 4 * fmod((index + 1) * pow(1.1347241384015194, -(lane + 1)), 1) - 2;
+}
 
 /* A material and what matc says about it. */
 typedef struct {
@@ -29,16 +36,22 @@ typedef struct {
 } Row;
 
 #define NOISE "{ map: VolumeTurbulence, octaves: 3, noiseRatio: 0.5, size: 3 }"
-#define BLEND(a, b) "{ map: Blend, blend: [{ value: -1, input: " a " }, { value: 1, input: " b " }], input: " NOISE " }"
+#define BLEND(a, b)                                                                                \
+    "{ map: Blend, blend: [{ value: -1, input: " a " }, { value: 1, input: " b                     \
+    " }], input: " NOISE " }"
 static const Row rows[] = {
     {"material: Phong\ndisplacement: 0.25\n", 0.25, 1},
     {"material: RGBA\ndisplacement: -2\ndisplacementScale: 0.5\n", 1, 1},
     /* 1 + 1/2 + 1/4 octaves, each at most 1 */
     {"material: Phong\ndisplacement: " NOISE "\ndisplacementScale: 0.2\n", 0.35, 0.4},
-    {"material: Phong\ndisplacement: { map: Gradient, direction: [1, 2, 0], waveForm: Sin }\ndisplacementScale: -3\n", 3, 0.99},
-    {"material: Phong\ndisplacement: { map: Leopard, frequency: 2 }\ndisplacementScale: 0.5\n", 1, 0.8},
+    {"material: Phong\ndisplacement: { map: Gradient, direction: [1, 2, 0], waveForm: Sin "
+     "}\ndisplacementScale: -3\n",
+     3, 0.99},
+    {"material: Phong\ndisplacement: { map: Leopard, frequency: 2 }\ndisplacementScale: 0.5\n", 1,
+     0.8},
     {"material: Phong\ndisplacement: { map: Checker, color1: 0.125, color2: -0.25 }\n", 0.25, 1},
-    {"material: Phong\ndisplacement: { map: Wood, waveForm: Sin01 }\ndisplacementScale: 0.1\n", 0.1, 0.99},
+    {"material: Phong\ndisplacement: { map: Wood, waveForm: Sin01 }\ndisplacementScale: 0.1\n", 0.1,
+     0.99},
     {"material: Phong\ndisplacement: " BLEND("0.1", "-0.3") "\n", 0.3, 0.7},
     /* cut at its bound */
     {"material: Phong\ndisplacement: { map: Wood }\ndisplacementBound: 0.5\n", 0.5, 1},
@@ -46,12 +59,19 @@ static const Row rows[] = {
     /* 3 + 4 and 1 + 2 + 2: of a frame that is not at right angles all may lead one way */
     {"material: Phong\ndisplacementVector: [3, 4, 0]\ndisplacementScale: 0.1\n", 0.7, 0.7},
     {"material: Phong\ndisplacementVector: [1, 2, 0]\ndisplacement: 2\n", 5, 0.6},
-    {"material: Phong\ndisplacementVector: " BLEND("[0.3, 0, 0.1]", "[-0.1, 0.2, 0]") "\ndisplacementBound: 0.2\n", 0.2, 0.7},
+    {"material: Phong\ndisplacementVector: " BLEND("[0.3, 0, 0.1]",
+                                                   "[-0.1, 0.2, 0]") "\ndisplacementBound: 0.2\n",
+     0.2, 0.7},
     {"material: Phong\ndisplacementVector: " BLEND("[0.3, 0, 0.1]", "[-0.1, 0.2, 0]") "\n", 0, 0.4},
     /* the front's, and what a switch says itself */
-    {"material: SideSwitch\nfrontShader: { material: RGBA, displacement: 0.5 }\nbackShader: { material: RGBA, displacement: 3 }\n", 0.5, 1},
-    {"material: SideSwitch\nfrontShader: { material: RGBA, displacement: 0.5 }\ndisplacement: 0.75\n", 0.75, 1},
-    {"material: AlgorithmSwitch\nguiShader: { material: Phong, displacement: " NOISE " }\n", 1.75, 0.4},
+    {"material: SideSwitch\nfrontShader: { material: RGBA, displacement: 0.5 }\nbackShader: { "
+     "material: RGBA, displacement: 3 }\n",
+     0.5, 1},
+    {"material: SideSwitch\nfrontShader: { material: RGBA, displacement: 0.5 }\ndisplacement: "
+     "0.75\n",
+     0.75, 1},
+    {"material: AlgorithmSwitch\nguiShader: { material: Phong, displacement: " NOISE " }\n", 1.75,
+     0.4},
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
@@ -66,7 +86,8 @@ static double apart_of(const double a[4], const double b[3])
 static double apart_in_last(const double a[4], const double b[4], const Node *material)
 {
     const Node *displaced = oracle_displaced(material);
-    return displaced && graph_displaces_volume(displaced) ? fabs(a[3] - b[3]) / fmax(1, fabs(b[3])) : 0;
+    return displaced && graph_displaces_volume(displaced) ? fabs(a[3] - b[3]) / fmax(1, fabs(b[3]))
+                                                          : 0;
 }
 
 /* The IR of the pass displacement, at one level. */
@@ -93,20 +114,25 @@ static void check_material(Document *d, int material, int optimize, double worst
         Surface surface;
         OracleDisplacement want;
         const float *x = points[i].input[INPUT_X];
-        if (point_is_extreme(&points[i]) || point_is_far(&points[i], far) || hypotf(x[0], x[1]) < tip)
+        if (point_is_extreme(&points[i]) || point_is_far(&points[i], far) ||
+            hypotf(x[0], x[1]) < tip)
             continue;
         point_surface(&points[i], true, &surface);
         evaluate_inputs(&points[i], true, inputs);
         ir_eval(ir, &context, (const double(*)[4])inputs, result);
         assert_true(oracle_displacement(oracle, node, &surface, &want));
         const bool rough = oracle_slopes_rough(oracle);
-        const double value = fmax(apart_of(result[0], want.by), apart_in_last(result[0], want.by, node)),
-                     slope = fmax(fmax(apart_of(result[1], want.by_u), apart_of(result[2], want.by_v)),
-                                  fmax(apart_in_last(result[1], want.by_u, node), apart_in_last(result[2], want.by_v, node)));
+        const double value = fmax(apart_of(result[0], want.by),
+                                  apart_in_last(result[0], want.by, node)),
+                     slope =
+                         fmax(fmax(apart_of(result[1], want.by_u), apart_of(result[2], want.by_v)),
+                              fmax(apart_in_last(result[1], want.by_u, node),
+                                   apart_in_last(result[2], want.by_v, node)));
         worst[0] = fmax(worst[0], value);
         if (value > value_bound)
-            fail_msg("%s, -O%d, point %d: %.17g %.17g %.17g, not %.17g %.17g %.17g", document_name(d), optimize, i, result[0][0],
-                     result[0][1], result[0][2], want.by[0], want.by[1], want.by[2]);
+            fail_msg("%s, -O%d, point %d: %.17g %.17g %.17g, not %.17g %.17g %.17g",
+                     document_name(d), optimize, i, result[0][0], result[0][1], result[0][2],
+                     want.by[0], want.by[1], want.by[2]);
         if (slope > slope_bound && !rough) {
             oracle_slope_span(oracle, 0, 1); /* at a crease either side will do */
             oracle_displacement(oracle, node, &surface, &want);
@@ -117,8 +143,8 @@ static void check_material(Document *d, int material, int optimize, double worst
             oracle_slope_span(oracle, -1, 1);
             oracle_slopes_rough(oracle);
             if (fmin(ahead, behind) > slope_bound)
-                fail_msg("%s, -O%d, point %d (%g %g %g): slopes %.9g %.9g, not %.9g %.9g", document_name(d), optimize, i,
-                         x[0], x[1], x[2], result[1][2],
+                fail_msg("%s, -O%d, point %d (%g %g %g): slopes %.9g %.9g, not %.9g %.9g",
+                         document_name(d), optimize, i, x[0], x[1], x[2], result[1][2],
                          result[2][2], want.by_u[2], want.by_v[2]);
         } else if (!rough) {
             worst[1] = fmax(worst[1], slope);
@@ -155,7 +181,8 @@ static void values_and_slopes_are_the_oracles(void **state)
             check_material(&d, 0, optimize, worst);
         document_close(&d);
     }
-    print_message("%d materials of examples and %d here: values within %.1e, slopes within %.1e\n", materials, ROWS, worst[0], worst[1]);
+    print_message("%d materials of examples and %d here: values within %.1e, slopes within %.1e\n",
+                  materials, ROWS, worst[0], worst[1]);
 }
 
 /* No point of many moves farther than matc says, and some move nearly as far. */
@@ -183,8 +210,10 @@ static void no_point_moves_beyond_its_bound(void **state)
             assert_true(oracle_displacement(oracle, d.graph->materials[0].node, &surface, &move));
             most = fmax(most, size_of(move.by));
         }
-        if (most > bound || most < rows[i].reach * bound * (1 - 2e-5) || (rows[i].bound > 0 && fabs(bound - rows[i].bound) > 3e-5 * bound))
-            fail_msg("%s: %g at most by intervals, not %g; %g over %d points", rows[i].text, bound, rows[i].bound, most, COUNT);
+        if (most > bound || most < rows[i].reach * bound * (1 - 2e-5) ||
+            (rows[i].bound > 0 && fabs(bound - rows[i].bound) > 3e-5 * bound))
+            fail_msg("%s: %g at most by intervals, not %g; %g over %d points", rows[i].text, bound,
+                     rows[i].bound, most, COUNT);
         oracle_close(oracle);
         matc_program_free(program);
         document_close(&d);
@@ -203,17 +232,24 @@ static void what_has_no_bound_is_said(void **state)
         {"material: Phong\ndisplacement: { map: Granite }\ndisplacementScale: 0\n", true, false},
         {"material: Phong\ndisplacement: { map: Granite }\n", true, true},
         {"material: Phong\ndisplacement: { map: Wood }\n", false, true},
-        {"material: Phong\ndisplacement: { map: Granite }\ndisplacementScale: { param: size, default: 1 }\n", false, true},
-        {"material: Phong\ndisplacement: { map: Granite }\ndisplacementScale: { param: size, default: 1 }\ndisplacementBound: 2\n", true, true},
+        {"material: Phong\ndisplacement: { map: Granite }\ndisplacementScale: { param: size, "
+         "default: 1 }\n",
+         false, true},
+        {"material: Phong\ndisplacement: { map: Granite }\ndisplacementScale: { param: size, "
+         "default: 1 }\ndisplacementBound: 2\n",
+         true, true},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Document d;
         assert_true(document_open_text(&d, cases[i].text));
         MatcProgram *program = matc_compile(d.document, 0, MATC_VERTEX, &d.options);
         const double bound = matc_displacement_bound(program);
-        const bool said = strstr(matc_program_diagnostics(program, MATC_TEXT), "unbounded_displacement") != NULL;
-        const bool moves = strstr(matc_output(program, MATC_VERTEX, NULL), "matc_displacement") != NULL;
-        if (!isfinite(bound) == cases[i].known || said == cases[i].known || moves != cases[i].moves || (bound > 0) != cases[i].moves)
+        const bool said =
+            strstr(matc_program_diagnostics(program, MATC_TEXT), "unbounded_displacement") != NULL;
+        const bool moves =
+            strstr(matc_output(program, MATC_VERTEX, NULL), "matc_displacement") != NULL;
+        if (!isfinite(bound) == cases[i].known || said == cases[i].known ||
+            moves != cases[i].moves || (bound > 0) != cases[i].moves)
             fail_msg("%s: bound %g, warned %d, moves %d", cases[i].text, bound, said, moves);
         matc_program_free(program);
         document_close(&d);
@@ -221,8 +257,10 @@ static void what_has_no_bound_is_said(void **state)
 }
 
 typedef enum { HEIGHTS, HEIGHTS_STAYING, VECTORS } Carried;
-/* How far the oracle's normals are off the closed form over a body, in degrees, at most; HEIGHTS_STAYING: normals of the base are said to stay as they are. */
-static double off_normals(Oracle *oracle, const Node *material, CurvedBody body, double scale, Carried by)
+/* How far the oracle's normals are off the closed form over a body, in degrees, at most;
+ * HEIGHTS_STAYING: normals of the base are said to stay as they are. */
+static double off_normals(Oracle *oracle, const Node *material, CurvedBody body, double scale,
+                          Carried by)
 {
     enum { COUNT = 400 };
     double most = 0;
@@ -237,14 +275,16 @@ static double off_normals(Oracle *oracle, const Node *material, CurvedBody body,
         if (by == VECTORS)
             curved_vector_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], want);
         else
-            curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], by == HEIGHTS_STAYING, want);
+            curved_normal(body, scale, &surface.root[channel_id(GROUP_P, 0)], by == HEIGHTS_STAYING,
+                          want);
         assert_true(oracle_material(oracle, material, &surface, &values));
         most = fmax(most, curved_angle(values.lane[SLOT_normal], want));
     }
     return most;
 }
 
-/* A ball and a torus that rise by up to a quarter of their radii. A ball that all moves by c along the circles of latitude is a larger one that was turned: its normal is n + c Tu/|Tu|. */
+/* A ball and a torus that rise by up to a quarter of their radii. A ball that all moves by c along
+ * the circles of latitude is a larger one that was turned: its normal is n + c Tu/|Tu|. */
 static void normals_are_those_of_curved_surfaces(void **state)
 {
     (void)state;
@@ -253,14 +293,18 @@ static void normals_are_those_of_curved_surfaces(void **state)
     for (CurvedBody body = 0; body < CURVED_COUNT; body++) {
         char text[300];
         const double scale = curved_radius[body] / 4;
-        snprintf(text, sizeof text, "material: Phong\ndisplacement: " CURVED_HEIGHT "\ndisplacementScale: %g\n", scale);
+        snprintf(text, sizeof text,
+                 "material: Phong\ndisplacement: " CURVED_HEIGHT "\ndisplacementScale: %g\n",
+                 scale);
         assert_true(document_open_text(&d, text));
         Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
         for (Carried by = HEIGHTS; by < VECTORS; by++)
             assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, by) < most);
         oracle_close(oracle);
         document_close(&d);
-        snprintf(text, sizeof text, "material: Phong\ndisplacementVector: " CURVED_VECTOR "\ndisplacementScale: %g\n", scale);
+        snprintf(text, sizeof text,
+                 "material: Phong\ndisplacementVector: " CURVED_VECTOR "\ndisplacementScale: %g\n",
+                 scale);
         assert_true(document_open_text(&d, text));
         oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
         assert_true(off_normals(oracle, d.graph->materials[0].node, body, scale, VECTORS) < most);
@@ -274,7 +318,8 @@ static void normals_are_those_of_curved_surfaces(void **state)
         SlotValues values;
         double want[3];
         curved_surface(CURVED_ball, i / 20., 0.1 + i / 30., &surface);
-        const double *n = &surface.root[channel_id(GROUP_N, 0)], *tu = &surface.root[channel_id(GROUP_DU, 0)];
+        const double *n = &surface.root[channel_id(GROUP_N, 0)],
+                     *tu = &surface.root[channel_id(GROUP_DU, 0)];
         for (int lane = 0; lane < 3; lane++)
             want[lane] = n[lane] + 0.5 * tu[lane] / size_of(tu);
         assert_true(oracle_material(oracle, d.graph->materials[0].node, &surface, &values));

@@ -1,5 +1,6 @@
-/* --coordinates=long: chains of scales, offsets and turns that affine.c takes together have the values of the oracle, which follows them step
- * by step. In double, so that every offset and every digit of a factor counts. test_stress and the accuracy page see to floats. */
+/* --coordinates=long: chains of scales, offsets and turns that affine.c takes together have the
+ * values of the oracle, which follows them step by step. In double, so that every offset and every
+ * digit of a factor counts. test_stress and the accuracy page see to floats. */
 #include "tests/test.h"
 #include "tests/stress/pixel.h"
 #include "tests/value/documents.h"
@@ -13,31 +14,42 @@ static const double bound = 1e-9;
 #define SHADED(map)    "material: Phong\ndiffuse: " map "\n"
 #define CUBES(input)   SHADED("{map: VolumeChecker, color1: 0.9, color2: 0.2, input: " input "}")
 #define SQUARES(input) SHADED("{map: Checker, color1: 0.9, color2: 0.2, input: " input "}")
-#define CLOUD(input)   SHADED("{map: VolumeTurbulence, octaves: 3, noiseRatio: 0.5, input: " input "}")
+#define CLOUD(input)                                                                               \
+    SHADED("{map: VolumeTurbulence, octaves: 3, noiseRatio: 0.5, input: " input "}")
 
-/* One that grows with every kind of step: where an offset, a sign or a column is lost, squares are in other places. */
+/* One that grows with every kind of step: where an offset, a sign or a column is lost, squares are
+ * in other places. */
 static const char *const documents[] = {
     SQUARES("{map: UVTransform, offsetU: 0.3, offsetV: -0.7, scaleU: 5.3, scaleV: 2.9}"),
-    SQUARES("{map: UVTransform, offsetU: 0.3, scaleU: 1.7, input: {map: UVTransform, offsetV: 1.1, offsetU: 0.2, "
+    SQUARES("{map: UVTransform, offsetU: 0.3, scaleU: 1.7, input: {map: UVTransform, offsetV: 1.1, "
+            "offsetU: 0.2, "
             "scaleV: 3.3}}"),
-    SQUARES("{map: UVTransform, angle: 0.7, shear: 0.4, offsetU: 0.3, offsetV: 0.1, scaleU: 3.1, scaleV: -2.3}"),
+    SQUARES("{map: UVTransform, angle: 0.7, shear: 0.4, offsetU: 0.3, offsetV: 0.1, scaleU: 3.1, "
+            "scaleV: -2.3}"),
     CUBES("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}}"),
-    CUBES("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, -0.2], scale: [1.3, "
+    CUBES("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, "
+          "-0.2], scale: [1.3, "
           "0.7, 2.1]}}"),
-    CUBES("{map: XYZTransform, transform: {scale: -1}, input: {map: XYZTransform, transform: {translation: [0.3, 0.1, "
+    CUBES("{map: XYZTransform, transform: {scale: -1}, input: {map: XYZTransform, transform: "
+          "{translation: [0.3, 0.1, "
           "0.7]}}}"),
-    CUBES("{map: XYZTransform, transform: {scale: 3.3}, input: {map: XYZTransform, transform: {translation: [0.3, 0.1, "
+    CUBES("{map: XYZTransform, transform: {scale: 3.3}, input: {map: XYZTransform, transform: "
+          "{translation: [0.3, 0.1, "
           "0.7]}}}"),
-    CUBES(
-        "{map: XYZTransform, transform: {translation: [0.2, 0.4, 0.6]}, input: {map: XYZTransform, transform: {matrix: "
-        "[1.1, 0.2, -0.3, 0.7, 0.4, 0.9, 0.1, -0.2, -0.5, 0.3, 1.2, 0.4, 0, 0, 0, 1]}}}"),
-    CLOUD("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, -0.2], scale: [1.3, "
+    CUBES("{map: XYZTransform, transform: {translation: [0.2, 0.4, 0.6]}, input: {map: "
+          "XYZTransform, transform: {matrix: "
+          "[1.1, 0.2, -0.3, 0.7, 0.4, 0.9, 0.1, -0.2, -0.5, 0.3, 1.2, 0.4, 0, 0, 0, 1]}}}"),
+    CLOUD("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, "
+          "-0.2], scale: [1.3, "
           "0.7, 2.1]}}"),
-    CLOUD("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}, input: {map: XYZTransform, useGlobal: true, "
+    CLOUD("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}, input: {map: "
+          "XYZTransform, useGlobal: true, "
           "transform: {scale: 0.7}}}"),
-    SHADED("{map: Granite, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], scale: [1.3, 0.7, "
+    SHADED("{map: Granite, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], "
+           "scale: [1.3, 0.7, "
            "2.1]}}}"),
-    SHADED("{map: Leopard, input: {map: Turbulence, octaves: 2, noiseRatio: 0.5, input: {map: XYZTransform, transform: "
+    SHADED("{map: Leopard, input: {map: Turbulence, octaves: 2, noiseRatio: 0.5, input: {map: "
+           "XYZTransform, transform: "
            "{translation: [0.3, 1.7, -0.9], scale: [1.3, 0.7, 2.1]}}}}"),
 };
 
@@ -68,7 +80,8 @@ static const Ir *compile_long(Document *d, Session *session)
     const Ir *ir = compile_ir(session, d->graph, d->graph->materials[0].node, &job);
     assert_non_null(ir);
     assert_true(!session->optimize ||
-                calls(ir, FN_affineFraction)); /* cosines of angles are no numbers before they are folded */
+                /* cosines of angles are no numbers before they are folded */
+                calls(ir, FN_affineFraction));
     return ir;
 }
 
@@ -103,7 +116,8 @@ static void long_coordinates_have_the_oracles_values(void **state)
         if (!document_open_text(&d, documents[i]))
             fail_msg("%s%s", documents[i], document_fault(&d));
         Oracle *oracle = oracle_open(d.graph, &context);
-        points_hulls(oracle, d.graph->materials[0].node, &(PointSet){points, count, true, &reach_double, false}, hulls);
+        points_hulls(oracle, d.graph->materials[0].node,
+                     &(PointSet){points, count, true, &reach_double, false}, hulls);
         for (int level = 0; level <= 2; level += 2) {
             double worst = worst_of(&d, level, points, hulls, count);
             if (!(worst <= bound))
@@ -120,18 +134,24 @@ static void long_coordinates_have_the_oracles_values(void **state)
 #define CUBE_RELIEF(input)   RELIEF("{map: VolumeChecker, input: " input "}")
 static const char *const reliefs[] = {
     SQUARE_RELIEF("{map: UVTransform, offsetU: 0.3, offsetV: -0.7, scaleU: 5.3, scaleV: 2.9}"),
-    SQUARE_RELIEF("{map: UVTransform, angle: 0.7, shear: 0.4, offsetU: 0.3, offsetV: 0.1, scaleU: 3.1, scaleV: -2.3}"),
-    CUBE_RELIEF("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, 0.5, -0.2]}}"),
-    RELIEF("{map: Granite, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], scale: 1.3}}}"),
-    RELIEF("{map: VolumeTurbulence, octaves: 3, input: {map: XYZTransform, transform: {scale: [1.3, 0.7, 2.1]}}}"),
-    RELIEF("{map: Leopard, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}}}"),
+    SQUARE_RELIEF("{map: UVTransform, angle: 0.7, shear: 0.4, offsetU: 0.3, offsetV: 0.1, scaleU: "
+                  "3.1, scaleV: -2.3}"),
+    CUBE_RELIEF("{map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], rotation: [0.3, "
+                "0.5, -0.2]}}"),
+    RELIEF("{map: Granite, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9], "
+           "scale: 1.3}}}"),
+    RELIEF("{map: VolumeTurbulence, octaves: 3, input: {map: XYZTransform, transform: {scale: "
+           "[1.3, 0.7, 2.1]}}}"),
+    RELIEF(
+        "{map: Leopard, input: {map: XYZTransform, transform: {translation: [0.3, 1.7, -0.9]}}}"),
 };
 static const Pixel pixels[] = {{0, 0}, {.02, -.013}, {.3, .01}};
 
 static Ir *compile_relief(Document *d, Session *session, const char *coordinates, const char *aa)
 {
     Job job;
-    const MatcOptions options = {.pass = "value", .coordinates = coordinates, .aa = aa, .derivatives = "analytic"};
+    const MatcOptions options = {
+        .pass = "value", .coordinates = coordinates, .aa = aa, .derivatives = "analytic"};
     assert_null(choice_job(&options, &job));
     job.slot = SLOT_normal;
     Ir *ir = compile_ir(session, d->graph, d->graph->materials[0].node, &job);
@@ -152,7 +172,8 @@ static double apart(const Ir *plain, const Ir *exact, const Point *point, Pixel 
     return most;
 }
 
-static void check_relief(Document *d, const char *text, const char *aa, const Point *points, int count)
+static void check_relief(Document *d, const char *text, const char *aa, const Point *points,
+                         int count)
 {
     Arena arena = {0};
     Session session = {.options = &d->options, .arena = &arena, .optimize = 2, .check = true};

@@ -1,5 +1,6 @@
-/* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the normal at a point, which the programs are
- * held to by test_value and test_stress. And where a displacement has no slope, that is said. */
+/* Slopes of displacements under each --derivatives, by closed forms: what the oracle says of the
+ * normal at a point, which the programs are held to by test_value and test_stress. And where a
+ * displacement has no slope, that is said. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
@@ -11,15 +12,17 @@
 #define CHECKER "{ map: Checker }"
 #define SCALED  "{ map: Checker, input: { map: UVTransform, scaleU: 8 } }"
 #define TURNED  "{ map: Checker, input: { map: UVTransform, angle: 1.5707963267948966 } }"
-#define RAMP(in)                                                                                                       \
-    "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " STEP("0, 3, 0") " }], input: " in " }"
+#define RAMP(in)                                                                                   \
+    "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " STEP(                      \
+        "0, 3, 0") " }], input: " in " }"
 
 typedef struct {
     const char *derivatives, *displacement, *point;
     double by_u, by_v;
 } Row;
 
-/* The normal of the point is z, its tangents x and y, and so are those of the local position. A checker rises by 1 over 0.05. */
+/* The normal of the point is z, its tangents x and y, and so are those of the local position. A
+ * checker rises by 1 over 0.05. */
 static const Row rows[] = {
     {"auto", STEP("3, -2, 0"), "x=1 y=1", 3, -2},
     {"analytic", STEP("3, -2, 0"), "x=1 y=1", 3, -2},
@@ -47,28 +50,37 @@ static const Row rows[] = {
     {"auto", RAMP(CHECKER), "u=0.46 v=0.2 y=2", 120, 0},
     {"auto", RAMP(CHECKER), "u=0.96 v=0.2 y=2", -120, 3},
     {"auto", RAMP("{ map: UVTransform, input: " CHECKER " }"), "u=0.96 v=0.2 y=2", -120, 3},
-    {"auto", RAMP("{ map: Checker, color1: " CHECKER ", color2: 0, input: { map: UVTransform, scaleU: 0.5 } }"),
+    {"auto",
+     RAMP("{ map: Checker, color1: " CHECKER
+          ", color2: 0, input: { map: UVTransform, scaleU: 0.5 } }"),
      "u=0.46 v=0.2 y=2", 0, 0},
-    /* halfway between a checker and 3 x, the weight rising by x: 1/2 (20 + 3) + (3 x - c), over 1 */
-    {"auto", "{ map: Blend, blend: [{ value: 0, input: " CHECKER " }, { value: 1, input: " STEP("3, 0, 0") " }] }",
+    /* halfway between a checker and 3 x, the weight rising by x: 1/2 (20 + 3) + (3 x - c), over
+     * 1 */
+    {"auto",
+     "{ map: Blend, blend: [{ value: 0, input: " CHECKER
+     " }, { value: 1, input: " STEP("3, 0, 0") " }] }",
      "u=0.46 v=0.2 x=0.5", 13, 0},
     /* unit cubes, a step of a tenth of them */
     {"auto", "{ map: VolumeChecker }", "x=0.95 y=0.2", 10, 0},
     {"auto", "{ map: VolumeChecker }", "x=0.85 y=0.95", 0, 10},
     {"finite", "{ map: VolumeChecker }", "x=0.95 y=0.2", 0, 0},
-    /* from c = 4 frac x - 2 the one step leaves at 1.992 and stays at -1.988: from -1 to 1 over .005; its square is 1 in both */
+    /* from c = 4 frac x - 2 the one step leaves at 1.992 and stays at -1.988: from -1 to 1 over
+     * .005; its square is 1 in both */
     {"auto", "{ map: Mandel, iterations: 1 }", "x=-0.002 y=0.5", 400, 0},
     {"auto", "{ map: Mandel, iterations: 1, waveForm: Sqr }", "x=-0.002 y=0.5", 0, 0},
     {"finite", "{ map: Mandel, iterations: 1 }", "x=-0.002 y=0.5", -1, -1},
-    /* the mean of a checker at three points of u, 0.04 apart: two of them are less than a step before the edge */
-    {"auto", "{ map: Smooth3D, sx: 0.08, sy: 0, sz: 0, input: " CHECKER " }", "u=0.43 v=0.2", 20.0 / 3, 0},
+    /* the mean of a checker at three points of u, 0.04 apart: two of them are less than a step
+     * before the edge */
+    {"auto", "{ map: Smooth3D, sx: 0.08, sy: 0, sz: 0, input: " CHECKER " }", "u=0.43 v=0.2",
+     20.0 / 3, 0},
     {"finite", "0.5", "u=0.3", 0, 0},
 };
 
 static MatcDocument *open(const char *displacement, const MatcOptions *options)
 {
     char text[2000];
-    snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n", displacement);
+    snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n",
+             displacement);
     return matc_read("relief.yaml", text, strlen(text), options);
 }
 
@@ -85,24 +97,28 @@ static void slopes_are_those_of_closed_forms(void **state)
         MatcDocument *document = open(row->displacement, &options);
         char *text = matc_eval(document, 0, row->point, &options, &fault);
         assert_non_null(text);
-        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]), 3);
+        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]),
+                         3);
         const double by_u = -n[0] / n[2] / 0.02, by_v = -n[1] / n[2] / 0.02, bound = 1e-4;
         if (fabs(by_u - row->by_u) > bound || fabs(by_v - row->by_v) > bound)
-            fail_msg("%s, %s at %s: %.9g %.9g, should be %g %g", row->derivatives, row->displacement, row->point, by_u,
-                     by_v, row->by_u, row->by_v);
+            fail_msg("%s, %s at %s: %.9g %.9g, should be %g %g", row->derivatives,
+                     row->displacement, row->point, by_u, by_v, row->by_u, row->by_v);
         free(text);
         matc_document_free(document);
     }
 }
 
-/* Whichever way the tangents turn, as mirrored texture coordinates make them, the normal stays on its side and leans away from what rises. With
- * heights a and b per unit of u and v, Tu = (s, 0, 0) and Tv = (0, t, 0) the surface rises by a / s along x and b / t along y. */
+/* Whichever way the tangents turn, as mirrored texture coordinates make them, the normal stays on
+ * its side and leans away from what rises. With heights a and b per unit of u and v, Tu = (s, 0, 0)
+ * and Tv = (0, t, 0) the surface rises by a / s along x and b / t along y. */
 static void normals_lean_out_of_their_side(void **state)
 {
     (void)state;
-#define SLOPE        "{ map: BumpMap, displacement: " STEP("3, -2, 0") " }"
-#define UNDER(scale) "{ map: BumpMap, displacement: " STEP("3, -2, 0") ", input: { map: UVTransform, " scale " } }"
-#define WAVES        "{ map: WaveMap, amplitude: 0.0031830988618379067, uCount: 1, vCount: 1 }" /* 0.02 cos(2 pi u) / 2 pi */
+#define SLOPE "{ map: BumpMap, displacement: " STEP("3, -2, 0") " }"
+#define UNDER(scale)                                                                               \
+    "{ map: BumpMap, displacement: " STEP("3, -2, 0") ", input: { map: UVTransform, " scale " } }"
+/* 0.02 cos(2 pi u) / 2 pi */
+#define WAVES "{ map: WaveMap, amplitude: 0.0031830988618379067, uCount: 1, vCount: 1 }"
     static const struct {
         const char *input, *point;
         double by_x, by_y, side;
@@ -130,9 +146,12 @@ static void normals_lean_out_of_their_side(void **state)
         MatcDocument *document = matc_read("relief.yaml", source, strlen(source), &options);
         char *text = matc_eval(document, 0, cases[i].point, &options, &fault);
         assert_non_null(text);
-        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]), 3);
-        const double height = fabs(n[2]), by_x = -n[0] / height / 0.02, by_y = -n[1] / height / 0.02;
-        if (!(fabs(by_x - cases[i].by_x) < 1e-4 && fabs(by_y - cases[i].by_y) < 1e-4 && n[2] * cases[i].side > 0))
+        assert_int_equal(sscanf(strstr(text, "normal"), "normal %lf %lf %lf", &n[0], &n[1], &n[2]),
+                         3);
+        const double height = fabs(n[2]), by_x = -n[0] / height / 0.02,
+                     by_y = -n[1] / height / 0.02;
+        if (!(fabs(by_x - cases[i].by_x) < 1e-4 && fabs(by_y - cases[i].by_y) < 1e-4 &&
+              n[2] * cases[i].side > 0))
             fail_msg("%s at %s: %g %g %g", cases[i].input, cases[i].point, n[0], n[1], n[2]);
         free(text);
         matc_document_free(document);
@@ -145,13 +164,15 @@ static bool says_flat(const char *displacement, const char *derivatives, int opt
     matc_options_init(&options);
     options.derivatives = derivatives;
     options.optimize = optimize;
-    options.aa = "none"; /* a checker that is averaged has an edge as wide as the pixel, and with it a slope */
+    /* a checker that is averaged has an edge as wide as the pixel, and with it a slope */
+    options.aa = "none";
     MatcDocument *document = open(displacement, &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     assert_true(matc_ok(program));
     const char *said = matc_program_diagnostics(program, MATC_TEXT);
     const char *place = *displacement == '{' ? "relief.yaml:2:45" : "relief.yaml:2:38";
-    bool says = !strncmp(said, place, strlen(place)) && strstr(said, "warning: this displacement rises nowhere");
+    bool says = !strncmp(said, place, strlen(place)) &&
+                strstr(said, "warning: this displacement rises nowhere");
     if (!says && *said)
         fail_msg("%s", said);
     matc_program_free(program);
@@ -176,7 +197,8 @@ static void what_has_no_slope_is_said(void **state)
         {"{ map: Checker, color1: 0.5, color2: 0.4 }", false, true, false},
         {"{ map: Checker, color1: { map: Leopard, frequency: 0 }, color2: 0 }", true, true, true},
         {"{ map: Checker, color1: { map: Leopard }, color2: 0 }", false, false, false},
-        {"{ map: Checker, input: { map: UVTransform, scaleV: 0 } }", false, true, false}, /* along u alone */
+        /* along u alone */
+        {"{ map: Checker, input: { map: UVTransform, scaleV: 0 } }", false, true, false},
         {RAMP(STEP("1, 0, 0")), false, false, false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
@@ -184,7 +206,9 @@ static void what_has_no_slope_is_said(void **state)
             const struct {
                 const char *derivatives;
                 bool flat;
-            } ways[] = {{"finite", cases[i].finite}, {"analytic", cases[i].analytic}, {NULL, cases[i].by_default}};
+            } ways[] = {{"finite", cases[i].finite},
+                        {"analytic", cases[i].analytic},
+                        {NULL, cases[i].by_default}};
             for (int k = 0; k < 3; k++)
                 if (says_flat(cases[i].displacement, ways[k].derivatives, level) != ways[k].flat)
                     fail_msg("%s, %s, -O%d", cases[i].displacement,

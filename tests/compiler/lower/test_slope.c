@@ -1,5 +1,6 @@
-/* Forward differentiation: the derivative of every map of every example, by u and by v, against differences of the oracle's
- * values in double precision. Where the map has a crease or a jump at the point the two sides differ, and nothing is asked. */
+/* Forward differentiation: the derivative of every map of every example, by u and by v, against
+ * differences of the oracle's values in double precision. Where the map has a crease or a jump at
+ * the point the two sides differ, and nothing is asked. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
@@ -52,7 +53,8 @@ static double differences(Test *t, const Node *map, const Point *point, int axis
     return (8 * (at[3] - at[1]) - (at[4] - at[0])) / (12 * h);
 }
 
-/* How much steeper the right side is than the left one: of a smooth function in proportion to the step. */
+/* How much steeper the right side is than the left one: of a smooth function in proportion to the
+ * step. */
 static double bend(Test *t, const Node *map, const Point *point, int axis, double h)
 {
     double at[3];
@@ -66,20 +68,24 @@ static bool difference(Test *t, const Node *map, const Point *point, int axis, d
 {
     const double h = 0x1p-19;
     *slope = differences(t, map, point, axis, h);
-    double wider = differences(t, map, point, axis, 3 * h), narrower = differences(t, map, point, axis, h / 2.5);
+    double wider = differences(t, map, point, axis, 3 * h),
+           narrower = differences(t, map, point, axis, h / 2.5);
     double size = fmax(1, fabs(*slope));
     double bent = bend(t, map, point, axis, h);
     return fabs(8 * bend(t, map, point, axis, h / 8) - bent) < 0.5 * bent + 1e-4 * size &&
-           fabs(wider - *slope) < 0.3 * bound * size && fabs(narrower - *slope) < 0.3 * bound * size;
+           fabs(wider - *slope) < 0.3 * bound * size &&
+           fabs(narrower - *slope) < 0.3 * bound * size;
 }
 
-static void compare(Test *t, const Node *map, int axis, const Ir *ir, const ReferenceContext *context)
+static void compare(Test *t, const Node *map, int axis, const Ir *ir,
+                    const ReferenceContext *context)
 {
     for (int i = 0; i < POINT_COUNT; i += STEP) {
         const Point *point = &t->points[i];
         double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4], expected;
-        if (point_is_extreme(point) || fabsf(point->input[INPUT_X][0]) > 100 || fabsf(point->input[INPUT_U][0]) > 100 ||
-            fabsf(point->input[INPUT_X][1]) > 100 || fabsf(point->input[INPUT_U][1]) > 100)
+        if (point_is_extreme(point) || fabsf(point->input[INPUT_X][0]) > 100 ||
+            fabsf(point->input[INPUT_U][0]) > 100 || fabsf(point->input[INPUT_X][1]) > 100 ||
+            fabsf(point->input[INPUT_U][1]) > 100)
             continue;
         if (!difference(t, map, point, axis, &expected)) {
             t->creased++;
@@ -100,8 +106,9 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir, const Refe
         if (miss <= bound)
             continue;
         t->faults++;
-        print_error("%s %s d/d%c: %.12g, differences %.12g at point %d\n", document_name(&t->document),
-                    kind_table[map->kind].name, axis ? 'v' : 'u', result[0][0], expected, i);
+        print_error("%s %s d/d%c: %.12g, differences %.12g at point %d\n",
+                    document_name(&t->document), kind_table[map->kind].name, axis ? 'v' : 'u',
+                    result[0][0], expected, i);
         return;
     }
 }
@@ -109,7 +116,8 @@ static void compare(Test *t, const Node *map, int axis, const Ir *ir, const Refe
 static void check_axis(Test *t, const Node *map, int axis)
 {
     Arena arena = {0};
-    Session session = {.options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
+    Session session = {
+        .options = &t->document.options, .arena = &arena, .optimize = 2, .check = true};
     Job job;
     ReferenceTexture textures[EVALUATE_TEXTURES];
     choice_job(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &job);
@@ -122,7 +130,8 @@ static void check_axis(Test *t, const Node *map, int axis)
     Env env = lower_surface_env(&l);
     Ref height = build_swizzle(l.ir, lower_ask(&l, map, GROUP_R, &env), "x");
     Ref slope = slope_of(&l, height, axis ? DIRECTION_v : DIRECTION_u);
-    ir_output(l.ir, OUT_color, 0, build_convert(l.ir, slope ? slope : build_float(l.ir, 0), TYPE_vec4));
+    ir_output(l.ir, OUT_color, 0,
+              build_convert(l.ir, slope ? slope : build_float(l.ir, 0), TYPE_vec4));
     assert_null(ir_check(l.ir));
     assert_true(opt_run(&session, l.ir));
     opt_dead(l.ir);
@@ -168,15 +177,17 @@ static void slopes_are_those_of_the_oracle(void **state)
             continue;
         }
         memset(test.seen, 0, sizeof test.seen);
-        test.oracle = oracle_open(test.document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+        test.oracle =
+            oracle_open(test.document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
         for (int material = 0; material < test.document.graph->material_count; material++)
             walk(&test, test.document.graph->materials[material].node);
         oracle_close(test.oracle);
         document_close(&test.document);
     }
     documents_free(&list);
-    print_message("%d maps, %ld slopes, %ld points at a crease; worst within the bound of %.0e: %.1e\n", test.maps,
-                  test.compared, test.creased, bound, test.worst);
+    print_message(
+        "%d maps, %ld slopes, %ld points at a crease; worst within the bound of %.0e: %.1e\n",
+        test.maps, test.compared, test.creased, bound, test.worst);
     assert_true(only || test.compared > 20 * test.creased);
     assert_int_equal(test.faults, 0);
 }

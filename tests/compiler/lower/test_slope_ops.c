@@ -1,5 +1,6 @@
-/* The slope of every operation by every operand, and of every library function of slopes.def, against differences of what the fold or the
- * reference makes of them in double precision. Operands vary alone and together. At a jump or a crease nothing is asked. */
+/* The slope of every operation by every operand, and of every library function of slopes.def,
+ * against differences of what the fold or the reference makes of them in double precision. Operands
+ * vary alone and together. At a jump or a crease nothing is asked. */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/pipeline.h"
@@ -32,7 +33,8 @@ static void begin(Test *t)
     t->arena = (Arena){0};
     t->session = (Session){.arena = &t->arena};
     assert_null(choice_job(&(MatcOptions){.pass = "value", .derivatives = "analytic"}, &t->job));
-    t->l = (Lower){.session = &t->session, .graph = &none, .ir = ir_new(&t->session, &none), .job = &t->job};
+    t->l = (Lower){
+        .session = &t->session, .graph = &none, .ir = ir_new(&t->session, &none), .job = &t->job};
 }
 
 static void end(Test *t)
@@ -42,9 +44,11 @@ static void end(Test *t)
 }
 
 /* base + rate u + other v. */
-static Ref moving(Lower *l, Type type, const double base[4], const double rate[4], const double other[4])
+static Ref moving(Lower *l, Type type, const double base[4], const double rate[4],
+                  const double other[4])
 {
-    Ref uv = build_input(l->ir, INPUT_U), u = build_swizzle(l->ir, uv, "x"), v = build_swizzle(l->ir, uv, "y");
+    Ref uv = build_input(l->ir, INPUT_U), u = build_swizzle(l->ir, uv, "x"),
+        v = build_swizzle(l->ir, uv, "y");
     Ref at = ir_const(l->ir, type, base);
     at = build_add(l->ir, at, build_mul(l->ir, ir_const(l->ir, type, rate), u));
     return build_add(l->ir, at, build_mul(l->ir, ir_const(l->ir, type, other), v));
@@ -70,13 +74,15 @@ static double over_steps(Test *t, int axis, int lane, double h, double *apart)
     return (8 * (ahead + behind) - (at[4][0][lane] - at[0][0][lane])) / (12 * h);
 }
 
-/* False: at a jump or a crease, or where doubles do not tell. Of a smooth value both sides are apart in proportion to the step. */
+/* False: at a jump or a crease, or where doubles do not tell. Of a smooth value both sides are
+ * apart in proportion to the step. */
 static bool difference(Test *t, int axis, int lane, double h, double *slope)
 {
     const double wider = 2.7;
     double near, far, other = over_steps(t, axis, lane, wider * h, &far);
     *slope = over_steps(t, axis, lane, h, &near);
-    double room = .2 * t->bound * fmax(1, fabs(*slope)), crease = (wider * near - far) / (wider - 1);
+    double room = .2 * t->bound * fmax(1, fabs(*slope)),
+           crease = (wider * near - far) / (wider - 1);
     return fabs(crease) <= room && fabs(other - *slope) <= room;
 }
 
@@ -94,7 +100,8 @@ static void judge(Test *t, const char *what, int axis, int lane, double got)
             return;
         }
     }
-    fail_msg("%s: d/d%c of lane %d is %.12g, by differences %.12g", what, axis ? 'v' : 'u', lane, got, expected);
+    fail_msg("%s: d/d%c of lane %d is %.12g, by differences %.12g", what, axis ? 'v' : 'u', lane,
+             got, expected);
 }
 
 /* Of the value, by u and by v. */
@@ -123,9 +130,10 @@ static void operand_range(Op op, int operand, double *low, double *high)
         Op op;
         int operand;
         double low, high;
-    } ranges[] = {{OP_sqrt, 0, .1, 3},    {OP_log, 0, .1, 3},    {OP_asin, 0, -.9, .9}, {OP_acos, 0, -.9, .9},
-                  {OP_tan, 0, -1.2, 1.2}, {OP_div, 1, .5, 2},    {OP_mod, 1, .3, 1},    {OP_pow, 0, .2, 2},
-                  {OP_clamp, 1, -1.5, 0}, {OP_clamp, 2, .1, 1.5}};
+    } ranges[] = {{OP_sqrt, 0, .1, 3},   {OP_log, 0, .1, 3},     {OP_asin, 0, -.9, .9},
+                  {OP_acos, 0, -.9, .9}, {OP_tan, 0, -1.2, 1.2}, {OP_div, 1, .5, 2},
+                  {OP_mod, 1, .3, 1},    {OP_pow, 0, .2, 2},     {OP_clamp, 1, -1.5, 0},
+                  {OP_clamp, 2, .1, 1.5}};
     *low = -2;
     *high = 2;
     for (size_t i = 0; i < sizeof ranges / sizeof *ranges; i++)
@@ -166,8 +174,12 @@ static void check_operation(Test *t, const Operation *o, int varying)
         if (o->op == OP_select && i == 0)
             args[i] = build_lt(t->l.ir, args[i], build_float(t->l.ir, 0));
     }
-    compare(t, ir_make(t->l.ir, (IrNode){.op = o->op, .type = o->type, .count = o->count, .payload = o->payload}, args),
-            op_table[o->op].name, varying);
+    compare(
+        t,
+        ir_make(t->l.ir,
+                (IrNode){.op = o->op, .type = o->type, .count = o->count, .payload = o->payload},
+                args),
+        op_table[o->op].name, varying);
     end(t);
 }
 
@@ -196,7 +208,8 @@ static void check_lanes(Test *t, Op op)
 static bool check_special(Test *t, Op op)
 {
     static const Type vectors[OPERANDS] = {TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3};
-    static const Type numbers[OPERANDS] = {TYPE_float, TYPE_float, TYPE_float, TYPE_float, TYPE_float};
+    static const Type numbers[OPERANDS] = {TYPE_float, TYPE_float, TYPE_float, TYPE_float,
+                                           TYPE_float};
     switch (op) {
     case OP_dot:
         return check_subsets(t, (Operation){op, TYPE_float, vectors, 2, 0}), true;
@@ -228,14 +241,17 @@ static void operations_have_the_slopes_of_all_operands(void **state)
             check_lanes(&t, (Op)op);
         checked += by_lane || check_special(&t, (Op)op);
     }
-    print_message("%d operations, %d slopes, %d at jumps and creases\n", checked, t.compared, t.skipped);
+    print_message("%d operations, %d slopes, %d at jumps and creases\n", checked, t.compared,
+                  t.skipped);
     assert_true(t.compared > 50 * t.skipped);
 }
 
-/* An argument of a call: the row's own varies, one of any size in proportion to that, and the others do not. */
+/* An argument of a call: the row's own varies, one of any size in proportion to that, and the
+ * others do not. */
 static Ref argument(Test *t, char letter, const float lanes[4], const Argument *form, bool varies)
 {
-    static const Type types[] = {['f'] = TYPE_float, ['2'] = TYPE_vec2, ['3'] = TYPE_vec3, ['4'] = TYPE_vec4};
+    static const Type types[] = {
+        ['f'] = TYPE_float, ['2'] = TYPE_vec2, ['3'] = TYPE_vec3, ['4'] = TYPE_vec4};
     double base[4], rate[4] = {0}, other[4] = {0}, size = 1;
     for (int i = 0; i < 4; i++) {
         base[i] = (double)lanes[i];
@@ -269,7 +285,8 @@ static void check_call(Test *t, const FunctionCase *row, const SlopeRow *slope)
             t->l.ir->textures[k].wrap = WORD_Address_repeat;
         for (int k = 0; k < count; k++)
             args[k] = argument(t, letters[k], tuple[k], &row->arguments[k], k == slope->argument);
-        compare(t, build_call_of(t->l.ir, function, args, count), function_row(function)->name, 1 << slope->argument);
+        compare(t, build_call_of(t->l.ir, function, args, count), function_row(function)->name,
+                1 << slope->argument);
         end(t);
     }
 }
@@ -283,27 +300,35 @@ static void functions_have_the_slopes_of_their_rows(void **state)
         Test t = {.random = case_random(row, 0), .bound = 3e-5, .step = 1e-7};
         const int function = row->function;
         const SlopeRow *slope = slope_row(function);
-        if (slope->kind == SLOPE_difference || function == FN_imageFiltered) /* that of the picture as it is */
+        /* that of the picture as it is */
+        if (slope->kind == SLOPE_difference || function == FN_imageFiltered)
             continue;
         check_call(&t, row, slope);
-        print_message("%s: %d slopes, %d at jumps and creases\n", function_row(function)->name, t.compared, t.skipped);
+        print_message("%s: %d slopes, %d at jumps and creases\n", function_row(function)->name,
+                      t.compared, t.skipped);
         assert_true(t.compared > CALLS / 4 || slope->kind == SLOPE_flat);
     }
 }
 
-/* Differences over 1/256 would not see boxes below that: nothing that a pixel is averaged by is left to them. */
+/* Differences over 1/256 would not see boxes below that: nothing that a pixel is averaged by is
+ * left to them. */
 static void means_have_slopes_of_their_own(void **state)
 {
     (void)state;
-    static const int means[] = {
-        FN_stripes2,        FN_stripes3,        FN_stripesAlong2, FN_stripesAlong3,      FN_rampMean,
-        FN_cubicMean,       FN_triangleMean,    FN_scallopMean,   FN_turbulenceFiltered, FN_vectorTurbulenceFiltered,
-        FN_graniteFiltered, FN_leopardFiltered, FN_imageFiltered, FN_imageSampled,       FN_imageSampledOver};
+    static const int means[] = {FN_stripes2,           FN_stripes3,
+                                FN_stripesAlong2,      FN_stripesAlong3,
+                                FN_rampMean,           FN_cubicMean,
+                                FN_triangleMean,       FN_scallopMean,
+                                FN_turbulenceFiltered, FN_vectorTurbulenceFiltered,
+                                FN_graniteFiltered,    FN_leopardFiltered,
+                                FN_imageFiltered,      FN_imageSampled,
+                                FN_imageSampledOver};
     for (size_t i = 0; i < sizeof means / sizeof *means; i++)
         assert_int_not_equal(slope_row(means[i])->kind, SLOPE_difference);
 }
 
-/* What has no row: e^(base + rate u) over differences of 1/256 errs by rate^2 / 6 of their square. */
+/* What has no row: e^(base + rate u) over differences of 1/256 errs by rate^2 / 6 of their
+ * square. */
 static void a_function_without_a_row_has_the_slope_of_its_differences(void **state)
 {
     (void)state;
@@ -313,14 +338,16 @@ static void a_function_without_a_row_has_the_slope_of_its_differences(void **sta
     assert_int_equal(slope_row(function)->kind, SLOPE_difference);
     for (int i = 0; i < CALLS; i++) {
         double base[4] = {uniform(&t, -5, 5)}, rate[4] = {uniform(&t, -4, 4)}, none[4] = {0};
-        double result[MOST_OUTPUTS][4], expected = rate[0] * exp(base[0]), squared = rate[0] * rate[0] * step * step;
+        double result[MOST_OUTPUTS][4], expected = rate[0] * exp(base[0]),
+                                        squared = rate[0] * rate[0] * step * step;
         begin(&t);
         Ref value = build_call(t.l.ir, function, moving(&t.l, TYPE_float, base, rate, none));
         ir_output(t.l.ir, OUT_color, 0, slope_of(&t.l, value, DIRECTION_u));
         evaluate(&t, 0, 0, result);
         end(&t);
         if (fabs(result[0][0] - expected) > (squared / 6 + 1e-11) * 1.001 * fabs(expected))
-            fail_msg("e^(%g + %g u) has the slope %.12g, should be %.12g", base[0], rate[0], result[0][0], expected);
+            fail_msg("e^(%g + %g u) has the slope %.12g, should be %.12g", base[0], rate[0],
+                     result[0][0], expected);
     }
 }
 

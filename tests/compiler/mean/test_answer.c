@@ -1,6 +1,7 @@
-/* Answers of maps, at -O0 and -O2, against the oracle's values over the pixel: what a mean leaves out is their variance, and the mean of
- * what is no line of one of two values is that of both. The maps here vary by whole periods, so that their means' slopes show
- * nothing of what they leave out. */
+/* Answers of maps, at -O0 and -O2, against the oracle's values over the pixel: what a mean leaves
+ * out is their variance, and the mean of what is no line of one of two values is that of both. The
+ * maps here vary by whole periods, so that their means' slopes show nothing of what they leave
+ * out. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
@@ -13,17 +14,22 @@
 #include <stdio.h>
 #include <string.h>
 
-/* The pixel: u changes by 1/2 towards the right one, y by 1 upward; a quarter of either lies in odd squares. */
-static const double CENTRE_U = 0.375, CENTRE_V = 0.1, WIDTH_U = 0.5, CENTRE_Y = 0.25, WIDTH_Y = 1, CENTRE_XZ = 0.1;
+/* The pixel: u changes by 1/2 towards the right one, y by 1 upward; a quarter of either lies in odd
+ * squares. */
+static const double CENTRE_U = 0.375, CENTRE_V = 0.1, WIDTH_U = 0.5, CENTRE_Y = 0.25, WIDTH_Y = 1,
+                    CENTRE_XZ = 0.1;
 enum { SAMPLES = 64 };
 
 #define SINE  "{ map: Gradient, direction: [0, 1, 0], waveForm: Sin01 }"
 #define CHAIN "map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Sin01"
-#define HALF  "{ map: Gradient, direction: [0, 2, 0], waveForm: { wave: Chain, first: Sin01, factor: 0.5, second: Id } }"
+#define HALF                                                                                       \
+    "{ map: Gradient, direction: [0, 2, 0], waveForm: { wave: Chain, first: Sin01, factor: 0.5, "  \
+    "second: Id } }"
 
 #define PEAK "[{ value: 0, input: 0.25 }, { value: 0.5, input: 1 }, { value: 1, input: 0 }]"
 
-static const double CLOSE = 1e-6, ROUGHLY = 0.02; /* of what is a straight line, and of what is only nearly one */
+/* of what is a straight line, and of what is only nearly one */
+static const double CLOSE = 1e-6, ROUGHLY = 0.02;
 
 static const struct {
     const char *name, *map;
@@ -34,7 +40,8 @@ static const struct {
     {"as a position", SINE, GROUP_X, &CLOSE},
     {"as a number", SINE, GROUP_IOR, &CLOSE},
     {"scaled and moved",
-     "{ map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Sin01, factor: -3, shift: 7, second: Id } "
+     "{ map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Sin01, factor: -3, "
+     "shift: 7, second: Id } "
      "}",
      GROUP_R, &CLOSE},
     {"e v", "{ " CHAIN ", second: E } }", GROUP_R, &CLOSE},
@@ -44,35 +51,44 @@ static const struct {
     {"steps upward", "{ " CHAIN ", factor: 40, second: Ceil } }", GROUP_R, &ROUGHLY},
     {"a square", "{ " CHAIN ", shift: 5, second: Sqr } }", GROUP_R, &ROUGHLY},
     {"along a direction",
-     "{ map: Gradient, direction: [0, -3, 0], input: { map: XYZTransform, transform: { translation: [0, 1, 0] }, "
+     "{ map: Gradient, direction: [0, -3, 0], input: { map: XYZTransform, transform: { "
+     "translation: [0, 1, 0] }, "
      "input: " SINE " } }",
      GROUP_R, &CLOSE},
-    {"scaled lanes", "{ map: XYZTransform, transform: { scale: [3, -2, 0.5] }, input: " SINE " }", GROUP_X, &CLOSE},
-    {"turned",
-     "{ map: XYZTransform, transform: { rotation: [0, 0, 1.5707963267948966], scale: [3, 2, 1] }, input: " SINE " }",
+    {"scaled lanes", "{ map: XYZTransform, transform: { scale: [3, -2, 0.5] }, input: " SINE " }",
      GROUP_X, &CLOSE},
-    {"turned uv", "{ map: UVTransform, scaleU: -2, scaleV: 3, offsetU: 5, input: " SINE " }", GROUP_U, &CLOSE},
+    {"turned",
+     "{ map: XYZTransform, transform: { rotation: [0, 0, 1.5707963267948966], scale: [3, 2, 1] }, "
+     "input: " SINE " }",
+     GROUP_X, &CLOSE},
+    {"turned uv", "{ map: UVTransform, scaleU: -2, scaleV: 3, offsetU: 5, input: " SINE " }",
+     GROUP_U, &CLOSE},
     {"passed on", "{ map: UVTransform, scaleU: 2, input: " SINE " }", GROUP_X, &CLOSE},
-    {"wrinkled by nothing", "{ map: Turbulence, amount: [0, 0, 0], input: " SINE " }", GROUP_X, &CLOSE},
+    {"wrinkled by nothing", "{ map: Turbulence, amount: [0, 0, 0], input: " SINE " }", GROUP_X,
+     &CLOSE},
     {"a share", "{ map: Checker, color1: " SINE ", color2: 0 }", GROUP_R, &CLOSE},
     {"the other share", "{ map: Checker, color1: 0, color2: " SINE " }", GROUP_R, &CLOSE},
     {"one colour twice", "{ map: Checker, color1: &s " SINE ", color2: *s }", GROUP_R, &CLOSE},
     {"with an alpha", "{ map: Checker, color1: " SINE ", color2: [0, 0, 0, 1] }", GROUP_R, &CLOSE},
     {"a share of a share",
-     "{ map: Checker, color1: { map: Checker, input: 0, color1: 0, color2: " SINE " }, color2: " HALF " }", GROUP_R,
-     &CLOSE},
-    {"a Blend of one", "{ map: Blend, input: { map: Carpenter, input: 1 }, blend: [{ value: 1, input: " SINE " }] }",
+     "{ map: Checker, color1: { map: Checker, input: 0, color1: 0, color2: " SINE
+     " }, color2: " HALF " }",
+     GROUP_R, &CLOSE},
+    {"a Blend of one",
+     "{ map: Blend, input: { map: Carpenter, input: 1 }, blend: [{ value: 1, input: " SINE " }] }",
      GROUP_R, &CLOSE},
     {"a Blend at a point",
-     "{ map: Blend, input: 0.25, blend: [{ value: 0, input: " SINE " }, { value: 1, input: " HALF " }] }", GROUP_R,
-     &CLOSE},
+     "{ map: Blend, input: 0.25, blend: [{ value: 0, input: " SINE " }, { value: 1, input: " HALF
+     " }] }",
+     GROUP_R, &CLOSE},
     {"a Blend at a step",
      "{ map: Blend, input: 1, blend: [{ value: 1, input: " SINE " }, { value: 1, input: " HALF
      " }, { value: 2, input: 0 }] }",
      GROUP_R, &CLOSE},
     {"a Blend far behind",
-     "{ map: Blend, input: 9, blend: [{ value: 0, input: " SINE " }, { value: 1, input: " HALF " }] }", GROUP_R,
-     &CLOSE},
+     "{ map: Blend, input: 9, blend: [{ value: 0, input: " SINE " }, { value: 1, input: " HALF
+     " }] }",
+     GROUP_R, &CLOSE},
 };
 
 static const struct {
@@ -80,22 +96,27 @@ static const struct {
     Slot slot;
 } means[] = {
     {"an exponent", "shininess: { map: Checker, color1: 0.1, color2: 0.9 }", SLOT_shininess},
-    {"an exponent passed on", "shininess: { map: BumpMap, input: { map: Checker, color1: 0.1, color2: 0.9 } }",
+    {"an exponent passed on",
+     "shininess: { map: BumpMap, input: { map: Checker, color1: 0.1, color2: 0.9 } }",
      SLOT_shininess},
     {"exponents of three",
-     "shininess: { map: Checker, color1: 0.1, color2: { map: VolumeChecker, color1: 0.4, color2: 0.9 } }",
+     "shininess: { map: Checker, color1: 0.1, color2: { map: VolumeChecker, color1: 0.4, color2: "
+     "0.9 } }",
      SLOT_shininess},
     {"an exponent that is decided",
-     "shininess: { map: Checker, input: 0.3, color1: { map: Checker, color1: 0.1, color2: 0.9 } }", SLOT_shininess},
-    {"a Blend", "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, blend: " PEAK " }",
+     "shininess: { map: Checker, input: 0.3, color1: { map: Checker, color1: 0.1, color2: 0.9 } }",
+     SLOT_shininess},
+    {"a Blend",
+     "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, blend: " PEAK " }",
      SLOT_diffuse},
     {"a Blend of three",
-     "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: { map: VolumeChecker, color1: 0.5, color2: 0.9 "
+     "diffuse: { map: Blend, input: { map: Checker, color1: 0, color2: { map: VolumeChecker, "
+     "color1: 0.5, color2: 0.9 "
      "} }, blend: " PEAK " }",
      SLOT_diffuse},
     {"a Blend over a Blend",
-     "diffuse: { map: Blend, input: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, blend: " PEAK
-     " }, blend: " PEAK " }",
+     "diffuse: { map: Blend, input: { map: Blend, input: { map: Checker, color1: 0, color2: 0.5 }, "
+     "blend: " PEAK " }, blend: " PEAK " }",
      SLOT_diffuse},
 };
 
@@ -105,11 +126,13 @@ enum { MOST_POINTS = SAMPLES * SAMPLES };
 static void surface_at(int i, Surface *surface)
 {
     oracle_surface_default(surface);
-    surface->root[channel_id(GROUP_U, 0)] = CENTRE_U + WIDTH_U * ((i % SAMPLES + 0.5) / SAMPLES - 0.5);
+    surface->root[channel_id(GROUP_U, 0)] =
+        CENTRE_U + WIDTH_U * ((i % SAMPLES + 0.5) / SAMPLES - 0.5);
     surface->root[channel_id(GROUP_U, 1)] = CENTRE_V;
     for (int lane = 0; lane < 3; lane++)
         surface->root[channel_id(GROUP_X, lane)] = CENTRE_XZ;
-    surface->root[channel_id(GROUP_X, 1)] = CENTRE_Y + WIDTH_Y * ((i / SAMPLES + 0.5) / SAMPLES - 0.5);
+    surface->root[channel_id(GROUP_X, 1)] =
+        CENTRE_Y + WIDTH_Y * ((i / SAMPLES + 0.5) / SAMPLES - 0.5);
 }
 
 static Oracle *open_oracle(const Document *d)
@@ -176,7 +199,8 @@ typedef struct {
 static void attempt_open(Attempt *w, const Document *d, int level)
 {
     *w = (Attempt){0};
-    w->session = (Session){.options = &d->options, .arena = &w->arena, .optimize = level, .check = true};
+    w->session =
+        (Session){.options = &d->options, .arena = &w->arena, .optimize = level, .check = true};
     choice_job(&(MatcOptions){.pass = "value", .aa = "box"}, &w->job);
     w->l = (Lower){.session = &w->session,
                    .graph = d->graph,
@@ -252,8 +276,8 @@ static void variance_is_what_a_mean_leaves_out(void **state)
                 double want = true_variance(&q, lane);
                 if (fabs(known[lane] - want) <= *cases[i].bound * fmax(1, want))
                     continue;
-                print_error("%s at -O%d: lane %d has the variance %g, should have %g\n", cases[i].name, level, lane,
-                            known[lane], want);
+                print_error("%s at -O%d: lane %d has the variance %g, should have %g\n",
+                            cases[i].name, level, lane, known[lane], want);
                 faults++;
             }
         }
@@ -270,7 +294,8 @@ static void what_is_no_line_is_asked_of_both(void **state)
         Document d;
         open_text(&d, means[i].name, means[i].slots);
         for (int level = 0; level <= 2; level += 2) {
-            double known = known_mean(&d, means[i].slot, level), want = true_mean(&d, means[i].slot);
+            double known = known_mean(&d, means[i].slot, level),
+                   want = true_mean(&d, means[i].slot);
             if (fabs(known - want) <= CLOSE * fmax(1, want))
                 continue;
             print_error("%s at -O%d: %.9g, should be %.9g\n", means[i].name, level, known, want);
@@ -284,13 +309,15 @@ static void what_is_no_line_is_asked_of_both(void **state)
 /* (p q)^2 = p^2 q^2: as good a rule as any, and what was marked by its node, p q, is gone. */
 static Ref square_apart(Ir *ir, Ref ref)
 {
-    if (!ir_is(ir, ref, OP_mul) || ir_arg(ir, ref, 0) != ir_arg(ir, ref, 1) || !ir_is(ir, ir_arg(ir, ref, 0), OP_mul))
+    if (!ir_is(ir, ref, OP_mul) || ir_arg(ir, ref, 0) != ir_arg(ir, ref, 1) ||
+        !ir_is(ir, ir_arg(ir, ref, 0), OP_mul))
         return ref;
     Ref product = ir_arg(ir, ref, 0), p = ir_arg(ir, product, 0), q = ir_arg(ir, product, 1);
     return build_mul(ir, build_square(ir, p), build_square(ir, q));
 }
 
-/* sin(e^y) over a pixel: its mean is sin(v) sinc(b / 2) with v = e^y, and b = e^y of the footprint, which is no part of the slope. */
+/* sin(e^y) over a pixel: its mean is sin(v) sinc(b / 2) with v = e^y, and b = e^y of the footprint,
+ * which is no part of the slope. */
 static void a_footprint_is_constant_whatever_is_rewritten(void **state)
 {
     (void)state;
@@ -298,7 +325,8 @@ static void a_footprint_is_constant_whatever_is_rewritten(void **state)
     const double v = exp(CENTRE_Y), b = v * WIDTH_Y, want = cos(v) * v * sin(b / 2) / (b / 2);
     Document d;
     open_text(&d, "a footprint",
-              "diffuse: { map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: Exp, second: Sin } }");
+              "diffuse: { map: Gradient, direction: [0, 1, 0], waveForm: { wave: Chain, first: "
+              "Exp, second: Sin } }");
     for (size_t i = 0; i < sizeof rules / sizeof *rules; i++) {
         Attempt w;
         double known[4];

@@ -1,5 +1,6 @@
-/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double by ir_eval. AREA_ONLY=part-of-a-name in
- * the environment looks at those rows only; AREA_SEED=N takes other footprints, for which the bounds of areas.def are not meant. */
+/* --aa=box and --aa=aniso against means of the unfiltered map over the same footprints, in double
+ * by ir_eval. AREA_ONLY=part-of-a-name in the environment looks at those rows only; AREA_SEED=N
+ * takes other footprints, for which the bounds of areas.def are not meant. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/pipeline.h"
@@ -73,9 +74,11 @@ static void open_map(Test *t)
     t->options.read_file = generate_file;
     t->options.pass = "value";
     t->options.slot = t->row->slot;
-    t->session = (Session){.options = &t->options, .arena = &t->arena, .optimize = 2, .check = true};
+    t->session =
+        (Session){.options = &t->options, .arena = &t->arena, .optimize = 2, .check = true};
     Source source = {.name = "area.yaml", .text = text, .size = (size_t)size};
-    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room, source);
+    ARENA_PUSH(&t->arena, t->session.sources, t->session.source_count, t->session.source_room,
+               source);
     Graph *graph = compile_front(&t->session, 0, &tree);
     if (!graph || t->session.diags.errors)
         fail_msg("%s\n%s", text, t->session.diags.count ? t->session.diags.at[0].message : "");
@@ -100,7 +103,8 @@ static double value_at(Test *t, Aa aa, const Footprint *f, double right, double 
         inputs[INPUT_UY][i] = f->u_by[1][i];
     }
     for (int i = 0; i < 3; i++) {
-        inputs[INPUT_X][i] = inputs[INPUT_P][i] = f->x[i] + right * f->x_by[0][i] + up * f->x_by[1][i];
+        inputs[INPUT_X][i] = inputs[INPUT_P][i] =
+            f->x[i] + right * f->x_by[0][i] + up * f->x_by[1][i];
         inputs[INPUT_XX][i] = inputs[INPUT_PX][i] = f->x_by[0][i];
         inputs[INPUT_XY][i] = inputs[INPUT_PY][i] = f->x_by[1][i];
     }
@@ -125,7 +129,8 @@ static Footprint point(Test *t)
 /* Two tangents of length 1 at a right angle, turned at random. */
 static void random_plane(Test *t, double tangent[2][3])
 {
-    double z = uniform(t, -1, 1), turn = uniform(t, 0, 2 * M_PI), roll = uniform(t, 0, 2 * M_PI), r = sqrt(1 - z * z);
+    double z = uniform(t, -1, 1), turn = uniform(t, 0, 2 * M_PI), roll = uniform(t, 0, 2 * M_PI),
+           r = sqrt(1 - z * z);
     const double a[3] = {-sin(turn), cos(turn), 0}, b[3] = {-z * cos(turn), -z * sin(turn), r};
     for (int i = 0; i < 3; i++) {
         tangent[0][i] = cos(roll) * a[i] + sin(roll) * b[i];
@@ -137,7 +142,8 @@ static void random_plane(Test *t, double tangent[2][3])
 static Footprint random_footprint(Test *t, int number)
 {
     Footprint f = point(t);
-    double tangent[2][3], size = t->row->period * pow(10, uniform(t, -2, 1)), turn = uniform(t, 0, 2 * M_PI);
+    double tangent[2][3], size = t->row->period * pow(10, uniform(t, -2, 1)),
+                          turn = uniform(t, 0, 2 * M_PI);
     double stretch = number % 2 ? pow(16, uniform(t, 0, 1)) : 1, skew = uniform(t, -.3, .3);
     random_plane(t, tangent);
     for (int way = 0; way < 2; way++) {
@@ -160,7 +166,8 @@ static double mean_of_samples(Test *t, const Footprint *f)
     return sum / (SIDE * SIDE);
 }
 
-/* Where the next border lies, in parts of the way; borders are at the multiples of a part of the period. */
+/* Where the next border lies, in parts of the way; borders are at the multiples of a part of the
+ * period. */
 static double next_border(double from, double middle, double edge, double part)
 {
     const double beyond = 1e-9;
@@ -171,14 +178,16 @@ static double next_border(double from, double middle, double edge, double part)
 /* Exact: Gauss' rule on every piece between borders, along x and u; then along y and v. */
 static double mean_along(Test *t, const Footprint *f, int axis, double right)
 {
-    static const double node[NODES] = {-.906179845938664, -.538469310105683, 0, .538469310105683, .906179845938664};
-    static const double weight[NODES] = {.236926885056189, .478628670499366, .568888888888889, .478628670499366,
-                                         .236926885056189};
+    static const double node[NODES] = {-.906179845938664, -.538469310105683, 0, .538469310105683,
+                                       .906179845938664};
+    static const double weight[NODES] = {.236926885056189, .478628670499366, .568888888888889,
+                                         .478628670499366, .236926885056189};
     double sum = 0, from = -.5, edge = f->u_by[axis][axis];
     while (from < .5) {
         double to = next_border(from, f->u[axis], edge, t->row->period / PIECES);
         for (int i = 0; i < NODES; i++) {
-            double at = (from + to) / 2 + node[i] * (to - from) / 2, share = weight[i] * (to - from) / 2;
+            double at = (from + to) / 2 + node[i] * (to - from) / 2,
+                   share = weight[i] * (to - from) / 2;
             sum += share * (axis ? value_at(t, AA_none, f, right, at) : mean_along(t, f, 1, at));
         }
         from = to;
@@ -232,7 +241,8 @@ static double check_exact(Test *t)
 static void check_range(Test *t, double value)
 {
     if (!(value >= t->row->low - rounding && value <= t->row->high + rounding))
-        fault(t, value < t->row->low ? "below its range is" : "above its range is", value, t->row->high);
+        fault(t, value < t->row->low ? "below its range is" : "above its range is", value,
+              t->row->high);
 }
 
 static void check_errors(Test *t, double error[AA_COUNT])
@@ -251,15 +261,18 @@ static void check_errors(Test *t, double error[AA_COUNT])
     if (!(error[AA_box] <= t->row->box))
         fault(t, "the error of box is", error[AA_box], t->row->box);
     if (!(error[AA_box] * t->row->gain <= error[AA_none]))
-        fault(t, "the error of box over that of none is", error[AA_box] / error[AA_none], 1 / t->row->gain);
+        fault(t, "the error of box over that of none is", error[AA_box] / error[AA_none],
+              1 / t->row->gain);
     if (!(error[AA_aniso] <= t->row->aniso * error[AA_box]))
-        fault(t, "the error of aniso over that of box is", error[AA_aniso] / error[AA_box], t->row->aniso);
+        fault(t, "the error of aniso over that of box is", error[AA_aniso] / error[AA_box],
+              t->row->aniso);
 }
 
 static void show_errors(const Area *row, const double error[AA_COUNT])
 {
-    print_message("%-31s %7.4g %8.4g %8.4g %8.4g %8.4g %8.4g %8.4g", row->name, error[AA_none], error[AA_box], row->box,
-                  error[AA_none] / error[AA_box], row->gain, error[AA_aniso] / error[AA_box], row->aniso);
+    print_message("%-31s %7.4g %8.4g %8.4g %8.4g %8.4g %8.4g %8.4g", row->name, error[AA_none],
+                  error[AA_box], row->box, error[AA_none] / error[AA_box], row->gain,
+                  error[AA_aniso] / error[AA_box], row->aniso);
 }
 
 static void pixels_show_means(void **state)
@@ -268,8 +281,8 @@ static void pixels_show_means(void **state)
     int faults = 0;
     const char *only = getenv("AREA_ONLY"), *seed = getenv("AREA_SEED");
     const int first = seed ? AREA_COUNT * atoi(seed) : 0;
-    print_message("%-31s %7s %17s %17s %17s %15s\n", "seen, and at most", "none", "box", "none/box", "aniso/box",
-                  "on axes");
+    print_message("%-31s %7s %17s %17s %17s %15s\n", "seen, and at most", "none", "box", "none/box",
+                  "aniso/box", "on axes");
     for (int i = 0; i < AREA_COUNT; i++) {
         Test t = {.row = &areas[i], .state = java_random(first + i)};
         double error[AA_COUNT] = {0};

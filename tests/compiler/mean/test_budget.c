@@ -1,5 +1,6 @@
-/* --aa=auto: what it averages in the shader costs at most a tenth of the program, of a plane as much again, which is told by programs
- * of every example, and it averages what the documents below say. Pictures are the sampler's anyhow. */
+/* --aa=auto: what it averages in the shader costs at most a tenth of the program, of a plane as
+ * much again, which is told by programs of every example, and it averages what the documents below
+ * say. Pictures are the sampler's anyhow. */
 #include "tests/test.h"
 #include "tests/value/bounds.h"
 #include "tests/value/documents.h"
@@ -19,10 +20,12 @@
 static const double free_cost = 200, most_growth = 1.1, most_growth_of_plane = 2;
 /* Lowered within a tenth as all are; without means the optimiser leaves less of their slopes. */
 static const double most_growth_of_moved = 1.12;
-/* Pictures go through the sampler whatever that costs, and most cost less so than by texels. One in a bump scales its footprint and compares
- * it with a texel: 4 and 6 operations beside the 30 of its texels, in a program that may be nothing else. A program of many bumps comes near to
- * that: 991 operations for 775 in a Smooth3D, which looks 18 times. To compare once for all of them would spare 100 of these, and none where
- * one looks but once: 250 for 200, of which 30 are the three reads outside of the branch, faster on a GPU than reads within it. */
+/* Pictures go through the sampler whatever that costs, and most cost less so than by texels. One in
+ * a bump scales its footprint and compares it with a texel: 4 and 6 operations beside the 30 of its
+ * texels, in a program that may be nothing else. A program of many bumps comes near to that: 991
+ * operations for 775 in a Smooth3D, which looks 18 times. To compare once for all of them would
+ * spare 100 of these, and none where one looks but once: 250 for 200, of which 30 are the three
+ * reads outside of the branch, faster on a GPU than reads within it. */
 static const double most_growth_of_relief = (30 + 6 + 4) / 30.;
 
 static Job job_of(const char *aa, Pass pass)
@@ -57,7 +60,8 @@ static int cost_of_lowered(Ir *ir)
 /* How many times the operations of points means may take: a tenth more, or what is free. */
 static double growth_of(int mean, int plain) { return mean / fmax(plain, free_cost); }
 
-/* As lowering measures: before the optimiser, at -O1 whatever is asked for, without means and with those that fit. */
+/* As lowering measures: before the optimiser, at -O1 whatever is asked for, without means and with
+ * those that fit. */
 static double lowered_growth(Document *d, const Node *material, Pass pass)
 {
     Session session = d->session;
@@ -65,10 +69,12 @@ static double lowered_growth(Document *d, const Node *material, Pass pass)
     const Job job = job_of("auto", pass);
     const LowerRequest what = {&session, d->graph, material, &job, opt_simplify};
     const int plain = cost_of_lowered(lower_averaging(&(Lower){0}, &what, 0));
-    return growth_of(cost_of_lowered(lower(&session, d->graph, material, &job, opt_simplify)), plain);
+    return growth_of(cost_of_lowered(lower(&session, d->graph, material, &job, opt_simplify)),
+                     plain);
 }
 
-/* Of programs as they are written, against those of --aa=none, which read pictures in the shader. */
+/* Of programs as they are written, against those of --aa=none, which read pictures in the
+ * shader. */
 static double program_growth(Document *d, const Node *material, Pass pass)
 {
     const Job none = job_of("none", pass), mean = job_of("auto", pass);
@@ -85,27 +91,31 @@ static bool has_means(Document *d, const Node *material, Pass pass)
 
 typedef struct {
     int programs, averaged;
-    double lowered, written, relief, moved; /* the greatest growths; those of programs with a picture in a bump, of what is displaced */
+    /* the greatest growths; those of programs with a picture in a bump, of what is displaced */
+    double lowered, written, relief, moved;
 } Costs;
 
 static double *growth_among(Costs *costs, const Node *material)
 {
     Subjects subjects;
     subjects_of(material, SLOT_normal, &subjects);
-    const bool relief = (subjects.has[KIND_BumpMap] || subjects.displaced) && subjects.has[KIND_ImageMap];
+    const bool relief =
+        (subjects.has[KIND_BumpMap] || subjects.displaced) && subjects.has[KIND_ImageMap];
     return relief ? &costs->relief : subjects.displaced ? &costs->moved : &costs->written;
 }
 
 static void note(Document *d, const Node *material, Pass pass, Costs *costs)
 {
-    const double lowered = lowered_growth(d, material, pass), written = program_growth(d, material, pass);
+    const double lowered = lowered_growth(d, material, pass),
+                 written = program_growth(d, material, pass);
     costs->programs++;
     costs->averaged += has_means(d, material, pass);
     costs->lowered = fmax(costs->lowered, lowered);
     double *most = growth_among(costs, material);
     *most = fmax(*most, written);
     if (lowered > most_growth)
-        fail_msg("%s, pass %s: %.3f times the operations", document_name(d), pass_table[pass].name, lowered);
+        fail_msg("%s, pass %s: %.3f times the operations", document_name(d), pass_table[pass].name,
+                 lowered);
 }
 
 static void means_cost_a_tenth(void **state)
@@ -125,7 +135,8 @@ static void means_cost_a_tenth(void **state)
         document_close(&d);
     }
     documents_free(&list);
-    print_message("%d programs, %d with means: lowered to %.4f times the operations, written with %.4f times, "
+    print_message("%d programs, %d with means: lowered to %.4f times the operations, written with "
+                  "%.4f times, "
                   "%.4f times with a picture in a bump\n",
                   costs.programs, costs.averaged, costs.lowered, costs.written, costs.relief);
     assert_true(costs.written <= most_growth);
@@ -151,7 +162,8 @@ static bool check_points_beside_means(Document *d, const Node *material, Pass pa
     const int before = cost_of(means), beside = lower_cost_of_points(&l, material);
     const int alone = cost_of_lowered(lower_averaging(&(Lower){0}, &what, 0));
     if (beside != alone)
-        fail_msg("%s, pass %s: points cost %d beside means, %d alone", document_name(d), pass_table[pass].name, beside, alone);
+        fail_msg("%s, pass %s: points cost %d beside means, %d alone", document_name(d),
+                 pass_table[pass].name, beside, alone);
     assert_int_equal(cost_of_lowered(means), before);
     return true;
 }
@@ -167,7 +179,8 @@ static void points_cost_as_much_beside_means(void **state)
         const bool good = document_open(&d, list.paths[i]);
         for (int material = 0; good && material < d.graph->material_count; material++)
             for (size_t k = 0; k < sizeof passes / sizeof *passes; k++)
-                checked += check_points_beside_means(&d, d.graph->materials[material].node, passes[k]);
+                checked +=
+                    check_points_beside_means(&d, d.graph->materials[material].node, passes[k]);
         document_close(&d);
     }
     documents_free(&list);
@@ -184,7 +197,8 @@ static void means_of_planes_cost_as_much_again(void **state)
         Document d;
         const bool good = document_open(&d, list.paths[i]);
         for (int material = 0; good && material < d.graph->material_count; material++)
-            greatest = fmax(greatest, lowered_growth(&d, d.graph->materials[material].node, PASS_plane));
+            greatest =
+                fmax(greatest, lowered_growth(&d, d.graph->materials[material].node, PASS_plane));
         document_close(&d);
     }
     documents_free(&list);
@@ -200,21 +214,27 @@ static const struct {
     bool box, none;   /* the program is that of aa=box, of aa=none */
 } documents[] = {
     {"material: Phong\ndiffuse: " CHECKER "\n", NULL, true, false},
-    {"material: Phong\ndiffuse: { map: Leopard, waveForm: Sin01, input: { map: XYZTransform, transform: { scale: 9 } } "
+    {"material: Phong\ndiffuse: { map: Leopard, waveForm: Sin01, input: { map: XYZTransform, "
+     "transform: { scale: 9 } } "
      "}\n",
      NULL, true, false},
     {"material: Phong\ndiffuse: { map: Granite }\n", NULL, false, true},
     {"material: Phong\ndiffuse: { map: VolumeTurbulence, waveForm: Sin }\n", NULL, false, true},
-    {"material: Phong\ndiffuse: { map: Granite, input: { map: Turbulence } }\nspecular: " CHECKER "\n", NULL, false,
-     false},
+    {"material: Phong\ndiffuse: { map: Granite, input: { map: Turbulence } }\nspecular: " CHECKER
+     "\n",
+     NULL, false, false},
     {"material: Phong\ntransparency: " CHECKER "\n", NULL, true, false},
-    {"material: Phong\ndiffuse: " CHECKER "\n", "plane", true, false}, /* to the horizon, at twice the cost */
+    /* to the horizon, at twice the cost */
+    {"material: Phong\ndiffuse: " CHECKER "\n", "plane", true, false},
     {"material: Phong\ndiffuse: { map: Granite }\n", "plane", false, true},
-    {"material: Phong\ntransparency: " CHECKER "\n", "shadow", false, true}, /* a threshold of points */
+    /* a threshold of points */
+    {"material: Phong\ntransparency: " CHECKER "\n", "shadow", false, true},
     {"material: Phong\ntransparency: { map: Leopard, waveForm: Sin01 }\n", "shadow", false, true},
-    /* each pass by its own program: noise of another slot pays for no mean in this one, nor the other way round */
-    {"material: Phong\ntransparency: { map: Granite, input: { map: Turbulence } }\ndiffuse: " CHECKER "\n", "value",
-     true, false},
+    /* each pass by its own program: noise of another slot pays for no mean in this one, nor the
+     * other way round */
+    {"material: Phong\ntransparency: { map: Granite, input: { map: Turbulence } "
+     "}\ndiffuse: " CHECKER "\n",
+     "value", true, false},
 };
 
 /* The text behind the comment that names the choices. */
@@ -259,7 +279,7 @@ static Ref count_visit(Ir *ir, Ref ref)
 {
     visits++;
     const Ref found = opt_simplify(ir, ref);
-    ir->nodes[found].flags &= (uint8_t)~(NODE_simple | NODE_final);
+    ir->nodes[found].flags &= (uint8_t) ~(NODE_simple | NODE_final);
     return found;
 }
 
@@ -282,7 +302,8 @@ static long visits_of_means(Document *d, int material, size_t *maps)
 {
     Lower l;
     const Job job = job_of("auto", PASS_gbuffer);
-    const LowerRequest what = {&d->session, d->graph, d->graph->materials[material].node, &job, count_visit};
+    const LowerRequest what = {&d->session, d->graph, d->graph->materials[material].node, &job,
+                               count_visit};
     visits = 0;
     Ir *ir = lower_averaging(&l, &what, INT_MAX);
     if (ir)
@@ -291,8 +312,9 @@ static long visits_of_means(Document *d, int material, size_t *maps)
     return visits;
 }
 
-/* A document is lowered once with all means, where there are any once without, each of their maps by itself, and by halving with as many as fit: so
- * often. Means have more nodes than points, so each takes at most what all means take, or none. */
+/* A document is lowered once with all means, where there are any once without, each of their maps
+ * by itself, and by halving with as many as fit: so often. Means have more nodes than points, so
+ * each takes at most what all means take, or none. */
 static int most_lowerings(size_t maps) { return maps ? 3 + (int)ceil(log2((double)maps)) : 1; }
 
 static void examples_take_few_lowerings(void **state)
@@ -308,13 +330,14 @@ static void examples_take_few_lowerings(void **state)
         if (document_open(&d, list.paths[i]))
             for (int material = 0; material < d.graph->material_count; material++) {
                 size_t maps;
-                const long plain = visits_of(&d, material, "none"), mean = visits_of(&d, material, "auto");
+                const long plain = visits_of(&d, material, "none"),
+                           mean = visits_of(&d, material, "auto");
                 const long means = visits_of_means(&d, material, &maps);
                 all[0] += (double)plain;
                 all[1] += (double)mean;
                 if (mean > most_lowerings(maps) * (means > plain ? means : plain))
-                    fail_msg("%s: %ld nodes, with %zu means %ld, without %ld", document_name(&d), mean, maps, means,
-                             plain);
+                    fail_msg("%s: %ld nodes, with %zu means %ld, without %ld", document_name(&d),
+                             mean, maps, means, plain);
             }
         document_close(&d);
     }
@@ -323,7 +346,8 @@ static void examples_take_few_lowerings(void **state)
     assert_true(all[1] <= most_of_all * all[0]);
 }
 
-/* Visits of a Blend of so many checkers, of coordinates of their own that come from one map, by those of --aa=none. */
+/* Visits of a Blend of so many checkers, of coordinates of their own that come from one map, by
+ * those of --aa=none. */
 static double visits_of_checkers(int count, const char *from)
 {
     char *text = NULL;
@@ -332,10 +356,10 @@ static double visits_of_checkers(int count, const char *from)
     FILE *out = open_memstream(&text, &size);
     fputs("material: Phong\ndiffuse:\n  map: Blend\n  blend:\n", out);
     for (int i = 0; i < count; i++)
-        fprintf(
-            out,
-            "  - { value: %d, input: { map: Checker, color1: 0.%d, input: { map: UVTransform, scaleU: 1.%d%s } } }\n",
-            i, i, i, from);
+        fprintf(out,
+                "  - { value: %d, input: { map: Checker, color1: 0.%d, input: { map: UVTransform, "
+                "scaleU: 1.%d%s } } }\n",
+                i, i, i, from);
     fclose(out);
     if (!document_open_text(&d, text))
         fail_msg("%s", document_fault(&d));
@@ -346,7 +370,8 @@ static double visits_of_checkers(int count, const char *from)
     return ratio;
 }
 
-/* Checkers that do not all fit. Few are first tried all, since their means might be free; of many their prices say how many do. */
+/* Checkers that do not all fit. Few are first tried all, since their means might be free; of many
+ * their prices say how many do. */
 static void many_maps_take_few(void **state)
 {
     (void)state;
@@ -356,8 +381,9 @@ static void many_maps_take_few(void **state)
         assert_true(visits_of_checkers(count, "") <= most_of_many);
 }
 
-/* The first mean needs the slopes of a noise, which cost more than may be spent, and that is known without a second program. Where it may be
- * spent, prices say about how many fit: what mixes means costs, too. */
+/* The first mean needs the slopes of a noise, which cost more than may be spent, and that is known
+ * without a second program. Where it may be spent, prices say about how many fit: what mixes means
+ * costs, too. */
 static void what_does_not_fit_is_not_tried(void **state)
 {
     (void)state;

@@ -1,4 +1,5 @@
-/* --aa as it is drawn, where what a pixel should show has a closed form: rectangles along the axes, whole periods. */
+/* --aa as it is drawn, where what a pixel should show has a closed form: rectangles along the axes,
+ * whole periods. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/value/sheet.h"
@@ -108,12 +109,18 @@ static double odd_share(const Box *box, int lanes, double edge)
 static double mean_checker(const Box *box) { return .1 + .8 * odd_share(box, 2, .5); }
 static double mean_cubes(const Box *box) { return .1 + .8 * odd_share(box, 3, 1); }
 
-/* A filter makes a function of the program: then changes over the screen stand outside of main(). Its mean of z is z. */
-#define SMOOTHED_CHECKER                                                                                               \
-    "{ map: Checker, color1: { map: Smooth3D, input: { map: Gradient, direction: [0, 0, 1] } }, color2: 0.1 }"
-static double mean_smoothed(const Box *box) { return .1 + (box->middle[2] - .1) * odd_share(box, 2, .5); }
+/* A filter makes a function of the program: then changes over the screen stand outside of main().
+ * Its mean of z is z. */
+#define SMOOTHED_CHECKER                                                                           \
+    "{ map: Checker, color1: { map: Smooth3D, input: { map: Gradient, direction: [0, 0, 1] } }, "  \
+    "color2: 0.1 }"
+static double mean_smoothed(const Box *box)
+{
+    return .1 + (box->middle[2] - .1) * odd_share(box, 2, .5);
+}
 
-/* Of ((sin x + sin y + sin z) / 3)^2, where the lanes are independent: the variances, and the square of the sum of the means. */
+/* Of ((sin x + sin y + sin z) / 3)^2, where the lanes are independent: the variances, and the
+ * square of the sum of the means. */
 static double mean_leopard(const Box *box)
 {
     double sum = 0, variance = 0;
@@ -127,8 +134,9 @@ static double mean_leopard(const Box *box)
 }
 
 /* A line from each item to the next, a step at 1/4, the ends as they are. */
-#define BLEND(input)                                                                                                   \
-    "{ map: Blend, blend: [{ value: 0, input: 0.2 }, { value: 0.25, input: 1 }, { value: 0.25, input: 0 },"            \
+#define BLEND(input)                                                                               \
+    "{ map: Blend, blend: [{ value: 0, input: 0.2 }, { value: 0.25, input: 1 }, { value: 0.25, "   \
+    "input: 0 },"                                                                                  \
     " { value: 0.75, input: 0.6 }], input: " input " }"
 static double area_blend(double t)
 {
@@ -138,11 +146,16 @@ static double area_blend(double t)
         return .2 * t + 1.6 * t * t;
     return t < .75 ? .15 + .6 * (t - .25) * (t - .25) : .3 + .6 * (t - .75);
 }
-static double mean_blend(const Box *box) { return mean_between(area_blend, box->middle[0], box->edge[0]); }
+static double mean_blend(const Box *box)
+{
+    return mean_between(area_blend, box->middle[0], box->edge[0]);
+}
 
-/* The mean of what the blend makes of both colours, and not what it makes of their mean: at 0 it is 0.1, at 1 0.3, at 1/2 0.9. */
-#define BLENDED_CHECKER                                                                                                \
-    "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, input: 0.3 }],"           \
+/* The mean of what the blend makes of both colours, and not what it makes of their mean: at 0 it is
+ * 0.1, at 1 0.3, at 1/2 0.9. */
+#define BLENDED_CHECKER                                                                            \
+    "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, "     \
+    "input: 0.3 }],"                                                                               \
     " input: { map: Checker } }"
 static double mean_blended(const Box *box) { return .1 + .2 * odd_share(box, 2, .5); }
 
@@ -153,10 +166,13 @@ static double mean_exponents(const Box *box)
     return exponent(.1) + (exponent(.9) - exponent(.1)) * odd_share(box, 2, .5);
 }
 
-/* Of a root that is 0 below 0: four samples of a pixel of width w are off by .0295 sqrt(w) at most, where a corner of it alone is above 0; the point in
- * its middle by .236 sqrt(w). */
+/* Of a root that is 0 below 0: four samples of a pixel of width w are off by .0295 sqrt(w) at most,
+ * where a corner of it alone is above 0; the point in its middle by .236 sqrt(w). */
 static double area_root(double t) { return t > 0 ? t * sqrt(t) / 1.5 : 0; }
-static double mean_root(const Box *box) { return mean_between(area_root, box->middle[0] - .3, box->edge[0]); }
+static double mean_root(const Box *box)
+{
+    return mean_between(area_root, box->middle[0] - .3, box->edge[0]);
+}
 
 static const struct {
     const char *slot, *map;
@@ -170,7 +186,8 @@ static const struct {
     {"emissive", BLEND("{ map: Gradient }"), mean_blend, 1, 4e-6},
     {"emissive", BLENDED_CHECKER, mean_blended, 1, 1e-6},
     {"shininess",
-     "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 1, input: 0.9 }], input: { map: Checker } }",
+     "{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 1, input: 0.9 }], input: { map: "
+     "Checker } }",
      mean_exponents, 1, 9e-4},
     {"emissive", "{ map: Expression, is: \"sqrt(x - .3)\" }", mean_root, 1, .0295 * 2.0737},
 };
@@ -184,8 +201,8 @@ static void rectangles_show_means(void **state)
         for (int way = 0; way < WAYS; way++) {
             Filtered f = open(box_cases[i].slot, box_cases[i].map, way);
             for (int size = 0; size < SIZES; size++) {
-                Sheet sheet =
-                    straight_sheet(box_cases[i].period * sizes[size][0], box_cases[i].period * sizes[size][1]);
+                Sheet sheet = straight_sheet(box_cases[i].period * sizes[size][0],
+                                             box_cases[i].period * sizes[size][1]);
                 draw(&f, &sheet, rgba);
                 for (int pixel = 0; pixel < SHEET_PIXELS; pixel++) {
                     Box box = box_of(&sheet, pixel);
@@ -202,9 +219,11 @@ static void rectangles_show_means(void **state)
 static void compare_wave(const WaveCurve *wave, int axis, int way, Report *report)
 {
     static Picture rgba;
-    const double frequency = 1.5, phase = .21, period = (wave->period ? wave->period : 1) / frequency;
+    const double frequency = 1.5, phase = .21,
+                 period = (wave->period ? wave->period : 1) / frequency;
     char map[256];
-    snprintf(map, sizeof map, "{ map: Gradient, waveForm: %s, frequency: %g, phase: %g, direction: [%d, %d, 0] }",
+    snprintf(map, sizeof map,
+             "{ map: Gradient, waveForm: %s, frequency: %g, phase: %g, direction: [%d, %d, 0] }",
              wave->name, frequency, phase, !axis, axis);
     Filtered f = open("emissive", map, way);
     for (int k = 0; k < SIZES; k++) {
@@ -212,7 +231,8 @@ static void compare_wave(const WaveCurve *wave, int axis, int way, Report *repor
         draw(&f, &sheet, rgba);
         for (int pixel = 0; pixel < SHEET_PIXELS; pixel++) {
             Box box = box_of(&sheet, pixel);
-            double want = mean_between(wave->area, frequency * box.middle[axis] + phase, frequency * box.edge[axis]);
+            double want = mean_between(wave->area, frequency * box.middle[axis] + phase,
+                                       frequency * box.edge[axis]);
             double scale = fmax(1, fabs(want));
             compare(report, rgba[pixel][0] / scale, want / scale, &f);
         }
@@ -224,8 +244,9 @@ typedef struct {
     double square, bias; /* root mean square error; the greatest mean error of a width */
 } PartErrors;
 
-/* By wave, in their order. `mean`: of a mean over a box, over the greatest of 1 and the mean; runtime/lib/ states those of narrow boxes.
- * `part`: of what parts_of_periods_leave_about_their_variance draws. */
+/* By wave, in their order. `mean`: of a mean over a box, over the greatest of 1 and the mean;
+ * runtime/lib/ states those of narrow boxes. `part`: of what
+ * parts_of_periods_leave_about_their_variance draws. */
 static const struct {
     double mean;
     PartErrors part;
@@ -254,7 +275,9 @@ static double square_of_wave(double v) { return pow(.7 * squared(v) + .3, 2); }
 
 static Filtered open_square(const WaveCurve *wave, char map[256], int way)
 {
-    snprintf(map, 256, "{ map: Gradient, waveForm: { wave: Chain, first: %s, factor: 0.7, shift: 0.3, second: Sqr } }",
+    snprintf(map, 256,
+             "{ map: Gradient, waveForm: { wave: Chain, first: %s, factor: 0.7, shift: 0.3, "
+             "second: Sqr } }",
              wave->name);
     squared = wave->wave;
     return open("emissive", map, way);
@@ -301,8 +324,9 @@ static void whole_periods_of_even_waves_are_boxes(void **state)
     end(&report, "Blend over Ramp, Triangle");
 }
 
-/* Of less than a period a part of the variance shows in the mean's slope, and the rest is estimated: root mean square errors of the
- * square over boxes of 0.1 to 2.6 periods, whose values are from 0 to 1. */
+/* Of less than a period a part of the variance shows in the mean's slope, and the rest is
+ * estimated: root mean square errors of the square over boxes of 0.1 to 2.6 periods, whose values
+ * are from 0 to 1. */
 static PartErrors part_errors(const WaveCurve *wave)
 {
     static Picture rgba;
@@ -334,21 +358,22 @@ static void parts_of_periods_leave_about_their_variance(void **state)
         if (!wave_curves[i].period)
             continue;
         PartErrors seen = part_errors(&wave_curves[i]), most = bounds[i].part;
-        print_message("%-64s %.4f, at most %.4f; bias %.4f, at most %.4f\n", wave_curves[i].name, seen.square,
-                      most.square, seen.bias, most.bias);
+        print_message("%-64s %.4f, at most %.4f; bias %.4f, at most %.4f\n", wave_curves[i].name,
+                      seen.square, most.square, seen.bias, most.bias);
         assert_true(seen.square <= most.square && seen.bias <= most.bias);
     }
 }
 
-/* What Smooth3D and Laplace3D evaluate is not filtered, they sample it themselves: they show points, however wide the pixel is, and so
- * does what stands on them. */
+/* What Smooth3D and Laplace3D evaluate is not filtered, they sample it themselves: they show
+ * points, however wide the pixel is, and so does what stands on them. */
 #define NOISE "{ map: VolumeTurbulence, noiseRatio: 0.5 }"
 static const char *const sampled_maps[] = {
     "{ map: Smooth3D, input: " NOISE " }",
     "{ map: Laplace3D, sx: 0.3, input: { map: Checker } }",
     "{ map: Smooth3D, sx: 0.4, input: { map: Gradient, waveForm: Ramp } }",
     BLEND("{ map: Smooth3D, input: " NOISE " }"),
-    BLEND("{ map: Smooth3D, input: { map: VolumeTurbulence, noiseRatio: 0.5, input: { map: XYZTransform, useGlobal: "
+    BLEND("{ map: Smooth3D, input: { map: VolumeTurbulence, noiseRatio: 0.5, input: { map: "
+          "XYZTransform, useGlobal: "
           "true } } }"),
 };
 
@@ -361,7 +386,8 @@ static void filters_show_points(void **state)
         for (int way = 0; way < 2; way++) {
             Filtered f = open("emissive", sampled_maps[i], way);
             Sheet sheet = straight_sheet(.83, 1.71);
-            Oracle *oracle = oracle_open(f.document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
+            Oracle *oracle =
+                oracle_open(f.document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
             draw(&f, &sheet, rgba);
             for (int pixel = 0; pixel < SHEET_PIXELS; pixel++) {
                 Surface surface;

@@ -1,5 +1,6 @@
-/* --aa as it is drawn over parallelograms, against means that the C reference makes of points within them; noise by its statistics.
- * MEAN_PLACES=N in the environment tries N places for each, and shows the worst. */
+/* --aa as it is drawn over parallelograms, against means that the C reference makes of points
+ * within them; noise by its statistics. MEAN_PLACES=N in the environment tries N places for each,
+ * and shows the worst. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/library/java_random.h"
@@ -71,14 +72,16 @@ static double mean_over(Oracle *oracle, const Filtered *f, const Sheet *sheet, i
     double sum = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
         Surface surface;
-        sheet_surface(sheet, pixel, (i % SIDE + .5) / SIDE - .5, (i / SIDE + .5) / SIDE - .5, &surface);
+        sheet_surface(sheet, pixel, (i % SIDE + .5) / SIDE - .5, (i / SIDE + .5) / SIDE - .5,
+                      &surface);
         sum += value_at(oracle, f, &surface);
     }
     return sum / (SIDE * SIDE);
 }
 
-/* Of pixels of several sizes: the root of the mean square error; the mean error; and the drawn value's slope against the true mean,
- * by least squares, which is 1 where a mean fades as it should. */
+/* Of pixels of several sizes: the root of the mean square error; the mean error; and the drawn
+ * value's slope against the true mean, by least squares, which is 1 where a mean fades as it
+ * should. */
 typedef struct {
     double square, bias, slope;
 } Errors;
@@ -153,8 +156,9 @@ static void measure(Filtered f[FILTERS], double period, int place, Errors worst[
         note_errors(&sums[i], &worst[i]);
 }
 
-/* At one place, what is seen and a few hundredths more. A few dozen pixels know no more of noise: elsewhere they see others, of MEAN_PLACES=64
- * the worst is up to three times the bias, for every noise alike. Whether places differ as chance has it is test_statistics' to tell. */
+/* At one place, what is seen and a few hundredths more. A few dozen pixels know no more of noise:
+ * elsewhere they see others, of MEAN_PLACES=64 the worst is up to three times the bias, for every
+ * noise alike. Whether places differ as chance has it is test_statistics' to tell. */
 static const struct {
     const char *map, *noise;
     double period;
@@ -171,16 +175,26 @@ static const struct {
      NULL,
      1,
      {{.0302, .0035, .016}, {.0302, .0035, .016}}},
-    {"{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, input: 0.3 }], input: { "
+    {"{ map: Blend, blend: [{ value: 0, input: 0.1 }, { value: 0.5, input: 0.9 }, { value: 1, "
+     "input: 0.3 }], input: { "
      "map: Gradient, "
      "direction: [0.8, -0.5, 0.3] } }",
      NULL,
      1,
      {{.0007, .0006, .002}, {.0007, .0006, .002}}},
     {"{ map: Mandel }", NULL, 1, {{.1368, .0085, .081}, {.1368, .0085, .081}}},
-    {"{ map: VolumeTurbulence, octaves: 1 }", "lattice", 1, {{.0939, .0007, .083}, {.0285, .0013, .025}}},
-    {"{ map: VolumeTurbulence, octaves: 1 }", "groimp", 1, {{.0910, .0032, .086}, {.0287, .0019, .035}}},
-    {"{ map: VolumeTurbulence, octaves: 1 }", "simplex", .5, {{.0775, .0085, .070}, {.0232, .0017, .025}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }",
+     "lattice",
+     1,
+     {{.0939, .0007, .083}, {.0285, .0013, .025}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }",
+     "groimp",
+     1,
+     {{.0910, .0032, .086}, {.0287, .0019, .035}}},
+    {"{ map: VolumeTurbulence, octaves: 1 }",
+     "simplex",
+     .5,
+     {{.0775, .0085, .070}, {.0232, .0017, .025}}},
     {"{ map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6 }",
      "lattice",
      1,
@@ -189,7 +203,10 @@ static const struct {
      "lattice",
      1,
      {{.0836, .0039, .106}, {.0422, .0138, .038}}},
-    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", "groimp", 1, {{.0846, .0072, .121}, {.0350, .0101, .053}}},
+    {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
+     "groimp",
+     1,
+     {{.0846, .0072, .121}, {.0350, .0101, .053}}},
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }",
      "simplex",
      .5,
@@ -197,7 +214,10 @@ static const struct {
     {"{ map: Granite }", "lattice", .25, {{.1132, .0121, .120}, {.0507, .0061, .053}}},
     {"{ map: Granite }", "groimp", .25, {{.0939, .0045, .071}, {.0483, .0019, .029}}},
     {"{ map: Granite }", "simplex", .125, {{.1076, .0015, .112}, {.0492, .0013, .064}}},
-    {"{ map: Granite, waveForm: Sqr }", "lattice", .25, {{.0531, .0017, .060}, {.0344, .0090, .054}}},
+    {"{ map: Granite, waveForm: Sqr }",
+     "lattice",
+     .25,
+     {{.0531, .0017, .060}, {.0344, .0090, .054}}},
     {"{ map: Checker, input: { map: Turbulence, noiseRatio: 0.5 } }",
      "lattice",
      1,
@@ -206,10 +226,11 @@ static const struct {
 
 static bool compare(const Filtered *f, const Errors *seen, const Errors *most)
 {
-    bool fine = seen->square <= most->square && fabs(seen->bias) <= most->bias && fabs(seen->slope - 1) <= most->slope;
-    print_message("%-60.60s %-5s error %.4f (%.4f), bias %7.4f (%.4f), slope %.3f (1 +- %.3f)%s\n", f->map, f->aa,
-                  seen->square, most->square, seen->bias, most->bias, seen->slope, most->slope,
-                  fine ? "" : "  TOO MUCH");
+    bool fine = seen->square <= most->square && fabs(seen->bias) <= most->bias &&
+                fabs(seen->slope - 1) <= most->slope;
+    print_message("%-60.60s %-5s error %.4f (%.4f), bias %7.4f (%.4f), slope %.3f (1 +- %.3f)%s\n",
+                  f->map, f->aa, seen->square, most->square, seen->bias, most->bias, seen->slope,
+                  most->slope, fine ? "" : "  TOO MUCH");
     return fine;
 }
 
@@ -241,8 +262,9 @@ static Sheet wide_sheet(int place)
     return sheet;
 }
 
-/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of what Turbulence moves by. The lanes
- * of GroIMP's vectors are a little alike, by its table of 512 numbers. At one place, again: 20,000 points know a mean to .0034 of their own. */
+/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of
+ * what Turbulence moves by. The lanes of GroIMP's vectors are a little alike, by its table of 512
+ * numbers. At one place, again: 20,000 points know a mean to .0034 of their own. */
 static const struct {
     const char *map;
     double most[3]; /* by noise */
@@ -250,12 +272,15 @@ static const struct {
     {"{ map: VolumeTurbulence, octaves: 1 }", {.0009, .0039, .0011}},
     {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7 }", {.0009, .0036, .0021}},
     {"{ map: VolumeTurbulence, octaves: 1, waveForm: Sqr }", {.0031, .0029, .0046}},
-    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }", {.0089, .0020, .0060}},
+    {"{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.7, waveForm: Sqr }",
+     {.0089, .0020, .0060}},
     {"{ map: Granite }", {.0018, .0079, .0055}},
     {"{ map: Granite, waveForm: Sqr }", {.0025, .0020, .0057}},
-    {"'= turbulence(p, 1)'", {.011, .011, .011}}, /* the root of .65 of the variance for the mean of the magnitude */
+    /* the root of .65 of the variance for the mean of the magnitude */
+    {"'= turbulence(p, 1)'", {.011, .011, .011}},
     {"'= turbulence(p, 4, 2, .7)'", {.03, .03, .03}},
-    {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, 1, 1], octaves: 1 } "
+    {"{ map: Gradient, direction: [1, 1, 1], waveForm: Sqr, input: { map: Turbulence, amount: [1, "
+     "1, 1], octaves: 1 } "
      "}",
      {.0048, .0158, .0063}},
 };
@@ -298,8 +323,8 @@ static bool compare_wide(Filtered f[FILTERS], double most)
             note(off_by(&f[k], &sheet, want), &worst[k]);
     }
     for (int k = 0; k < FILTERS; k++) {
-        print_message("%-70.70s %-7s %-5s off by %.4f (%.4f)%s\n", f->map, f->noise, f[k].aa, worst[k], most,
-                      worst[k] <= most ? "" : "  TOO MUCH");
+        print_message("%-70.70s %-7s %-5s off by %.4f (%.4f)%s\n", f->map, f->noise, f[k].aa,
+                      worst[k], most, worst[k] <= most ? "" : "  TOO MUCH");
         fine &= worst[k] <= most;
     }
     return fine;

@@ -1,5 +1,5 @@
-/* --aa in the passes plane and sky, where footprints come from the view ray: drawn by matc's own vertex programs from cameras, against
- * means of the map over each pixel's rays. */
+/* --aa in the passes plane and sky, where footprints come from the view ray: drawn by matc's own
+ * vertex programs from cameras, against means of the map over each pixel's rays. */
 #include "tests/test.h"
 #include "tests/value/scene.h"
 #include "tests/value/rig.h"
@@ -65,7 +65,8 @@ static bool mean_of_rays(const Space *space, Meet *meet, double scale, int pixel
 }
 
 /* The root mean square error of what was drawn. */
-static double error_of(const Space *space, Meet *meet, double scale, const float (*drawn)[4], int *count)
+static double error_of(const Space *space, Meet *meet, double scale, const float (*drawn)[4],
+                       int *count)
 {
     double sum = 0, mean;
     *count = 0;
@@ -107,11 +108,13 @@ static double draw(const Case *c, const char *aa, int *count)
     bool sky = c->meet == meet_sky;
     Space space = space_of(c);
     snprintf(text, sizeof text,
-             "{ material: Phong, diffuse: { map: Checker, input: { map: UVTransform, scaleU: %g, scaleV: %g } } }",
+             "{ material: Phong, diffuse: { map: Checker, input: { map: UVTransform, scaleU: %g, "
+             "scaleV: %g } } }",
              c->scale, c->scale);
     if (!scene_open(&scene, rig->store, text, &(SceneOptions){.pass = c->pass, .aa = aa}))
         fail_msg("%s", scene.error);
-    if (!rig_draw(rig, &scene, &space, NULL, &rig->full) || (!sky && !rig_unpack(rig, &scene, &rig->full)))
+    if (!rig_draw(rig, &scene, &space, NULL, &rig->full) ||
+        (!sky && !rig_unpack(rig, &scene, &rig->full)))
         fail_msg("%s", rig->gl->error);
     scene_close(&scene);
     const float(*drawn)[4] = (const float(*)[4])(sky ? rig->color[0] : rig->slot[SLOT_diffuse]);
@@ -125,8 +128,10 @@ static void rays_make_footprints(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const Case *c = &cases[i];
         int count;
-        double none = draw(c, "none", &count), box = draw(c, "box", &count), aniso = draw(c, "aniso", &count);
-        print_message("%-5s %d pixels: none %.4f (at least %.3f), box %.4f (at most %.4f), aniso %.4f (%.4f)\n",
+        double none = draw(c, "none", &count), box = draw(c, "box", &count),
+               aniso = draw(c, "aniso", &count);
+        print_message("%-5s %d pixels: none %.4f (at least %.3f), box %.4f (at most %.4f), aniso "
+                      "%.4f (%.4f)\n",
                       c->pass, count, none, c->none, box, c->box, aniso, c->aniso);
         failures += !(none >= c->none && box <= c->box && aniso <= c->aniso && count > PIXELS / 4);
     }

@@ -1,4 +1,5 @@
-/* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by hand. */
+/* --aa of pictures, as it is drawn: texels that the test made, and mipmaps that it makes by
+ * hand. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
 #include "tests/value/mipmaps.h"
@@ -24,7 +25,8 @@ static int set_up(void **state)
     const char *fault = drawers_open(&drawers);
     if (fault)
         print_error("%s\n", fault);
-    return fault || !mkdtemp(folder) || !mipmaps_write(&small, 2, folder) || !mipmaps_write(&large, 8, folder);
+    return fault || !mkdtemp(folder) || !mipmaps_write(&small, 2, folder) ||
+           !mipmaps_write(&large, 8, folder);
 }
 
 static int tear_down(void **state)
@@ -34,14 +36,16 @@ static int tear_down(void **state)
     return remove(small.path) || remove(large.path) || rmdir(folder);
 }
 
-/* A picture's value stands at the lower corner of its texel (semantics.md 2.2), its mean over four of them half a texel further. */
+/* A picture's value stands at the lower corner of its texel (semantics.md 2.2), its mean over four
+ * of them half a texel further. */
 static double level_at(const Mipmaps *m, int level, const double u[2], int lane)
 {
     double scale = 1 << level, x = u[0] * m->side, y = u[1] * m->side;
     return mipmaps_bilinear(m, level, (x + .5) / scale - .5, (y + .5) / scale - .5, lane);
 }
 
-/* With `texels: centre` each level's texels stand in the middle of their squares, as samplers of OpenGL have them. */
+/* With `texels: centre` each level's texels stand in the middle of their squares, as samplers of
+ * OpenGL have them. */
 static double middle_at(const Mipmaps *m, int level, const double u[2], int lane)
 {
     int side = m->side >> level;
@@ -58,7 +62,8 @@ static double between(const Mipmaps *m, At *at, double texels, const double u[2]
     return at(m, low, u, lane) * (1 - level + low) + at(m, high, u, lane) * (level - low);
 }
 
-/* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed with mipmaps; then these alone. */
+/* --aa=box, by imageFiltered.glsl: as it is up to a texel a pixel; between one and two texels mixed
+ * with mipmaps; then these alone. */
 static double mipmaps_at(const Mipmaps *m, At *at, double texels, const double u[2], int lane)
 {
     double share = fmin(fmax(texels - 1, 0), 1);
@@ -82,11 +87,14 @@ static double want_samples(const Mipmaps *m, double texels, const double u[2], i
     if (texels <= 1)
         return mipmaps_bilinear(m, 0, x, y, lane);
     for (int i = 0; i < 16; i++)
-        sum += mipmaps_bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels, y + (i / 4 - 1.5) / 4 * texels, lane) / 16;
+        sum += mipmaps_bilinear(m, 0, x + (i % 4 - 1.5) / 4 * texels,
+                                y + (i / 4 - 1.5) / 4 * texels, lane) /
+               16;
     return sum;
 }
 
-/* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture itself. */
+/* By the sampler: the mipmap whose level is the logarithm of the texels, up to a texel the picture
+ * itself. */
 static double want_sampler(const Mipmaps *m, double texels, const double u[2], int lane)
 {
     return between(m, level_at, texels, u, lane);
@@ -97,10 +105,12 @@ static double want_middle_sampler(const Mipmaps *m, double texels, const double 
     return between(m, middle_at, texels, u, lane);
 }
 
-/* A BumpMap's normal: the slope is the difference to one texel further, of the mipmap that is shown here. */
+/* A BumpMap's normal: the slope is the difference to one texel further, of the mipmap that is shown
+ * here. */
 static double want_normal(const Mipmaps *m, double texels, const double u[2], int lane)
 {
-    const double step = .02, texel = 1. / m->side, right[2] = {u[0] + texel, u[1]}, up[2] = {u[0], u[1] + texel};
+    const double step = .02, texel = 1. / m->side, right[2] = {u[0] + texel, u[1]},
+                 up[2] = {u[0], u[1] + texel};
     double here = want_sampler(m, texels, u, 0);
     double n[3] = {-step * m->side * (want_sampler(m, texels, right, 0) - here),
                    -step * m->side * (want_sampler(m, texels, up, 0) - here), 1};
@@ -113,8 +123,8 @@ static double part_inside(double place, double wide, double side)
     return fmax(fmin(place + wide / 2, side) - fmax(place - wide / 2, 0), 0) / wide;
 }
 
-/* What the shader makes of a border: of the picture whose edge goes on, as much as the pixel has of the picture; of a texel where the pixel
- * is smaller. */
+/* What the shader makes of a border: of the picture whose edge goes on, as much as the pixel has of
+ * the picture; of a texel where the pixel is smaller. */
 static double want_part(Want *want, const Mipmaps *m, double texels, const double u[2], int lane)
 {
     Mipmaps clamped = *m;
@@ -141,8 +151,8 @@ static double want_points(const Mipmaps *m, double texels, const double u[2], in
     static const double places[4][2] = {{-.125, -.375}, {.375, -.125}, {-.375, .125}, {.125, .375}};
     double sum = 0;
     for (int i = 0; i < 4; i++)
-        sum += mipmaps_bilinear(m, 0, u[0] * m->side + places[i][0] * texels, u[1] * m->side + places[i][1] * texels,
-                                lane) /
+        sum += mipmaps_bilinear(m, 0, u[0] * m->side + places[i][0] * texels,
+                                u[1] * m->side + places[i][1] * texels, lane) /
                4;
     return sum;
 }
@@ -164,7 +174,8 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     Sheet sheet;
     Mipmaps addressed = *picture, *m = &addressed;
     m->address = look->address;
-    snprintf(image, sizeof image, "map: ImageMap, address: %s, image: %s", address_names[look->address], m->path);
+    snprintf(image, sizeof image, "map: ImageMap, address: %s, image: %s",
+             address_names[look->address], m->path);
     snprintf(map, sizeof map, look->map, image, image);
     Filtered f = {.map = map, .slot = look->slot, .target = look->target, .aa = look->aa};
     if (!filtered_open(&f, &drawers))
@@ -178,7 +189,8 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
         int pixel = i / MIPMAPS_LANES, lane = i % MIPMAPS_LANES;
         Surface s;
         sheet_surface(&sheet, pixel, 0, 0, &s);
-        const double *at = &s.root[channel_id(GROUP_U, 0)], u[2] = {at[0] - look->turns, at[1] - look->turns};
+        const double *at = &s.root[channel_id(GROUP_U, 0)],
+                     u[2] = {at[0] - look->turns, at[1] - look->turns};
         double want = look->want(m, texels, u, lane);
         note(isnan(rgba[pixel][lane]) ? INFINITY : fabs(rgba[pixel][lane] - want), &worst);
     }
@@ -192,8 +204,9 @@ static int judge(const Look *look, double texels, double most)
     int failures = 0;
     for (int k = 0; k < 2; k++) {
         double seen = measure(k ? &large : &small, texels, look);
-        print_message("%-7s %-4s %-8s %-6s %d x %d, %g texels a pixel: %.1e, at most %.1e\n", look->target, look->aa,
-                      look->slot, address_names[look->address], k ? 8 : 2, k ? 8 : 2, texels, seen, most);
+        print_message("%-7s %-4s %-8s %-6s %d x %d, %g texels a pixel: %.1e, at most %.1e\n",
+                      look->target, look->aa, look->slot, address_names[look->address], k ? 8 : 2,
+                      k ? 8 : 2, texels, seen, most);
         failures += !(seen <= most);
     }
     return failures;
@@ -211,44 +224,54 @@ static void pictures_show_their_mipmaps(void **state)
     int failures = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int target = 0; target < 3; target++) {
-            const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_samples : want_mipmaps,
-                               REPEAT,   0};
+            const Look look = {"{ %s }",
+                               "emissive",
+                               targets[target],
+                               "box",
+                               target == 2 ? want_samples : want_mipmaps,
+                               REPEAT,
+                               0};
             failures += judge(&look, cases[i].texels, target == 2 ? 1e-5 : cases[i].most);
         }
     assert_int_equal(failures, 0);
 }
 
-/* Of a BumpMap's normal: up to a texel a pixel the texels are mixed in floats, but where mipmaps have none to fetch (GLSL 1.10), and where
- * the shader makes the border of a sampler that has none. */
+/* Of a BumpMap's normal: up to a texel a pixel the texels are mixed in floats, but where mipmaps
+ * have none to fetch (GLSL 1.10), and where the shader makes the border of a sampler that has
+ * none. */
 static double most_of_normal(const Look *look, double texels)
 {
-    const bool sampled =
-        !strcmp(look->target, "glsl110") || (look->address == BORDER && !strcmp(look->target, "essl300"));
+    const bool sampled = !strcmp(look->target, "glsl110") ||
+                         (look->address == BORDER && !strcmp(look->target, "essl300"));
     return texels <= 1 && !sampled ? 1e-6 : .006;
 }
 
-/* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of costly maps with one that it is
- * told. Below a texel its weights have eight bits. */
+/* By default the sampler does all: with the footprint of the neighbouring pixels, or in a choice of
+ * costly maps with one that it is told. Below a texel its weights have eight bits. */
 static void samplers_show_pictures(void **state)
 {
     (void)state;
     static const double texels[] = {.21, .9, 1.5, 2, 2.9, 4};
-    static const char turbulent[] = "{ map: Checker, color1: { %s, input: { map: Turbulence, amount: [0, 0, 0] } }, "
-                                    "color2: { %s, input: { map: Turbulence, amount: [0, 0, 0] } } }";
+    static const char turbulent[] =
+        "{ map: Checker, color1: { %s, input: { map: Turbulence, amount: [0, 0, 0] } }, "
+        "color2: { %s, input: { map: Turbulence, amount: [0, 0, 0] } } }";
     int failures = 0;
     for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
         for (int target = 0; target < 3; target++) {
             const Look looks[] = {
                 {"{ %s }", "emissive", targets[target], "auto", want_sampler, REPEAT, 0},
                 {turbulent, "emissive", targets[target], "auto", want_sampler, REPEAT, 0},
-                {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, REPEAT, 0}};
+                {"{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto",
+                 want_normal, REPEAT, 0}};
             for (size_t k = 0; k < sizeof looks / sizeof *looks; k++)
-                failures += judge(&looks[k], texels[i], k < 2 ? .015 : most_of_normal(&looks[k], texels[i]));
+                failures += judge(&looks[k], texels[i],
+                                  k < 2 ? .015 : most_of_normal(&looks[k], texels[i]));
         }
     assert_int_equal(failures, 0);
 }
 
-/* What the sampler of a target does beyond the edges, and what the shader does where that has no border. */
+/* What the sampler of a target does beyond the edges, and what the shader does where that has no
+ * border. */
 static void samplers_know_addresses(void **state)
 {
     (void)state;
@@ -258,9 +281,13 @@ static void samplers_know_addresses(void **state)
         for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
             for (int target = 0; target < 3; target++) {
                 const bool by_shader = address == BORDER && target == 1;
-                const Look look = {
-                    "{ %s }", "emissive", targets[target], "auto", by_shader ? want_part_sampler : want_sampler,
-                    address,  0};
+                const Look look = {"{ %s }",
+                                   "emissive",
+                                   targets[target],
+                                   "auto",
+                                   by_shader ? want_part_sampler : want_sampler,
+                                   address,
+                                   0};
                 failures += judge(&look, texels[i], .015);
             }
     assert_int_equal(failures, 0);
@@ -275,14 +302,20 @@ static void means_know_addresses(void **state)
         for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
             for (int target = 0; target < 3; target++) {
                 Want *mipmaps = address == BORDER ? want_part_mipmaps : want_mipmaps;
-                const Look look = {"{ %s }", "emissive", targets[target], "box", target == 2 ? want_points : mipmaps,
-                                   address,  0};
+                const Look look = {"{ %s }",
+                                   "emissive",
+                                   targets[target],
+                                   "box",
+                                   target == 2 ? want_points : mipmaps,
+                                   address,
+                                   0};
                 failures += judge(&look, texels[i], target == 2 || texels[i] < 1 ? 1e-5 : .015);
             }
     assert_int_equal(failures, 0);
 }
 
-/* Of a glTF's pictures. GLSL 1.10 has no mipmaps by `box`: sixteen places are the corners' test's. */
+/* Of a glTF's pictures. GLSL 1.10 has no mipmaps by `box`: sixteen places are the corners'
+ * test's. */
 static void texels_stand_in_the_middle(void **state)
 {
     (void)state;
@@ -292,8 +325,9 @@ static void texels_stand_in_the_middle(void **state)
     for (size_t i = 0; i < sizeof texels / sizeof *texels; i++)
         for (Address address = REPEAT; address <= CLAMP; address++)
             for (int target = 0; target < 2; target++) {
-                const Look looks[] = {{middle, "emissive", targets[target], "auto", want_middle_sampler, address, 0},
-                                      {middle, "emissive", targets[target], "box", want_middle_mipmaps, address, 0}};
+                const Look looks[] = {
+                    {middle, "emissive", targets[target], "auto", want_middle_sampler, address, 0},
+                    {middle, "emissive", targets[target], "box", want_middle_mipmaps, address, 0}};
                 failures += judge(&looks[0], texels[i], .015);
                 failures += judge(&looks[1], texels[i], texels[i] < 1 ? 1e-5 : .015);
             }
@@ -307,14 +341,20 @@ static void slopes_know_addresses(void **state)
     int failures = 0;
     for (Address address = MIRROR; address < ADDRESS_COUNT; address++)
         for (int target = 0; target < 3; target++) {
-            const Look look = {
-                "{ map: BumpMap, displacement: { %s } }", "normal", targets[target], "auto", want_normal, address, 0};
+            const Look look = {"{ map: BumpMap, displacement: { %s } }",
+                               "normal",
+                               targets[target],
+                               "auto",
+                               want_normal,
+                               address,
+                               0};
             failures += judge(&look, .21, most_of_normal(&look, .21));
         }
     assert_int_equal(failures, 0);
 }
 
-/* Floats lie 1/4 apart there: a texel of 1/8 is lost beside the coordinate, and so is half of one; pixels are 1/2 apart. */
+/* Floats lie 1/4 apart there: a texel of 1/8 is lost beside the coordinate, and so is half of one;
+ * pixels are 1/2 apart. */
 static void slopes_keep_their_steps_far_out(void **state)
 {
     (void)state;

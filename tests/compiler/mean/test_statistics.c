@@ -1,4 +1,5 @@
-/* What filtered noise is replaced with, against the integrals that define it: means over many points of the noise itself. */
+/* What filtered noise is replaced with, against the integrals that define it: means over many
+ * points of the noise itself. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "compiler/library/java_random.h"
@@ -15,7 +16,8 @@ enum { POINTS = 300000, SQUARES = 3000, SIDE = 8 };
 static const struct {
     const char *name;
     ReferenceNoise noise;
-    double left, share; /* how near to the integrals what is left of the variance and the share are */
+    /* how near to the integrals what is left of the variance and the share are */
+    double left, share;
 } noises[] = {
     {"lattice", REFERENCE_LATTICE, .004, .004},
     {"lattice of floats", REFERENCE_LATTICE_FLOAT, .004, .004},
@@ -37,9 +39,10 @@ static void random_point(uint64_t *random, double p[3])
 }
 
 typedef struct {
-    double lanes[3];                         /* means of the vector */
-    double mean, variance, magnitude, slope; /* slope: the mean square of its derivative along an axis */
-    double fourth;                           /* mean fourth power */
+    double lanes[3]; /* means of the vector */
+    /* slope: the mean square of its derivative along an axis */
+    double mean, variance, magnitude, slope;
+    double fourth; /* mean fourth power */
 } Moments;
 
 static Moments measure(ReferenceNoise noise)
@@ -89,7 +92,8 @@ static double filtered(ReferenceNoise noise, const double p[3], double width)
 static double variance_left(ReferenceNoise noise, double width)
 {
     double result[4];
-    reference_turbulenceVariance(&(ReferenceContext){.noise = noise}, (const double[]){1, 2, 1, width}, result);
+    reference_turbulenceVariance(&(ReferenceContext){.noise = noise},
+                                 (const double[]){1, 2, 1, width}, result);
     return result[0];
 }
 
@@ -113,7 +117,8 @@ static double stated_lane(ReferenceNoise noise, int lane)
 static double stated_magnitude(ReferenceNoise noise)
 {
     double result[4];
-    reference_graniteFiltered(&(ReferenceContext){.noise = noise}, (const double[]){0, 0, 0, 0, 0, 0, wide}, result);
+    reference_graniteFiltered(&(ReferenceContext){.noise = noise},
+                              (const double[]){0, 0, 0, 0, 0, 0, wide}, result);
     return result[0] / (63. / 32) + .5;
 }
 
@@ -131,7 +136,8 @@ static void wide_squares_have_the_moments(void **state)
     for (int i = 0; i < NOISES; i++) {
         ReferenceNoise noise = noises[i].noise;
         Moments m = moments[i];
-        near(noises[i].name, "mean", filtered(noise, (const double[3]){.1, .2, .3}, wide), m.mean, .002);
+        near(noises[i].name, "mean", filtered(noise, (const double[3]){.1, .2, .3}, wide), m.mean,
+             .002);
         near(noises[i].name, "mean magnitude", stated_magnitude(noise), m.magnitude, .002);
         near(noises[i].name, "variance", variance_left(noise, wide), m.variance, .003);
         for (int lane = 0; lane < 3; lane++)
@@ -141,19 +147,20 @@ static void wide_squares_have_the_moments(void **state)
 
 enum { PLACES = 64, PLACE_POINTS = 1500, CELLS = 60 };
 
-/* Of a mean over points of a place, and of the mean square: how many of their standard errors they are off, the root of the mean square
- * over the places and the greatest. Where corners know nothing of each other the first is about 1, and of 64 places one is off by 4.5 in one
- * set of 2,300. */
+/* Of a mean over points of a place, and of the mean square: how many of their standard errors they
+ * are off, the root of the mean square over the places and the greatest. Where corners know nothing
+ * of each other the first is about 1, and of 64 places one is off by 4.5 in one set of 2,300. */
 typedef struct {
     double root[2], most[2];
 } Spread;
 
-static void look_at_place(ReferenceNoise noise, const double plane[2][3], const double from[3], uint64_t *random,
-                          double mean[2])
+static void look_at_place(ReferenceNoise noise, const double plane[2][3], const double from[3],
+                          uint64_t *random, double mean[2])
 {
     mean[0] = mean[1] = 0;
     for (int i = 0; i < PLACE_POINTS; i++) {
-        const double a = CELLS * (double)java_random_signed(random), b = CELLS * (double)java_random_signed(random);
+        const double a = CELLS * (double)java_random_signed(random),
+                     b = CELLS * (double)java_random_signed(random);
         double p[3];
         for (int axis = 0; axis < 3; axis++)
             p[axis] = from[axis] + a * plane[0][axis] + b * plane[1][axis];
@@ -168,7 +175,8 @@ static Spread spread_over(ReferenceNoise noise, const Moments *m, const double p
     uint64_t random = java_random(23);
     const double square = m->variance + m->mean * m->mean;
     const double is[2] = {m->mean, square},
-                 error[2] = {sqrt(m->variance / PLACE_POINTS), sqrt((m->fourth - square * square) / PLACE_POINTS)};
+                 error[2] = {sqrt(m->variance / PLACE_POINTS),
+                             sqrt((m->fourth - square * square) / PLACE_POINTS)};
     Spread spread = {0};
     for (int place = 0; place < PLACES; place++) {
         double from[3], mean[2];
@@ -186,8 +194,9 @@ static Spread spread_over(ReferenceNoise noise, const Moments *m, const double p
     return spread;
 }
 
-/* 64 places of each plane: a hash whose corners are alike along an axis of a lattice shows there, the simplex' skewed ones among them. The planes
- * are a little askew, since within a cell the variance is not the same everywhere. */
+/* 64 places of each plane: a hash whose corners are alike along an axis of a lattice shows there,
+ * the simplex' skewed ones among them. The planes are a little askew, since within a cell the
+ * variance is not the same everywhere. */
 static void places_differ_as_chance_has_it(void **state)
 {
     static const double planes[][2][3] = {
@@ -219,7 +228,8 @@ static void slopes_show_their_part(void **state)
     const double width = .6;
     for (int i = 0; i < NOISES; i++) {
         Moments m = moments[i];
-        double kept = share(noises[i].noise, width), left = variance_left(noises[i].noise, width) / m.variance;
+        double kept = share(noises[i].noise, width),
+               left = variance_left(noises[i].noise, width) / m.variance;
         near(noises[i].name, "left of the variance over 0.6", left,
              1 - kept * kept * (1 + m.slope / m.variance * width * width / 12), noises[i].left);
     }
@@ -256,11 +266,13 @@ static void shares_are_those_of_least_squares(void **state)
             double stated = (share(noises[i].noise, width) + .43) / 1.43;
             char what[64];
             snprintf(what, sizeof what, "least squares over %g", width);
-            near(noises[i].name, what, stated, best_factor(noises[i].noise, moments[i].mean, width), noises[i].share);
+            near(noises[i].name, what, stated, best_factor(noises[i].noise, moments[i].mean, width),
+                 noises[i].share);
         }
 }
 
-/* The topmost bits of a corner's number, from the slope of noise there: where all other corners count for nothing it is that number. */
+/* The topmost bits of a corner's number, from the slope of noise there: where all other corners
+ * count for nothing it is that number. */
 enum { GRID = 64, LEVELS = 16, PAIRS = LEVELS * LEVELS };
 
 static int level_at(ReferenceNoise noise, const int corner[3], int axis)
@@ -276,8 +288,8 @@ static int level_at(ReferenceNoise noise, const int corner[3], int axis)
 
 typedef unsigned char Levels[GRID * GRID * GRID];
 
-/* Chi squared of pairs of levels, one's at a corner and the other's a step further, 255 degrees of freedom: of 114 that are
- * independent, one in 500,000 sets has one above 430. */
+/* Chi squared of pairs of levels, one's at a corner and the other's a step further, 255 degrees of
+ * freedom: of 114 that are independent, one in 500,000 sets has one above 430. */
 static double chi_squared(const Levels one, const Levels other, const int step[3])
 {
     int counts[PAIRS] = {0};
@@ -287,7 +299,8 @@ static double chi_squared(const Levels one, const Levels other, const int step[3
         for (int y = 0; y < GRID - step[1]; y++)
             for (int z = 0; z < GRID - step[2]; z++) {
                 const int at = (x * GRID + y) * GRID + z;
-                counts[LEVELS * one[at] + other[at + (step[0] * GRID + step[1]) * GRID + step[2]]]++;
+                counts[LEVELS * one[at] +
+                       other[at + (step[0] * GRID + step[1]) * GRID + step[2]]]++;
             }
     for (int i = 0; i < PAIRS; i++)
         sum += (counts[i] - expected) * (counts[i] - expected) / expected;
@@ -299,7 +312,9 @@ static void find_levels(ReferenceNoise noise, Levels levels[3])
     for (int axis = 0; axis < 3; axis++)
         for (int at = 0; at < GRID * GRID * GRID; at++)
             levels[axis][at] = (unsigned char)level_at(
-                noise, (const int[]){1000 + at / GRID / GRID, 777 + at / GRID % GRID, 31000 + at % GRID}, axis);
+                noise,
+                (const int[]){1000 + at / GRID / GRID, 777 + at / GRID % GRID, 31000 + at % GRID},
+                axis);
 }
 
 /* Nor do the numbers of one corner. */

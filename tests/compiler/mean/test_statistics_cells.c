@@ -1,5 +1,6 @@
-/* What cells are replaced with where they are finer than a pixel, grammar/cells.def, against the integrals that define it, over other points than those
- * that `matbench cells` makes the table of; and the search of the references, within three cells, against what lies farther. */
+/* What cells are replaced with where they are finer than a pixel, grammar/cells.def, against the
+ * integrals that define it, over other points than those that `matbench cells` makes the table of;
+ * and the search of the references, within three cells, against what lies farther. */
 /* ctest: unsanitized seconds=43 */
 #include "tests/test.h"
 #include "compiler/library/cells.h"
@@ -14,8 +15,11 @@ typedef struct {
     double mean[3], variance[3], slope[3], narrow, wide;
 } Row;
 enum { euclidean = CELLS_EUCLIDEAN, manhattan = CELLS_MANHATTAN, chebyshev = CELLS_CHEBYSHEV };
-#define THREE(a, b, c) {a, b, c}
-#define CELLS(...)     {__VA_ARGS__},
+#define THREE(a, b, c)                                                                             \
+    {                                                                                              \
+        a, b, c                                                                                    \
+    }
+#define CELLS(...) {__VA_ARGS__},
 static const Row rows[] = {
 #include "grammar/cells.def"
 };
@@ -27,14 +31,15 @@ static double uniform(uint64_t *state) { return 2000 * (double)java_random_signe
 static double value_of(const CellsPair *pair, int measure)
 {
     const double values[MEASURES] = {pair->first.distance, pair->second.distance,
-                                     pair->second.distance - pair->first.distance, pair->first.number,
-                                     pair->first.away[1]};
+                                     pair->second.distance - pair->first.distance,
+                                     pair->first.number, pair->first.away[1]};
     return values[measure];
 }
 
 static double sample(ReferenceNoise noise, const Row *row, double jitter, const double p[3])
 {
-    const CellsQuestion q = {row->dimensions, {p[0], p[1], p[2]}, jitter, (CellsDistance)row->distance};
+    const CellsQuestion q = {
+        row->dimensions, {p[0], p[1], p[2]}, jitter, (CellsDistance)row->distance};
     const CellsPair pair = cells_nearest(noise, &q);
     return value_of(&pair, row->measure);
 }
@@ -42,14 +47,15 @@ static double sample(ReferenceNoise noise, const Row *row, double jitter, const 
 /* The parabola through what the row states of jitter 0, 1/2 and 1. */
 static double stated(const double at[3], double jitter)
 {
-    return at[0] * (1 - jitter) * (1 - 2 * jitter) + at[1] * 4 * jitter * (1 - jitter) + at[2] * jitter * (2 * jitter - 1);
+    return at[0] * (1 - jitter) * (1 - 2 * jitter) + at[1] * 4 * jitter * (1 - jitter) +
+           at[2] * jitter * (2 * jitter - 1);
 }
 
 static void near(const Row *row, const char *what, double of, double stands, double within)
 {
     if (!(fabs(of - stands) <= within))
-        fail_msg("%d dimensions, distance %d, measure %d: %s is %.4f, not %.4f within %.4f", row->dimensions,
-                 row->distance, row->measure, what, of, stands, within);
+        fail_msg("%d dimensions, distance %d, measure %d: %s is %.4f, not %.4f within %.4f",
+                 row->dimensions, row->distance, row->measure, what, of, stands, within);
 }
 
 static void moments_are_stated(void **state)
@@ -68,7 +74,8 @@ static void moments_are_stated(void **state)
                 square += v * v / (POINTS / 4);
             }
             near(row, "the mean", mean, stated(row->mean, jitters[k]), .016);
-            near(row, "the variance", square - mean * mean, stated(row->variance, jitters[k]), .005);
+            near(row, "the variance", square - mean * mean, stated(row->variance, jitters[k]),
+                 .005);
         }
 }
 
@@ -145,7 +152,8 @@ static void none_is_beyond_reach(void **state)
             }
             const double bounds[2][3] = {{sqrt(2.5), 2, 1.5}, {sqrt(3), 3, 1.5}};
             if (most > bounds[dimensions - 2][how])
-                fail_msg("%d dimensions, distance %d: a second nearest is %g away", dimensions, how, most);
+                fail_msg("%d dimensions, distance %d: a second nearest is %g away", dimensions, how,
+                         most);
         }
 }
 
@@ -160,7 +168,8 @@ static void numbers_are_independent(void **state)
             const CellsQuestion q = {2, {i % ALONG + .5, i / ALONG + .5}, 0, CELLS_EUCLIDEAN};
             CellsQuestion moved = q;
             moved.jitter = .5;
-            const CellsPair pair = cells_nearest(noises[noise], &q), other = cells_nearest(noises[noise], &moved);
+            const CellsPair pair = cells_nearest(noises[noise], &q),
+                            other = cells_nearest(noises[noise], &moved);
             const double v = pair.first.number - .5;
             sum += v;
             square += v * v;
@@ -177,8 +186,10 @@ static void numbers_are_independent(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(moments_are_stated),       cmocka_unit_test(slopes_are_stated),
-        cmocka_unit_test(factors_are_those_of_least_squares), cmocka_unit_test(none_is_beyond_reach),
+        cmocka_unit_test(moments_are_stated),
+        cmocka_unit_test(slopes_are_stated),
+        cmocka_unit_test(factors_are_those_of_least_squares),
+        cmocka_unit_test(none_is_beyond_reach),
         cmocka_unit_test(numbers_are_independent),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

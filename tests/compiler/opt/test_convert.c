@@ -5,7 +5,8 @@
 #include "tests/value/ir_site.h"
 #include <math.h>
 
-/* The conversion table: a number stands for all lanes, what is missing is 0 and alpha 1, a mean stands for a vector. */
+/* The conversion table: a number stands for all lanes, what is missing is 0 and alpha 1, a mean
+ * stands for a vector. */
 static void types_convert_by_the_table(void **state)
 {
     (void)state;
@@ -21,7 +22,8 @@ static void types_convert_by_the_table(void **state)
             double value[MOST_OUTPUTS][4] = {{0}};
             const double inputs[INPUT_COUNT][4] = {{0}};
             site_open(&s);
-            ir_output(s.ir, OUT_color, 0, build_convert(s.ir, ir_const(s.ir, types[i], from), types[k]));
+            ir_output(s.ir, OUT_color, 0,
+                      build_convert(s.ir, ir_const(s.ir, types[i], from), types[k]));
             assert_null(ir_check(s.ir));
             ir_eval(s.ir, &(ReferenceContext){.noise = REFERENCE_LATTICE}, inputs, value);
             for (int lane = 0; lane <= k; lane++)

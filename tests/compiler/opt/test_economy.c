@@ -23,17 +23,18 @@ static void a_filter_is_one_function(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    char *one =
-        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n", MATC_FRAGMENT, &options);
+    char *one = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Wood } }\n",
+                             MATC_FRAGMENT, &options);
     assert_int_equal(count(one, "smooth3DInput0("), 1 + 27); /* the definition and the calls */
     assert_int_equal(count(one, "wood(p)"), 1);
-    char *two =
-        compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, input: { map: Wood } } }\n",
-                     MATC_FRAGMENT, &options);
+    char *two = compile_text("material: Phong\ndiffuse: { map: Smooth3D, input: { map: Smooth3D, "
+                             "input: { map: Wood } } }\n",
+                             MATC_FRAGMENT, &options);
     assert_int_equal(count(two, "wood(p)"), 1);
     assert_int_equal(count(two, "smooth3DInput0("), 1 + 27);
     assert_int_equal(count(two, "smooth3DInput1"),
-                     2 + 2); /* itself costly: it and its sum, a loop, each defined and called once */
+                     /* itself costly: it and its sum, a loop, each defined and called once */
+                     2 + 2);
     free(one);
     free(two);
 }
@@ -43,8 +44,10 @@ static void dead_parts_are_pruned(void **state)
 {
     (void)state;
     static const char *const documents[] = {
-        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { value: 1 }] }\n",
-        "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: Turbulence } }\n",
+        "material: Phong\ndiffuse: { map: Blend, input: 5, blend: [{ input: { map: Granite } }, { "
+        "value: 1 }] }\n",
+        "material: Phong\ndiffuse: { map: Checker, color1: 0.5, color2: 0.5, input: { map: "
+        "Turbulence } }\n",
         "material: Phong\nambient: { map: Granite }\n", /* thesis has no ambient */
         "material: SideSwitch\nfrontShader: { material: RGBA }\nbackShader: { material: RGBA }\n"};
     MatcOptions options = quick();
@@ -62,26 +65,29 @@ static void costly_arms_are_branches(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    char *text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n",
-                              MATC_FRAGMENT, &options);
+    char *text = compile_text(
+        "material: Phong\ndiffuse: { map: Checker, color1: { map: Granite }, color2: 0.5 }\n",
+        MATC_FRAGMENT, &options);
     const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
     assert_non_null(branch);
     assert_non_null(call);
     assert_true(branch < call);
     free(text);
-    text =
-        compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n", MATC_FRAGMENT, &options);
+    text = compile_text("material: Phong\ndiffuse: { map: Checker, color1: 0.1, color2: 0.5 }\n",
+                        MATC_FRAGMENT, &options);
     assert_null(strstr(text, "if ("));
     free(text);
 }
 
-/* A costly slot of one side of a Mix is in a branch; what the mask alone decides of is not computed for the other side. */
+/* A costly slot of one side of a Mix is in a branch; what the mask alone decides of is not computed
+ * for the other side. */
 static void mixed_sides_are_branches(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-#define MIX(mask)                                                                                                      \
-    "material: Mix\nmask: " mask "\na: { material: Phong, diffuse: { map: Granite } }\nb: { material: RGBA, r: 1 }\n"
+#define MIX(mask)                                                                                  \
+    "material: Mix\nmask: " mask                                                                   \
+    "\na: { material: Phong, diffuse: { map: Granite } }\nb: { material: RGBA, r: 1 }\n"
     char *text = compile_text(MIX("{ map: Checker }"), MATC_FRAGMENT, &options);
     const char *branch = strstr(text, "if ("), *call = strstr(text, "= granite(localPosition)");
     assert_true(branch && call && branch < call);
@@ -89,7 +95,8 @@ static void mixed_sides_are_branches(void **state)
     text = compile_text(MIX("1"), MATC_FRAGMENT, &options);
     assert_null(strstr(text, "granite"));
     free(text);
-    text = compile_text(MIX("{ map: Clamp, input: { map: Granite }, low: 2, high: 3 }"), MATC_FRAGMENT, &options);
+    text = compile_text(MIX("{ map: Clamp, input: { map: Granite }, low: 2, high: 3 }"),
+                        MATC_FRAGMENT, &options);
     assert_null(strstr(text, "granite"));
     free(text);
 }
@@ -101,15 +108,17 @@ static void mixes_of_mixes_are_asked_once(void **state)
     enum { LEVELS = 40, ROOM = 16384 };
     MatcOptions options = quick();
     char document[ROOM];
-    size_t size = (size_t)snprintf(document, sizeof document,
-                                   "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");
+    size_t size = (size_t)snprintf(
+        document, sizeof document,
+        "defs:\n  k0: { material: RGBA }\n  j0: { material: Phong, shininess: 0.7 }\n");
     for (int i = 0; i < LEVELS; i++)
-        size += (size_t)snprintf(document + size, sizeof document - size,
-                                 "  k%d: { material: Mix, a: { ref: k%d }, b: { ref: j%d } }\n"
-                                 "  j%d: { material: Mix, mask: { map: Wood }, a: { ref: k%d }, b: { ref: j%d } }\n",
-                                 i + 1, i, i, i + 1, i, i);
-    snprintf(document + size, sizeof document - size, "material: Mix\na: { ref: k%d }\nb: { ref: j%d }\n", LEVELS,
-             LEVELS);
+        size += (size_t)snprintf(
+            document + size, sizeof document - size,
+            "  k%d: { material: Mix, a: { ref: k%d }, b: { ref: j%d } }\n"
+            "  j%d: { material: Mix, mask: { map: Wood }, a: { ref: k%d }, b: { ref: j%d } }\n",
+            i + 1, i, i, i + 1, i, i);
+    snprintf(document + size, sizeof document - size,
+             "material: Mix\na: { ref: k%d }\nb: { ref: j%d }\n", LEVELS, LEVELS);
     char *text = compile_text(document, MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "wood(localPosition)"), 1);
     free(text);
@@ -120,26 +129,30 @@ static void inputs_are_minimal(void **state)
     (void)state;
     MatcOptions options = quick();
     options.pass = "shadow";
-    char *text = compile_text("material: Phong\ndiffuse: { map: Granite }\n", MATC_FRAGMENT, &options);
+    char *text =
+        compile_text("material: Phong\ndiffuse: { map: Granite }\n", MATC_FRAGMENT, &options);
     assert_null(strstr(text, "in vec"));
     assert_null(strstr(text, "discard"));
     free(text);
-    text = compile_text("material: Phong\ntransparency: { map: Checker }\n", MATC_FRAGMENT, &options);
+    text =
+        compile_text("material: Phong\ntransparency: { map: Checker }\n", MATC_FRAGMENT, &options);
     assert_non_null(strstr(text, "discard"));
     assert_int_equal(count(text, "\nin "), 1);
     free(text);
 }
 
-/* How much of what a coat has counts, by how much of a coat there is: a Mix has that once, whichever of the coat's slots asks first, and it has the Mix's name. */
+/* How much of what a coat has counts, by how much of a coat there is: a Mix has that once,
+ * whichever of the coat's slots asks first, and it has the Mix's name. */
 static void a_mix_names_its_weights(void **state)
 {
     (void)state;
     MatcOptions options = quick();
     options.layout = "integer";
-    char *text = compile_text("material: MixMaterial\nmask: { map: VolumeTurbulence }\n"
-                              "a: { material: Principled, coat: 1, coatRoughness: .1, coatIor: 1.5 }\n"
-                              "b: { material: Principled, coat: .2, coatRoughness: .3, coatIor: 1.7 }\n",
-                              MATC_FRAGMENT, &options);
+    char *text =
+        compile_text("material: MixMaterial\nmask: { map: VolumeTurbulence }\n"
+                     "a: { material: Principled, coat: 1, coatRoughness: .1, coatIor: 1.5 }\n"
+                     "b: { material: Principled, coat: .2, coatRoughness: .3, coatIor: 1.7 }\n",
+                     MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "float MixMaterial = "), 1);
     assert_true(count(text, ", MixMaterial)") >= 2);
     assert_null(strstr(text, "coatRoughness_1"));
@@ -147,7 +160,8 @@ static void a_mix_names_its_weights(void **state)
     free(text);
 }
 
-/* Half a pixel at -1 and half at 1 is half of each side, as at 0 and 1: the side of the half at 1 is not left out where the mean is 0. */
+/* Half a pixel at -1 and half at 1 is half of each side, as at 0 and 1: the side of the half at 1
+ * is not left out where the mean is 0. */
 static void a_mask_is_taken_to_its_range_before_its_mean(void **state)
 {
     (void)state;
@@ -171,12 +185,13 @@ static void a_mask_is_taken_to_its_range_before_its_mean(void **state)
     free(texts[1]);
 }
 
-/* Cells that a slope needs give their value with it, though jitter is cut in one way for the one and in another for the other. */
+/* Cells that a slope needs give their value with it, though jitter is cut in one way for the one
+ * and in another for the other. */
 static void a_slope_of_cells_has_their_value(void **state)
 {
     (void)state;
-    static const char document[] =
-        "material: Phong\ndiffuse: &c { map: Cells }\ninput: { map: BumpMap, displacement: *c, strength: 0.02 }\n";
+    static const char document[] = "material: Phong\ndiffuse: &c { map: Cells }\ninput: { map: "
+                                   "BumpMap, displacement: *c, strength: 0.02 }\n";
     MatcOptions options = quick();
     char *text = compile_text(document, MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "cells3(localPosition"), 0);
@@ -184,7 +199,8 @@ static void a_slope_of_cells_has_their_value(void **state)
     free(text);
 }
 
-/* What an output alone needs is written where it is written, with the comment of its map; a number of one lane has no constructor. */
+/* What an output alone needs is written where it is written, with the comment of its map; a number
+ * of one lane has no constructor. */
 static void outputs_are_one_assignment(void **state)
 {
     (void)state;
@@ -198,26 +214,28 @@ static void outputs_are_one_assignment(void **state)
     assert_true(count(text, "surface.fuzz = 0.0;") > 0);
     free(text);
     options.pass = "value";
-    text = compile_text(
-        "material: Phong\ndiffuse: { map: Granite, input: { map: XYZTransform, transform: { scale: 3 } } }\n",
-        MATC_FRAGMENT, &options);
+    text = compile_text("material: Phong\ndiffuse: { map: Granite, input: { map: XYZTransform, "
+                        "transform: { scale: 3 } } }\n",
+                        MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "test.yaml:2 Granite"), 1);
     free(text);
 }
 
-/* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their squares is read where the point is. */
+/* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their
+ * squares is read where the point is. */
 static void a_centred_picture_is_the_samplers(void **state)
 {
     (void)state;
     MatcOptions options = quick();
-    char *text = compile_text("material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png, texels: centre, "
-                              "input: { map: UVTransform, scaleU: 3 } }\n",
-                              MATC_FRAGMENT, &options);
+    char *text = compile_text(
+        "material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png, texels: centre, "
+        "input: { map: UVTransform, scaleU: 3 } }\n",
+        MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "imageCentred("), 2);
     assert_int_equal(count(text, "textureSize"), 0);
     free(text);
-    text = compile_text("material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png }\n", MATC_FRAGMENT,
-                        &options);
+    text = compile_text("material: Phong\ndiffuse: { map: ImageMap, image: examples/tiles.png }\n",
+                        MATC_FRAGMENT, &options);
     assert_int_equal(count(text, "imageCentred("), 0);
     assert_int_equal(count(text, "imageSampled("), 2);
     free(text);

@@ -1,6 +1,7 @@
-/* What is written is what the IR means: every operation within every other, on either side, every mixture of floats and vectors, and branches.
- * Each is drawn under OSMesa, compared with ir_eval, and parsed by glslang in one of three other languages. The optimiser takes no part, so
- * that what it would never leave is written too. */
+/* What is written is what the IR means: every operation within every other, on either side, every
+ * mixture of floats and vectors, and branches. Each is drawn under OSMesa, compared with ir_eval,
+ * and parsed by glslang in one of three other languages. The optimiser takes no part, so that what
+ * it would never leave is written too. */
 /* ctest: unoptimized seconds=15 */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
@@ -15,7 +16,8 @@
 
 enum { POINTS = 64, LONGEST = 160 };
 static const double bound =
-    1e-3; /* of max(1, |value|): Mesa's acos errs by 4e-4, and a lost parenthesis by more than this */
+    /* of max(1, |value|): Mesa's acos errs by 4e-4, and a lost parenthesis by more than this */
+    1e-3;
 
 typedef struct {
     Drawer drawer;
@@ -85,7 +87,8 @@ static void compare(Test *t, const Ir *ir, const char *text, const char *fragmen
         ir_eval(ir, &context, (const double(*)[4])inputs, value);
         for (int lane = 0; lane < 4; lane++)
             if (!(fabs(drawn[i][lane] - value[0][lane]) <= bound * fmax(1, fabs(value[0][lane]))))
-                fail_msg("%s: lane %d is %.9g, drawn %.9g\n%s", text, lane, value[0][lane], drawn[i][lane], fragment);
+                fail_msg("%s: lane %d is %.9g, drawn %.9g\n%s", text, lane, value[0][lane],
+                         drawn[i][lane], fragment);
     }
 }
 
@@ -135,7 +138,8 @@ static const char *const numbers[] = {"neg(%s)",
                                       "select(lt(%s, 0.5), %s, 0.25)",
                                       "linear(vec2(%s, y), [1, 2], [3, 4]).y"};
 static const char *const truths[] = {"lt(%s, %s)", "le(%s, %s)", "eq(%s, %s)", "ne(%s, %s)"};
-static const char *const logic[] = {"and(%s, %s)", "or(%s, %s)", "ne(%s, %s)", "eq(%s, %s)", "not(%s)"};
+static const char *const logic[] = {"and(%s, %s)", "or(%s, %s)", "ne(%s, %s)", "eq(%s, %s)",
+                                    "not(%s)"};
 #define COUNT(list) (sizeof(list) / sizeof *(list))
 
 /* The operation with one operand, or with it on either side. */
@@ -186,9 +190,11 @@ static void comparisons_and_logic_stand_within_each_other(void **state)
 /* A float stands for a vector where GLSL lets it, and where it does not. */
 static void floats_and_vectors_mix(void **state)
 {
-    static const char *const one[] = {"neg",  "abs", "floor", "ceil", "fract", "sign", "sqrt", "exp",
-                                      "exp2", "log", "sin",   "cos",  "tan",   "asin", "acos", "atan"};
-    static const char *const two[] = {"add", "sub", "mul", "div", "min", "max", "step", "mod", "pow", "atan2"};
+    static const char *const one[] = {"neg",  "abs",  "floor", "ceil", "fract", "sign",
+                                      "sqrt", "exp",  "exp2",  "log",  "sin",   "cos",
+                                      "tan",  "asin", "acos",  "atan"};
+    static const char *const two[] = {"add", "sub",  "mul", "div", "min",
+                                      "max", "step", "mod", "pow", "atan2"};
     static const char *const three[] = {"clamp", "mix"};
     static const char *const wide[] = {"x", "y", "0.75", "v", "w", "[0.1, 0.9, 0.6]"};
     char text[LONGEST];
@@ -199,7 +205,8 @@ static void floats_and_vectors_mix(void **state)
         }
     for (size_t i = 0; i < COUNT(two); i++)
         for (int k = 0; k < 9; k++) {
-            snprintf(text, sizeof text, "%s(%s, %s)", two[i], wide[k % 3 * 2], wide[(k / 3 * 2 + 1)]);
+            snprintf(text, sizeof text, "%s(%s, %s)", two[i], wide[k % 3 * 2],
+                     wide[(k / 3 * 2 + 1)]);
             check(*state, text);
         }
     for (size_t i = 0; i < COUNT(three); i++) /* the lower bound of a clamp below the upper */
@@ -291,7 +298,8 @@ static Ref next_value(Chosen *c)
     }
 }
 
-/* Selects that alone need a noise, by one condition; others may be made of one and needed by the next. */
+/* Selects that alone need a noise, by one condition; others may be made of one and needed by the
+ * next. */
 static void add_together(Chosen *c)
 {
     Ir *ir = c->ir;
@@ -299,8 +307,8 @@ static void add_together(Chosen *c)
     Ref noise = build_call(ir, FN_noise, build_vec(ir, TYPE_vec3, a, any_value(c), a));
     for (int i = 0; i < 3 && c->count < MADE; i++) {
         Ref arm = build_mul(ir, noise, any_value(c)), other = any_value(c);
-        c->values[c->count++] =
-            chance(&c->choices, 1, 4) ? build_select(ir, by, other, arm) : build_select(ir, by, arm, other);
+        c->values[c->count++] = chance(&c->choices, 1, 4) ? build_select(ir, by, other, arm)
+                                                          : build_select(ir, by, arm, other);
     }
 }
 
@@ -316,7 +324,8 @@ static void choose_values(Chosen *c, Ir *ir, uint64_t index)
     for (int i = 0; i < CONDITIONS; i++) {
         Ref a = any_value(c), b = any_value(c);
         Ref value = i ? build_select(ir, c->conditions[choose(&c->choices, (uint32_t)i)], a, b) : a;
-        c->conditions[i] = build_lt(ir, value, build_float(ir, 0.3 + 0.5 * choose_part(&c->choices)));
+        c->conditions[i] =
+            build_lt(ir, value, build_float(ir, 0.3 + 0.5 * choose_part(&c->choices)));
     }
     while (c->count < MADE)
         if (chance(&c->choices, 1, 3))
@@ -355,8 +364,8 @@ static int noises_of(const Ir *ir)
     return n;
 }
 
-/* Selects by few conditions, of noises that several of them need, in each other and beside each other, with a second output that is written
- * before; as branches. */
+/* Selects by few conditions, of noises that several of them need, in each other and beside each
+ * other, with a second output that is written before; as branches. */
 static void branches_by_one_condition_are_what_they_mean(void **state)
 {
     int several = 0;
@@ -367,17 +376,19 @@ static void branches_by_one_condition_are_what_they_mean(void **state)
         snprintf(text, sizeof text, "shader %d", i);
         site_open(&s);
         choose_values(&c, s.ir, (uint64_t)i);
-        ir_output(s.ir, OUT_discard, 0, build_lt(s.ir, c.values[MADE - 5], build_float(s.ir, -1000)));
-        ir_output(
-            s.ir, OUT_color, 0,
-            build_vec(s.ir, TYPE_vec4, c.values[MADE - 1], c.values[MADE - 2], c.values[MADE - 3], c.values[MADE - 4]));
+        ir_output(s.ir, OUT_discard, 0,
+                  build_lt(s.ir, c.values[MADE - 5], build_float(s.ir, -1000)));
+        ir_output(s.ir, OUT_color, 0,
+                  build_vec(s.ir, TYPE_vec4, c.values[MADE - 1], c.values[MADE - 2],
+                            c.values[MADE - 3], c.values[MADE - 4]));
         s.compile.optimize = 1; /* there are branches */
         emit_for(&s, TARGET_essl300, text);
         const char *fragment = emit_for(&s, TARGET_glsl330, text);
         s.ir->outputs[0] = s.ir->outputs[s.ir->output_count = 1]; /* the one that is compared */
         compare(*state, s.ir, text, fragment);
         several += declares_several(fragment);
-        assert_true(times(fragment, "noise(vec3(") <= noises_of(s.ir)); /* what is needed twice is written once */
+        /* what is needed twice is written once */
+        assert_true(times(fragment, "noise(vec3(") <= noises_of(s.ir));
         site_close(&s);
     }
 

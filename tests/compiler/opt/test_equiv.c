@@ -1,5 +1,6 @@
-/* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every example, evaluated in double
- * precision, have the values of the oracle, which knows neither. And an IR's text reads back as the same text. */
+/* Lowering and optimiser, proved without GLSL: the IR as written and the optimised IR of every
+ * example, evaluated in double precision, have the values of the oracle, which knows neither. And
+ * an IR's text reads back as the same text. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "tests/sanitized.h"
@@ -17,11 +18,12 @@
 
 enum { STEP = 4 * SANITIZED_STEP, SAMPLES = POINT_COUNT / STEP };
 static const double bound = 1e-9;
-/* Slopes of what a displacement computes are differences in the oracle, over 2^-26 of the surface's size: rounding leaves 2^-26 of the
- * steepest of the parts that they are made of. */
+/* Slopes of what a displacement computes are differences in the oracle, over 2^-26 of the surface's
+ * size: rounding leaves 2^-26 of the steepest of the parts that they are made of. */
 static const double slope_bound = 1e-7;
 
-/* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles are as exact as wanted. */
+/* Every STEPth of the points, but for those whose numbers lead out of the range in which doubles
+ * are as exact as wanted. */
 static int sample_points(Point samples[SAMPLES])
 {
     static Point points[POINT_COUNT];
@@ -48,8 +50,8 @@ static void fault(Test *t, int material, Slot slot, const char *format, ...)
 {
     va_list args;
     t->faults++;
-    print_error("%s %s %s: ", document_name(&t->document), t->document.graph->materials[material].name,
-                slot_table[slot].name);
+    print_error("%s %s %s: ", document_name(&t->document),
+                t->document.graph->materials[material].name, slot_table[slot].name);
     va_start(args, format);
     vprint_error(format, args);
     va_end(args);
@@ -71,7 +73,8 @@ static bool has_slopes_within(const Test *t, int material)
     return subjects.has[KIND_Triplanar];
 }
 
-/* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200 radians a unit, (200 h)^2 / 6 is 1e-8. */
+/* So far out a step h of the oracle's differences is wide beside what maps do: of a wave of 200
+ * radians a unit, (200 h)^2 / 6 is 1e-8. */
 static const float far = 100;
 
 /* One slot at one level: every point and both sides. */
@@ -100,8 +103,11 @@ static void check_values(Test *t, int material, Slot slot, int level, const Ir *
             if (miss <= most)
                 continue;
             const float *x = t->points[point].input[INPUT_X], *u = t->points[point].input[INPUT_U];
-            fault(t, material, slot, "-O%d lane %d: %.17g, oracle %.17g at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g front=%d",
-                  level, lane, result[0][lane], hull->value.lane[slot][lane], u[0], u[1], x[0], x[1], x[2], front);
+            fault(
+                t, material, slot,
+                "-O%d lane %d: %.17g, oracle %.17g at u=%.9g v=%.9g x=%.9g y=%.9g z=%.9g front=%d",
+                level, lane, result[0][lane], hull->value.lane[slot][lane], u[0], u[1], x[0], x[1],
+                x[2], front);
             arena_free(&arena);
             return;
         }
@@ -130,14 +136,16 @@ static void check_slot(Test *t, int material, Slot slot)
 {
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
-        Session session = {.options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
+        Session session = {
+            .options = &t->document.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
         choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = slot;
         job.choice[AXIS_derivatives] = (int)t->derivatives;
         if (getenv("AA"))
             job.choice[AXIS_aa] = CHOICE_aa_box;
-        const Ir *ir = compile_ir(&session, t->document.graph, t->document.graph->materials[material].node, &job);
+        const Ir *ir = compile_ir(&session, t->document.graph,
+                                  t->document.graph->materials[material].node, &job);
         if (ir) {
             check_values(t, material, slot, level, ir);
             check_text(t, material, slot, &session, ir);
@@ -159,7 +167,8 @@ static void check_material(Test *t, int material, Choice derivatives)
         t->hulls[front] = calloc((size_t)t->count, sizeof **t->hulls);
         assert_non_null(t->hulls[front]);
         const PointSet points = {t->points, t->count, front, &reach_double, t->bent};
-        points_hulls(t->oracle, t->document.graph->materials[material].node, &points, t->hulls[front]);
+        points_hulls(t->oracle, t->document.graph->materials[material].node, &points,
+                     t->hulls[front]);
     }
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         check_slot(t, material, (Slot)slot);
@@ -192,27 +201,30 @@ static void ir_means_what_the_oracle_says(void **state)
         document_close(&test.document);
     }
     documents_free(&list);
-    print_message("%d points on either side; worst difference within the bound of %.0e: %.1e\n", test.count, bound,
-                  test.worst);
+    print_message("%d points on either side; worst difference within the bound of %.0e: %.1e\n",
+                  test.count, bound, test.worst);
     assert_int_equal(test.faults, 0);
 }
 
-/* At an item's value that item holds, the last one of several with the same: points beside it do not tell. */
+/* At an item's value that item holds, the last one of several with the same: points beside it do
+ * not tell. */
 static void a_blend_at_an_items_value_is_that_item(void **state)
 {
     (void)state;
     static const struct {
         double at, value;
-    } cases[] = {{-1, 0.2}, {0, 0.2}, {0.125, 0.6}, {0.25, 0.125}, {0.5, 0.375}, {0.75, 0.625}, {2, 0.625}};
+    } cases[] = {{-1, 0.2},    {0, 0.2},      {0.125, 0.6}, {0.25, 0.125},
+                 {0.5, 0.375}, {0.75, 0.625}, {2, 0.625}};
     Document d;
     if (!document_open_text(
-            &d,
-            "{ material: Phong, emissive: { map: Blend, blend: [{ value: 0, input: 0.2 }, { value: 0.25, input: 1 },\n"
-            "  { value: 0.25, input: 0.125 }, { value: 0.75, input: 0.625 }] } }\n"))
+            &d, "{ material: Phong, emissive: { map: Blend, blend: [{ value: 0, input: 0.2 }, { "
+                "value: 0.25, input: 1 },\n"
+                "  { value: 0.25, input: 0.125 }, { value: 0.75, input: 0.625 }] } }\n"))
         fail_msg("%s", document_fault(&d));
     for (int level = 0; level <= 2; level += 2) {
         Arena arena = {0};
-        Session session = {.options = &d.options, .arena = &arena, .optimize = level, .check = true};
+        Session session = {
+            .options = &d.options, .arena = &arena, .optimize = level, .check = true};
         Job job;
         choice_job(&(MatcOptions){.pass = "value"}, &job);
         job.slot = SLOT_emissive;
@@ -223,7 +235,8 @@ static void a_blend_at_an_items_value_is_that_item(void **state)
             inputs[INPUT_X][0] = cases[i].at;
             ir_eval(ir, &context, (const double(*)[4])inputs, result);
             if (!(fabs(result[0][0] - cases[i].value) <= bound))
-                fail_msg("-O%d at %g: %.17g instead of %g", level, cases[i].at, result[0][0], cases[i].value);
+                fail_msg("-O%d at %g: %.17g instead of %g", level, cases[i].at, result[0][0],
+                         cases[i].value);
         }
         arena_free(&arena);
     }

@@ -1,4 +1,5 @@
-/* A Blend's costly item, and a Mix's costly side, are computed where they show alone, wherever they stand; what is computed anyhow has no branch. */
+/* A Blend's costly item, and a Mix's costly side, are computed where they show alone, wherever they
+ * stand; what is computed anyhow has no branch. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "compiler/opt/opt.h"
@@ -17,7 +18,8 @@ static bool stays(int cost, bool shared)
     Session session = {.options = &options, .arena = &arena};
     Graph graph = {0};
     Ir *ir = ir_new(&session, &graph);
-    Ref x = build_swizzle(ir, build_input(ir, INPUT_U), "x"), y = build_swizzle(ir, build_input(ir, INPUT_U), "y");
+    Ref x = build_swizzle(ir, build_input(ir, INPUT_U), "x"),
+        y = build_swizzle(ir, build_input(ir, INPUT_U), "y");
     Ref value = x;
     for (int i = 0; i < cost; i++)
         value = build_add(ir, value, build_float(ir, i + 1.5));
@@ -65,14 +67,15 @@ static int depth_in(const char *items, const char *rest, const char *aa)
     matc_options_init(&options);
     options.validate = true;
     assert_true(matc_options_set(&options, "aa", aa));
-    snprintf(
-        text, sizeof text,
-        "material: Phong\ndiffuse: { map: Blend, input: { map: Gradient, direction: [0, 0, 1] }, blend: [%s] }\n%s",
-        items, rest);
+    snprintf(text, sizeof text,
+             "material: Phong\ndiffuse: { map: Blend, input: { map: Gradient, direction: [0, 0, 1] "
+             "}, blend: [%s] }\n%s",
+             items, rest);
     MatcDocument *document = matc_read("blend.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(program))
-        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT),
+                 matc_program_diagnostics(program, MATC_TEXT));
     const char *call = strcmp(aa, "none") ? "graniteFiltered(" : "granite(";
     int depth = depth_of(matc_output(program, MATC_FRAGMENT, NULL), call);
     matc_program_free(program);
@@ -83,24 +86,35 @@ static int depth_in(const char *items, const char *rest, const char *aa)
 static void an_item_branches_wherever_it_stands(void **state)
 {
     static const char *const items[] = {
-        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }",                            /* first */
-        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }",                            /* last */
-        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }, { value: 1, input: blue }", /* middle */
-        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: { map: Wood, input: { map: Turbulence } } }",
-        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }, { value: 1, input: *g }", /* both ends */
-        "{ value: 0, input: red }, { value: 0.2, input: &g { map: Granite } }, { value: 0.6, input: *g }, { value: 1, "
+        /* first */
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }",
+        /* last */
+        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }",
+        /* middle */
+        "{ value: 0, input: red }, { value: 0.5, input: &g { map: Granite } }, { value: 1, input: "
+        "blue }",
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: { map: Wood, input: { map: "
+        "Turbulence } } }",
+        /* both ends */
+        "{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: red }, { value: 1, input: "
+        "*g }",
+        "{ value: 0, input: red }, { value: 0.2, input: &g { map: Granite } }, { value: 0.6, "
+        "input: *g }, { value: 1, "
         "input: red }",
     };
     (void)state;
-    static const char *const ways[] = {"none", "box", "aniso"}; /* by the point, by the item's weight in the pixel */
+    /* by the point, by the item's weight in the pixel */
+    static const char *const ways[] = {"none", "box", "aniso"};
     for (size_t way = 0; way < sizeof ways / sizeof *ways; way++) {
         for (size_t i = 0; i < sizeof items / sizeof *items; i++)
             assert_int_equal(depth_in(items[i], "", ways[way]), 2);
         for (size_t i = 0; i < sizeof items / sizeof *items; i++)
             assert_int_equal(depth_in(items[i], "specular: *g\n", ways[way]), 1);
         /* it shows everywhere */
-        assert_int_equal(depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "", ways[way]),
-                         1);
+        assert_int_equal(
+            depth_in("{ value: 0, input: &g { map: Granite } }, { value: 0.5, input: *g }", "",
+                     ways[way]),
+            1);
     }
 }
 
@@ -111,33 +125,45 @@ static void expect_depths(const char *sides, int granite, int turbulence)
     MatcOptions options;
     matc_options_init(&options);
     options.validate = true;
-    snprintf(text, sizeof text, "material: MixMaterial\nmask: \"= smoothstep(.4, .6, u)\"\n%s", sides);
+    snprintf(text, sizeof text, "material: MixMaterial\nmask: \"= smoothstep(.4, .6, u)\"\n%s",
+             sides);
     MatcDocument *document = matc_read("mix.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(program))
-        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT),
+                 matc_program_diagnostics(program, MATC_TEXT));
     const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
     const int found[] = {depth_of(fragment, "granite("), depth_of(fragment, "vectorTurbulence(")};
     if (found[0] != granite || found[1] != turbulence)
-        fail_msg("%s\n%s\n%d and %d braces around granite and turbulence", text, fragment, found[0], found[1]);
+        fail_msg("%s\n%s\n%d and %d braces around granite and turbulence", text, fragment, found[0],
+                 found[1]);
     assert_int_equal(depth_of(fragment, "if (") > 0, granite > 1 || turbulence > 1);
     matc_program_free(program);
     matc_document_free(document);
 }
 
-/* Each side where the mask shows it; one that stands in two slots of its side once. What both sides need, and what is cheap, has no branch. */
+/* Each side where the mask shows it; one that stands in two slots of its side once. What both sides
+ * need, and what is cheap, has no branch. */
 static void a_side_of_a_mix_is_computed_where_it_shows(void **state)
 {
     (void)state;
 #define NOISE "{ map: Wood, input: { map: Turbulence, octaves: 4 } }"
-    expect_depths("a: { material: Phong, diffuse: { map: Granite } }\nb: { material: Phong, diffuse: " NOISE " }\n", 2,
-                  2);
-    expect_depths("a: { material: Phong, diffuse: &g { map: Granite }, specular: *g }\nb: { material: Phong }\n", 2,
-                  -1);
-    expect_depths("a: { material: Phong, diffuse: red }\nb: { material: Principled, baseColor: " NOISE " }\n", -1, 2);
-    expect_depths("a: { material: Phong, diffuse: &g { map: Granite } }\nb: { material: Phong, specular: *g }\n", 1,
-                  -1);
-    expect_depths("a: { material: Phong, diffuse: { map: Checker } }\nb: { material: Phong, diffuse: red }\n", -1, -1);
+    expect_depths(
+        "a: { material: Phong, diffuse: { map: Granite } }\nb: { material: Phong, diffuse: " NOISE
+        " }\n",
+        2, 2);
+    expect_depths("a: { material: Phong, diffuse: &g { map: Granite }, specular: *g }\nb: { "
+                  "material: Phong }\n",
+                  2, -1);
+    expect_depths(
+        "a: { material: Phong, diffuse: red }\nb: { material: Principled, baseColor: " NOISE " }\n",
+        -1, 2);
+    expect_depths("a: { material: Phong, diffuse: &g { map: Granite } }\nb: { material: Phong, "
+                  "specular: *g }\n",
+                  1, -1);
+    expect_depths(
+        "a: { material: Phong, diffuse: { map: Checker } }\nb: { material: Phong, diffuse: red }\n",
+        -1, -1);
 }
 
 /* What the reflection says of the transparency of a map, and whether a program stores it. */
@@ -152,7 +178,8 @@ static void expect_opacity(const char *map, const char *aa, const char *wanted, 
     MatcDocument *document = matc_read("examples/blend.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, &options);
     if (!matc_ok(program))
-        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT), matc_program_diagnostics(program, MATC_TEXT));
+        fail_msg("%s\n%s%s", text, matc_diagnostics(document, MATC_TEXT),
+                 matc_program_diagnostics(program, MATC_TEXT));
     assert_string_equal(matc_opacity(program), wanted);
     if (!!strstr(matc_output(program, MATC_FRAGMENT, NULL), " transparency = ") != stored)
         fail_msg("%s", matc_output(program, MATC_FRAGMENT, NULL));
@@ -173,9 +200,10 @@ static void opaque_colors_of_checkers_are_opaque_together(void **state)
         {"{ map: Checker, color1: '#ff0000ff', color2: " PICTURE " }", true},
         {"{ map: Checker, color1: " PICTURE ", color2: '#ff0000fe' }", false},
         {"{ map: VolumeChecker, color1: " PICTURE ", color2: { map: Granite } }", true},
-        {"{ map: Checker, color1: " PICTURE ", color2: { map: VolumeChecker, color1: '#ff0000ff', color2: { map: "
-         "Checker, color1: { map: Checker, color1: { map: Checker, color1: { map: Checker, color1: " PICTURE
-         ", color2: 0.3 } } } } } }",
+        {"{ map: Checker, color1: " PICTURE
+         ", color2: { map: VolumeChecker, color1: '#ff0000ff', color2: { map: "
+         "Checker, color1: { map: Checker, color1: { map: Checker, color1: { map: Checker, "
+         "color1: " PICTURE ", color2: 0.3 } } } } } }",
          true},
         {"{ map: Blend, input: { map: Checker }, blend: [{ value: 0.2, input: " PICTURE
          " }, { value: 0.8, input: { map: Checker, color1: " PICTURE " } }] }",
@@ -184,10 +212,12 @@ static void opaque_colors_of_checkers_are_opaque_together(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
         for (size_t k = 0; k < sizeof maps / sizeof *maps; k++)
-            expect_opacity(maps[k].map, ways[i], maps[k].opaque ? "opaque" : "varying", !maps[k].opaque);
+            expect_opacity(maps[k].map, ways[i], maps[k].opaque ? "opaque" : "varying",
+                           !maps[k].opaque);
 }
 
-static void expect_opacity_of_items(const char *items, const char *aa, const char *wanted, bool stored)
+static void expect_opacity_of_items(const char *items, const char *aa, const char *wanted,
+                                    bool stored)
 {
     char map[1024];
     snprintf(map, sizeof map, "{ map: Blend, input: { map: Granite }, blend: [%s] }", items);
@@ -204,7 +234,8 @@ static void opaque_items_are_opaque_together(void **state)
         snprintf(items, sizeof items, "%s, { value: 1, input: red }", picture);
         expect_opacity_of_items(items, ways[i], "opaque", false);
         snprintf(items, sizeof items,
-                 "{ value: -1, input: '#ff0000ff' }, %s, { value: 1, input: { map: Blend, blend: [%s, { value: 2, "
+                 "{ value: -1, input: '#ff0000ff' }, %s, { value: 1, input: { map: Blend, blend: "
+                 "[%s, { value: 2, "
                  "input: { map: Granite } }] } }",
                  picture, picture);
         expect_opacity_of_items(items, ways[i], "opaque", false);

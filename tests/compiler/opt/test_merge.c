@@ -3,8 +3,9 @@
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 
-/* Gradients of a pattern at points p and its values at points q, each with a weight of its own, all in one sum: a value is its gradient's
- * fourth lane where q is p, and nowhere else. So many that their places in any table are taken. */
+/* Gradients of a pattern at points p and its values at points q, each with a weight of its own, all
+ * in one sum: a value is its gradient's fourth lane where q is p, and nowhere else. So many that
+ * their places in any table are taken. */
 enum { GRADIENTS = 300 };
 
 static Ref point_of(Ir *ir, int number)
@@ -33,7 +34,8 @@ static int live_values(const Ir *ir)
     const uint8_t *live = ir_live(ir, &arena);
     int count = 0;
     for (Ref ref = 1; ref < ir->count; ref++)
-        count += live[ref] && ir_is(ir, ref, OP_call) && ir_at(ir, ref)->payload == FN_FIRST_MAP + KIND_Leopard;
+        count += live[ref] && ir_is(ir, ref, OP_call) &&
+                 ir_at(ir, ref)->payload == FN_FIRST_MAP + KIND_Leopard;
     arena_free(&arena);
     return count;
 }

@@ -1,4 +1,5 @@
-/* opt_function: of functions whose calls are not asked for all lanes, those that are have the values that they had. */
+/* opt_function: of functions whose calls are not asked for all lanes, those that are have the
+ * values that they had. */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
@@ -32,7 +33,8 @@ static uint32_t lanes_of(unsigned mask, bool backwards, int *count)
     return lanes;
 }
 
-/* Of f at two points: some lanes of the one, others of the other, each order its own; all four slots of the output have a number. */
+/* Of f at two points: some lanes of the one, others of the other, each order its own; all four
+ * slots of the output have a number. */
 static void write_calls(Ir *ir, unsigned one, unsigned other)
 {
     static const Input at[] = {INPUT_X, INPUT_P};
@@ -41,9 +43,13 @@ static void write_calls(Ir *ir, unsigned one, unsigned other)
     for (int i = 0; i < 2; i++) {
         int count;
         const uint32_t lanes = lanes_of(i ? other : one, i, &count);
-        Ref read = build_lanes(ir, build_apply(ir, f, (Ref[]){build_input(ir, at[i])}), lanes, count), own[LANES];
+        Ref read =
+                build_lanes(ir, build_apply(ir, f, (Ref[]){build_input(ir, at[i])}), lanes, count),
+            own[LANES];
         for (int lane = 0; lane < LANES; lane++) /* one lane after the other, the last one again */
-            own[lane] = count == 1 ? read : build_lanes(ir, read, (uint32_t)(lane < count ? lane : count - 1), 1);
+            own[lane] = count == 1
+                            ? read
+                            : build_lanes(ir, read, (uint32_t)(lane < count ? lane : count - 1), 1);
         sum = build_add(ir, sum, build_vec_of(ir, TYPE_vec4, own, LANES));
     }
     ir_output(ir, OUT_color, 0, sum);

@@ -1,5 +1,6 @@
-/* Intervals, held against values: an operation's result lies within what is claimed of it, for any intervals of its operands, ends
- * included, and what is claimed is no wider than it has to be. Neither goldens nor the optimiser take part. */
+/* Intervals, held against values: an operation's result lies within what is claimed of it, for any
+ * intervals of its operands, ends included, and what is claimed is no wider than it has to be.
+ * Neither goldens nor the optimiser take part. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/range.h"
@@ -78,7 +79,8 @@ static double meaning(Op op, double a, double b, double c)
     }
 }
 
-/* How near the claim has to be to what values reach: ends are met, or lie within [low, high], or may be anything. */
+/* How near the claim has to be to what values reach: ends are met, or lie within [low, high], or
+ * may be anything. */
 typedef enum { MET, FIXED, ANY } Tightness;
 
 typedef struct {
@@ -89,32 +91,19 @@ typedef struct {
 } Case;
 
 static const Case cases[] = {
-    {OP_neg, -1000, 1000, MET, {0, 0}},
-    {OP_abs, -1000, 1000, MET, {0, 0}},
-    {OP_floor, -1000, 1000, MET, {0, 0}},
-    {OP_ceil, -1000, 1000, MET, {0, 0}},
-    {OP_sign, -1000, 1000, MET, {0, 0}},
-    {OP_sqrt, 0, 1000, MET, {0, 0}},
-    {OP_exp, -80, 80, MET, {0, 0}},
-    {OP_exp2, -80, 80, MET, {0, 0}},
-    {OP_log, 1e-3, 1000, MET, {0, 0}},
-    {OP_atan, -1000, 1000, MET, {0, 0}},
-    {OP_tan, -1.49, 1.49, MET, {0, 0}},
-    {OP_add, -1000, 1000, MET, {0, 0}},
-    {OP_sub, -1000, 1000, MET, {0, 0}},
-    {OP_mul, -1000, 1000, MET, {0, 0}},
-    {OP_min, -1000, 1000, MET, {0, 0}},
-    {OP_max, -1000, 1000, MET, {0, 0}},
-    {OP_clamp, -1000, 1000, MET, {0, 0}},
-    {OP_mix, -1000, 1000, ANY, {0, 0}},
-    {OP_pow, 0, 1000, MET, {0, 0}},
-    {OP_fract, -1000, 1000, FIXED, {0, 1}},
-    {OP_step, -1000, 1000, FIXED, {0, 1}},
-    {OP_sin, -1000, 1000, FIXED, {-1, 1}},
-    {OP_cos, -1000, 1000, FIXED, {-1, 1}},
-    {OP_asin, -1, 1, FIXED, {-1.5708, 1.5708}},
-    {OP_acos, -1, 1, FIXED, {0, 3.1416}},
-    {OP_atan2, -1000, 1000, FIXED, {-3.1416, 3.1416}},
+    {OP_neg, -1000, 1000, MET, {0, 0}},    {OP_abs, -1000, 1000, MET, {0, 0}},
+    {OP_floor, -1000, 1000, MET, {0, 0}},  {OP_ceil, -1000, 1000, MET, {0, 0}},
+    {OP_sign, -1000, 1000, MET, {0, 0}},   {OP_sqrt, 0, 1000, MET, {0, 0}},
+    {OP_exp, -80, 80, MET, {0, 0}},        {OP_exp2, -80, 80, MET, {0, 0}},
+    {OP_log, 1e-3, 1000, MET, {0, 0}},     {OP_atan, -1000, 1000, MET, {0, 0}},
+    {OP_tan, -1.49, 1.49, MET, {0, 0}},    {OP_add, -1000, 1000, MET, {0, 0}},
+    {OP_sub, -1000, 1000, MET, {0, 0}},    {OP_mul, -1000, 1000, MET, {0, 0}},
+    {OP_min, -1000, 1000, MET, {0, 0}},    {OP_max, -1000, 1000, MET, {0, 0}},
+    {OP_clamp, -1000, 1000, MET, {0, 0}},  {OP_mix, -1000, 1000, ANY, {0, 0}},
+    {OP_pow, 0, 1000, MET, {0, 0}},        {OP_fract, -1000, 1000, FIXED, {0, 1}},
+    {OP_step, -1000, 1000, FIXED, {0, 1}}, {OP_sin, -1000, 1000, FIXED, {-1, 1}},
+    {OP_cos, -1000, 1000, FIXED, {-1, 1}}, {OP_asin, -1, 1, FIXED, {-1.5708, 1.5708}},
+    {OP_acos, -1, 1, FIXED, {0, 3.1416}},  {OP_atan2, -1000, 1000, FIXED, {-3.1416, 3.1416}},
 };
 
 static const double borders[] = {-1000, -3, -2.5, -1, -0.5, 0, 0.25, 0.5, 1, 1.5, 2, 3, 100};
@@ -122,7 +111,8 @@ enum { ENDS = sizeof borders / sizeof *borders, TRIES = 300, SAMPLES = 300 };
 
 static Interval random_interval(Choices *c, double low, double high)
 {
-    double a = fmin(fmax(borders[choose(c, ENDS)], low), high), b = fmin(fmax(borders[choose(c, ENDS)], low), high);
+    double a = fmin(fmax(borders[choose(c, ENDS)], low), high),
+           b = fmin(fmax(borders[choose(c, ENDS)], low), high);
     return (Interval){fmin(a, b), fmax(a, b)};
 }
 
@@ -152,24 +142,27 @@ static double size_of(double x) { return fmax(fabs(x), 1); }
 
 static void check_claim(const Case *c, const Interval *of, Interval claimed, Interval met)
 {
-    bool sound =
-        claimed.low <= met.low + 1e-12 * size_of(met.low) && claimed.high >= met.high - 1e-12 * size_of(met.high);
+    bool sound = claimed.low <= met.low + 1e-12 * size_of(met.low) &&
+                 claimed.high >= met.high - 1e-12 * size_of(met.high);
     Interval least = c->tightness == FIXED ? c->fixed : met;
     bool tight = claimed.low >= least.low - loosened * size_of(least.low) &&
                  claimed.high <= least.high + loosened * size_of(least.high);
     if (!sound || (c->tightness != ANY && !tight))
-        fail_msg("%s of [%g, %g] [%g, %g] [%g, %g]: claimed [%.9g, %.9g], met [%.9g, %.9g]", op_table[c->op].name,
-                 of[0].low, of[0].high, of[1].low, of[1].high, of[2].low, of[2].high, claimed.low, claimed.high,
-                 met.low, met.high);
+        fail_msg("%s of [%g, %g] [%g, %g] [%g, %g]: claimed [%.9g, %.9g], met [%.9g, %.9g]",
+                 op_table[c->op].name, of[0].low, of[0].high, of[1].low, of[1].high, of[2].low,
+                 of[2].high, claimed.low, claimed.high, met.low, met.high);
 }
 
-/* The interval that is claimed of op(x, y, z), or of op(x, x, z), when those have the given ones. */
+/* The interval that is claimed of op(x, y, z), or of op(x, x, z), when those have the given
+ * ones. */
 static Interval claim(Site *s, Op op, const Interval *of, bool square)
 {
-    Ref args[3] = {expression_read(s->ir, "x"), expression_read(s->ir, "y"), expression_read(s->ir, "z")};
+    Ref args[3] = {expression_read(s->ir, "x"), expression_read(s->ir, "y"),
+                   expression_read(s->ir, "z")};
     if (square)
         args[1] = args[0];
-    Ref ref = ir_make(s->ir, (IrNode){.op = op, .type = TYPE_float, .count = op_table[op].arity}, args);
+    Ref ref =
+        ir_make(s->ir, (IrNode){.op = op, .type = TYPE_float, .count = op_table[op].arity}, args);
     Ranges ranges = {.of = ARENA_ARRAY(&s->arena, Interval, s->ir->count),
                      .place = ARENA_ARRAY(&s->arena, RangePlace, s->ir->count),
                      .count = (Ref)s->ir->count,
@@ -187,7 +180,8 @@ static void random_operands(Choices *c, const Case *of, Interval operands[3])
     operands[0] = random_interval(c, of->low, of->high);
     operands[1] = random_interval(c, least, most);
     operands[2] = random_interval(c, -1000, 1000);
-    if (of->op == OP_clamp && operands[1].high > operands[2].low) /* GLSL wants the lower bound below the upper */
+    /* GLSL wants the lower bound below the upper */
+    if (of->op == OP_clamp && operands[1].high > operands[2].low)
         operands[2] = (Interval){operands[1].high, fmax(operands[2].high, operands[1].high)};
 }
 
@@ -290,16 +284,22 @@ static const Known known[] = {
     {"select(lt(1, clamp(x, 0, 10)), 0.5, clamp(x, 0, 10))", 4, 0, 0, 1},
     {"select(le(clamp(x, 0, 10), 1), clamp(x, 0, 10), 0.5)", 4, 0, 0, 1},
     {"select(le(1, clamp(x, 0, 10)), clamp(x, 0, 10), 5)", 4, 0, 1, 10},
-    {"select(lt(clamp(x, 0, 10), 1), add(clamp(x, 0, 10), 2), mul(clamp(x, 0, 10), 3))", 4, 0, 2, 30},
-    {"select(lt(clamp(x, 0, 10), 1), mul(clamp(x, 0, 10), 3), sub(clamp(x, 0, 10), 2))", 4, 0, -1, 8},
+    {"select(lt(clamp(x, 0, 10), 1), add(clamp(x, 0, 10), 2), mul(clamp(x, 0, 10), 3))", 4, 0, 2,
+     30},
+    {"select(lt(clamp(x, 0, 10), 1), mul(clamp(x, 0, 10), 3), sub(clamp(x, 0, 10), 2))", 4, 0, -1,
+     8},
     {"select(lt(clamp(x, 0, 10), 0), 100, 5)", 4, 0, 5, 100}, /* an end counts to both sides */
     {"select(lt(clamp(x, 0, 10), -1), 100, 5)", 4, 0, 5, 5},  /* never taken */
     {"select(lt(clamp(x, 0, 10), 11), 100, 5)", 4, 0, 100, 100},
-    {"select(lt(clamp(x, 0, 10), 1), clamp(x, 0, 10), 5)", 1, 0, 0, 10}, /* one interval a node: without */
-    {"select(lt(clamp(x, 0, 10), clamp(y, 0, 10)), clamp(x, 0, 10), 5)", 4, 0, 0, 10}, /* with nothing constant */
+    /* one interval a node: without */
+    {"select(lt(clamp(x, 0, 10), 1), clamp(x, 0, 10), 5)", 1, 0, 0, 10},
+    /* with nothing constant */
+    {"select(lt(clamp(x, 0, 10), clamp(y, 0, 10)), clamp(x, 0, 10), 5)", 4, 0, 0, 10},
     {"select(front, clamp(x, 0, 10), 20)", 4, 0, 0, 20},
-    {"select(lt(clamp(x, 0, 10), 6), select(lt(2, clamp(x, 0, 10)), clamp(x, 0, 10), 3), 4)", 4, 0, 2, 6},
-    {"select(lt(clamp(x, 0, 10), 1), select(lt(5, clamp(x, 0, 10)), 99, 0.5), 0.25)", 4, 0, 0.25, 0.5},
+    {"select(lt(clamp(x, 0, 10), 6), select(lt(2, clamp(x, 0, 10)), clamp(x, 0, 10), 3), 4)", 4, 0,
+     2, 6},
+    {"select(lt(clamp(x, 0, 10), 1), select(lt(5, clamp(x, 0, 10)), 99, 0.5), 0.25)", 4, 0, 0.25,
+     0.5},
     /* functions: octaves of noise in [-1, 1], exponents */
     {"turbulence(v, 1i, 2, 0.5)", 1, 0, -1, 1},
     {"turbulence(v, 3i, 2, 0.5)", 1, 0, -1.75, 1.75},
@@ -330,8 +330,9 @@ static void intervals_of_expressions_are_those_worked_out(void **state)
         Ranges ranges = range_find(site.ir, &site.arena, known[i].lanes);
         Interval got = range_of(&ranges, site.ir, ref, known[i].lane);
         if (!is_near(got.low, known[i].low) || !is_near(got.high, known[i].high)) {
-            print_error("%s lane %d of %d: [%.9g, %.9g] instead of [%.9g, %.9g]\n", known[i].text, known[i].lane,
-                        known[i].lanes, got.low, got.high, known[i].low, known[i].high);
+            print_error("%s lane %d of %d: [%.9g, %.9g] instead of [%.9g, %.9g]\n", known[i].text,
+                        known[i].lane, known[i].lanes, got.low, got.high, known[i].low,
+                        known[i].high);
             failed++;
         }
         site_close(&site);
@@ -351,7 +352,8 @@ static void functions_of_the_program_have_the_range_of_their_result(void **state
         Ref result = build_sub(s.ir, build_fract(s.ir, arguments[0]), build_float(s.ir, 0.25));
         int function = ir_function(s.ir, arguments, 1, result);
         args[0] = expression_read(s.ir, "v");
-        Ref once = build_apply(s.ir, function, args), kernel = build_kernel(s.ir, function, args, args[0]);
+        Ref once = build_apply(s.ir, function, args),
+            kernel = build_kernel(s.ir, function, args, args[0]);
         Ranges ranges = range_find(s.ir, &s.arena, lanes);
         Interval one = range_of(&ranges, s.ir, once, 1), all = range_of(&ranges, s.ir, kernel, 1);
         assert_true(one.low == -0.25 && one.high == 0.75);

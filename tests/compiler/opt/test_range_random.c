@@ -1,5 +1,5 @@
-/* Values of every node of random programs, held against the intervals that are claimed of them: one for a node, and one for each lane, where
- * conditions bound what their arms compute. */
+/* Values of every node of random programs, held against the intervals that are claimed of them: one
+ * for a node, and one for each lane, where conditions bound what their arms compute. */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"
@@ -32,7 +32,10 @@ static Ref pick(Program *p, const Ref *from, int count)
 
 static Ref a_float(Program *p) { return pick(p, p->floats, p->float_count); }
 static Ref a_vector(Program *p) { return pick(p, p->vectors, p->vector_count); }
-static Ref a_number(Program *p) { return build_float(p->site.ir, numbers[choose(&p->choices, NUMBERS)]); }
+static Ref a_number(Program *p)
+{
+    return build_float(p->site.ir, numbers[choose(&p->choices, NUMBERS)]);
+}
 
 /* A value, or a function of it, where its condition holds. */
 static Ref guarded(Program *p)
@@ -41,7 +44,8 @@ static Ref guarded(Program *p)
     Ref value = a_float(p), at = a_number(p), other = a_float(p);
     Op compare = chance(&p->choices, 1, 2) ? OP_lt : OP_le;
     bool right = chance(&p->choices, 1, 2);
-    Ref condition = right ? build_binary(ir, compare, value, at) : build_binary(ir, compare, at, value);
+    Ref condition =
+        right ? build_binary(ir, compare, value, at) : build_binary(ir, compare, at, value);
     Ref arm = chance(&p->choices, 1, 2) ? value : build_mul(ir, value, other);
     Ref rest = chance(&p->choices, 1, 2) ? other : build_sub(ir, value, other);
     return build_select(ir, condition, arm, rest);
@@ -49,7 +53,8 @@ static Ref guarded(Program *p)
 
 static Ref float_step(Program *p)
 {
-    static const Op one[] = {OP_neg, OP_abs, OP_floor, OP_ceil, OP_fract, OP_sign, OP_sin, OP_cos, OP_atan};
+    static const Op one[] = {OP_neg,  OP_abs, OP_floor, OP_ceil, OP_fract,
+                             OP_sign, OP_sin, OP_cos,   OP_atan};
     static const Op two[] = {OP_add, OP_sub, OP_mul, OP_min, OP_max, OP_step, OP_atan2};
     Ir *ir = p->site.ir;
     Op operation;
@@ -66,9 +71,11 @@ static Ref float_step(Program *p)
     case 3:
         return build_mix(ir, a_float(p), a_float(p), a_float(p));
     case 4:
-        return build_div(ir, a_float(p), build_clamp(ir, a_float(p), build_float(ir, 0.5), build_float(ir, 3)));
+        return build_div(ir, a_float(p),
+                         build_clamp(ir, a_float(p), build_float(ir, 0.5), build_float(ir, 3)));
     case 5:
-        return build_mod(ir, a_float(p), build_clamp(ir, a_float(p), build_float(ir, 1), build_float(ir, 2)));
+        return build_mod(ir, a_float(p),
+                         build_clamp(ir, a_float(p), build_float(ir, 1), build_float(ir, 2)));
     case 6:
         return build_dot(ir, a_vector(p), a_vector(p));
     case 7:
@@ -127,8 +134,8 @@ static void check_node(Program *p, const Ranges ranges[2], Ref ref, const double
             if (isfinite(x) && !(x >= claimed.low - spare && x <= claimed.high + spare)) {
                 Text text = text_new(&p->site.arena);
                 expression_print(&text, p->site.ir, ref);
-                fail_msg("%.900s: lane %d is %.17g, claimed [%.17g, %.17g] of %d", text.at, lane, x, claimed.low,
-                         claimed.high, ranges[kept].lanes);
+                fail_msg("%.900s: lane %d is %.17g, claimed [%.17g, %.17g] of %d", text.at, lane, x,
+                         claimed.low, claimed.high, ranges[kept].lanes);
             }
         }
 }
@@ -159,9 +166,11 @@ static void values_of_random_programs_lie_within_their_intervals(void **state)
     static Program p;
     for (int number = 0; number < PROGRAMS; number++) {
         program_make(&p, number);
-        Ranges ranges[2] = {range_find(p.site.ir, &p.site.arena, 1), range_find(p.site.ir, &p.site.arena, 4)};
+        Ranges ranges[2] = {range_find(p.site.ir, &p.site.arena, 1),
+                            range_find(p.site.ir, &p.site.arena, 4)};
         for (int i = 0; i < p.float_count; i += MOST_OUTPUTS)
-            check_nodes(&p, ranges, &p.floats[i], p.float_count - i < MOST_OUTPUTS ? p.float_count - i : MOST_OUTPUTS);
+            check_nodes(&p, ranges, &p.floats[i],
+                        p.float_count - i < MOST_OUTPUTS ? p.float_count - i : MOST_OUTPUTS);
         for (int i = 0; i < p.vector_count; i += MOST_OUTPUTS)
             check_nodes(&p, ranges, &p.vectors[i],
                         p.vector_count - i < MOST_OUTPUTS ? p.vector_count - i : MOST_OUTPUTS);
@@ -224,7 +233,8 @@ static Interval claimed_of(Site *s, int function)
     Ref args[MOST_NUMBERS];
     const int count = (int)strlen(function_arguments(function));
     for (int i = 0; i < count; i++)
-        args[i] = build_float(s->ir, 0); /* where a texture is wanted, too: nothing is known of its texels */
+        /* where a texture is wanted, too: nothing is known of its texels */
+        args[i] = build_float(s->ir, 0);
     Ref ref = build_call_of(s->ir, function, args, count);
     Ranges none = {0};
     return range_computed(&none, s->ir, ref, 0);
@@ -234,7 +244,8 @@ static void functions_have_values_within_their_intervals(void **state)
 {
     (void)state;
     static const uint8_t texels[TEXELS * TEXELS * 4] = {0, 255, 3, 128, 7, 200, 255, 0, 90};
-    const ReferenceTexture texture = {.width = TEXELS, .height = TEXELS, .lanes = 4, .bytes = texels};
+    const ReferenceTexture texture = {
+        .width = TEXELS, .height = TEXELS, .lanes = 4, .bytes = texels};
     const ReferenceContext context = {REFERENCE_LATTICE, &texture};
     int bounded = 0;
     Choices choices;
@@ -242,7 +253,8 @@ static void functions_have_values_within_their_intervals(void **state)
     for (int function = 0; function < FUNCTION_COUNT; function++) {
         Site site;
         site_open(&site);
-        bool known = function_row(function)->name && function != FN_turbulence && function != FN_phongExponent;
+        bool known = function_row(function)->name && function != FN_turbulence &&
+                     function != FN_phongExponent;
         Interval claimed = known ? claimed_of(&site, function) : (Interval){-INFINITY, INFINITY};
         bounded += isfinite(claimed.low) || isfinite(claimed.high);
         for (int n = 0; (isfinite(claimed.low) || isfinite(claimed.high)) && n < CALLS; n++) {
@@ -253,9 +265,10 @@ static void functions_have_values_within_their_intervals(void **state)
                 used += an_argument(&choices, *letter, &args[used]);
             reference_of(function)(&context, args, result);
             for (int lane = 0; lane < type_table[function_row(function)->result].lanes; lane++)
-                if (isfinite(result[lane]) && !(result[lane] >= claimed.low && result[lane] <= claimed.high))
-                    fail_msg("%s: %.9g, claimed [%.9g, %.9g]", function_row(function)->name, result[lane], claimed.low,
-                             claimed.high);
+                if (isfinite(result[lane]) &&
+                    !(result[lane] >= claimed.low && result[lane] <= claimed.high))
+                    fail_msg("%s: %.9g, claimed [%.9g, %.9g]", function_row(function)->name,
+                             result[lane], claimed.low, claimed.high);
         }
         site_close(&site);
     }

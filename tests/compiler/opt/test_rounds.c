@@ -1,5 +1,6 @@
-/* The optimiser asks no more than it has to: of a node that no rule changes once, of a program until a round leaves it as it is. Counts, which
- * are the same on every machine. And nodes are found again, however many share an operand. */
+/* The optimiser asks no more than it has to: of a node that no rule changes once, of a program
+ * until a round leaves it as it is. Counts, which are the same on every machine. And nodes are
+ * found again, however many share an operand. */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "compiler/pipeline.h"
@@ -22,7 +23,8 @@ static void a_simple_node_is_asked_once(void **state)
     Session session = {.options = &options, .arena = &arena, .optimize = 2};
     Ir *ir = ir_new(&session, NULL);
     ir->simplify = count_asked;
-    const Ref p = build_input(ir, INPUT_X), x = build_swizzle(ir, p, "x"), y = build_swizzle(ir, p, "y");
+    const Ref p = build_input(ir, INPUT_X), x = build_swizzle(ir, p, "x"),
+              y = build_swizzle(ir, p, "y");
     asked = 0;
     const Ref sum = build_add(ir, y, x);
     const int first = asked;
@@ -57,14 +59,16 @@ static Ir *bench_open(Bench *bench, Arena *arena)
     return ir_new(&bench->session, NULL);
 }
 
-/* sin cos x + |x|: what is settled is not asked; but what is made anew, since an operand was, is. */
+/* sin cos x + |x|: what is settled is not asked; but what is made anew, since an operand was,
+ * is. */
 static void a_settled_node_is_asked_when_it_is_made_anew(void **state)
 {
     (void)state;
     Arena arena = {0};
     Bench bench;
     Ir *ir = bench_open(&bench, &arena);
-    const Ref x = build_swizzle(ir, build_input(ir, INPUT_X), "x"), a = build_cos(ir, x), other = build_abs(ir, x);
+    const Ref x = build_swizzle(ir, build_input(ir, INPUT_X), "x"), a = build_cos(ir, x),
+              other = build_abs(ir, x);
     const Ref b = build_add_of(ir, (Ref[]){build_sin(ir, a), other}), none = 0;
     ir_output(ir, OUT_depth, 0, b);
     const uint8_t *live = ir_live_kept(ir);
@@ -81,13 +85,15 @@ static void a_settled_node_is_asked_when_it_is_made_anew(void **state)
     assert_true(sum != b && ir_is(ir, sine, OP_sin) && ir_is(ir, ir_arg(ir, sine, 0), OP_add));
     assert_int_equal(ir_arg(ir, sum, 1), other);
     assert_true(ir_live_kept(ir)[sine] && !ir_live_kept(ir)[b]);
-    ir_output(ir, OUT_depth, 1, b); /* and who is alive is asked again when there is one more to see it */
+    /* and who is alive is asked again when there is one more to see it */
+    ir_output(ir, OUT_depth, 1, b);
     assert_true(ir_live_kept(ir)[b]);
     ir_done(ir);
     arena_free(&arena);
 }
 
-/* Nodes of one young operand and many old ones, which would all stand at one place of the table; each is one node, and found again. */
+/* Nodes of one young operand and many old ones, which would all stand at one place of the table;
+ * each is one node, and found again. */
 static void equal_nodes_are_one(void **state)
 {
     enum { COUNT = 20000 };
@@ -117,7 +123,8 @@ static Ir *ir_for(Session *session, const char *text, Job *job)
 {
     Tree *tree;
     const Source source = {.name = "rounds.yaml", .text = text, .size = strlen(text)};
-    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room, source);
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+               source);
     assert_null(choice_job(session->options, job));
     const Graph *graph = compile_front(session, 0, &tree);
     assert_non_null(graph);
@@ -132,7 +139,8 @@ static Ir *ir_of(Session *session, const char *text)
     return ir_for(session, text, &job);
 }
 
-/* Bytes that arenas hand out for a product of so many quotients under a BumpMap, from its text to the program's. */
+/* Bytes that arenas hand out for a product of so many quotients under a BumpMap, from its text to
+ * the program's. */
 static double memory_of(int quotients)
 {
     Arena arena = {0}, own = {0};
@@ -155,12 +163,14 @@ static double memory_of(int quotients)
     return used;
 }
 
-/* Its slopes are sums of as many products as it has factors, each of all others: they are made of what there is already. */
+/* Its slopes are sums of as many products as it has factors, each of all others: they are made of
+ * what there is already. */
 static void a_long_product_takes_memory_by_its_length(void **state)
 {
     (void)state;
     const double most_each = 10000, one = memory_of(1000), eight = memory_of(8000);
-    print_message("%.0f bytes for each of 1,000 quotients, %.0f for each of 8,000\n", one / 1000, eight / 8000);
+    print_message("%.0f bytes for each of 1,000 quotients, %.0f for each of 8,000\n", one / 1000,
+                  eight / 8000);
     assert_true(one <= 1000 * most_each && eight <= 8000 * most_each);
 }
 
@@ -169,7 +179,8 @@ typedef struct {
     IrRewrite *rewrite;
 } AskedRule;
 
-/* Of the IR as lowering makes it, of which every rule changes something: a node that a glance spares a rule, the rule leaves. */
+/* Of the IR as lowering makes it, of which every rule changes something: a node that a glance
+ * spares a rule, the rule leaves. */
 static void a_rule_leaves_what_it_is_not_asked_of(void **state)
 {
     static const AskedRule rules[] = {{opt_may_fold, opt_rewrite_fold},
@@ -177,10 +188,12 @@ static void a_rule_leaves_what_it_is_not_asked_of(void **state)
                                       {opt_may_select, opt_rewrite_select},
                                       {opt_may_power, opt_rewrite_power}};
     enum { RULE_COUNT = sizeof rules / sizeof *rules };
-    static const char text[] = "material: Phong\n"
-                               "diffuse: \"= a = p.zyx * pow(max(u, .1), .5); b = 2 > 1 ? a : [u, v, .5]; c = u > .5 ? 1 : 2;"
-                               " mix(b, [3 * c, v / (1 + c), (u > v ? u : v) ^ 3], fract(4 * u))\"\n"
-                               "shininess: { map: Granite, input: { map: UVTransform, scaleU: 2 } }\n";
+    static const char text[] =
+        "material: Phong\n"
+        "diffuse: \"= a = p.zyx * pow(max(u, .1), .5); b = 2 > 1 ? a : [u, v, .5]; c = u > .5 ? 1 "
+        ": 2;"
+        " mix(b, [3 * c, v / (1 + c), (u > v ? u : v) ^ 3], fract(4 * u))\"\n"
+        "shininess: { map: Granite, input: { map: UVTransform, scaleU: 2 } }\n";
     int spared = 0, changed[RULE_COUNT] = {0};
     Arena arena = {0};
     MatcOptions options;
@@ -191,7 +204,8 @@ static void a_rule_leaves_what_it_is_not_asked_of(void **state)
     const Uses uses = opt_uses(ir, &arena);
     for (Ref ref = 1; ref < uses.count; ref++)
         for (int i = 0; i < RULE_COUNT; i++) {
-            const bool leaves = rules[i].rewrite(ir, ref, &uses) == ref, asked = rules[i].may(ir, ref);
+            const bool leaves = rules[i].rewrite(ir, ref, &uses) == ref,
+                       asked = rules[i].may(ir, ref);
             assert_true(leaves || asked);
             spared += !asked;
             changed[i] += !leaves;
@@ -220,7 +234,8 @@ static int runs_of(const char *text, const char *pass, int *nodes)
     return runs;
 }
 
-/* Of a number nothing is found at all; of a formula whose author bounded what is bounded already, once. */
+/* Of a number nothing is found at all; of a formula whose author bounded what is bounded already,
+ * once. */
 static void rounds_end_where_nothing_is_found(void **state)
 {
     (void)state;
@@ -236,7 +251,9 @@ static void rounds_end_where_nothing_is_found(void **state)
     assert_int_equal(left, nodes); /* and that is all that was there to be found */
     /* what a sweep made anew has an interval in the next round alone, and is decided then */
     runs_of("material: Phong\ndiffuse: \"= 2 * fract(u)\"\n", "range", &nodes);
-    assert_int_equal(runs_of("material: Phong\ndiffuse: \"= max(2 * max(fract(u), -1), -3)\"\n", "range", &left), 3);
+    assert_int_equal(
+        runs_of("material: Phong\ndiffuse: \"= max(2 * max(fract(u), -1), -3)\"\n", "range", &left),
+        3);
     assert_int_equal(left, nodes);
 }
 

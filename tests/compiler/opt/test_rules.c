@@ -1,18 +1,22 @@
-/* Every local rule of the optimiser, where it applies and where it must not: on the border of its guard, and beside it. */
+/* Every local rule of the optimiser, where it applies and where it must not: on the border of its
+ * guard, and beside it. */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 
 static const RuleCase signs[] = {
-    {"neg(neg(x))", "x"},      {"neg(sub(x, y))", "sub(y, x)"}, {"neg(add(x, y))", NULL}, {"neg(abs(x))", NULL},
-    {"abs(abs(x))", "abs(x)"}, {"abs(neg(x))", "abs(x)"},       {"abs(sub(x, y))", NULL}, {"abs(floor(x))", NULL},
+    {"neg(neg(x))", "x"},     {"neg(sub(x, y))", "sub(y, x)"}, {"neg(add(x, y))", NULL},
+    {"neg(abs(x))", NULL},    {"abs(abs(x))", "abs(x)"},       {"abs(neg(x))", "abs(x)"},
+    {"abs(sub(x, y))", NULL}, {"abs(floor(x))", NULL},
 };
 
 static const RuleCase wholes[] = {
-    {"floor(floor(x))", "floor(x)"}, {"floor(ceil(x))", "ceil(x)"},   {"floor(fract(x))", NULL},
-    {"floor(abs(x))", NULL},         {"ceil(ceil(x))", "ceil(x)"},    {"ceil(floor(x))", "floor(x)"},
-    {"ceil(fract(x))", NULL},        {"ceil(neg(x))", NULL},          {"fract(fract(x))", "fract(x)"},
-    {"fract(floor(x))", "0"},        {"fract(ceil(v))", "[0, 0, 0]"}, {"fract(abs(x))", NULL},
+    {"floor(floor(x))", "floor(x)"}, {"floor(ceil(x))", "ceil(x)"},
+    {"floor(fract(x))", NULL},       {"floor(abs(x))", NULL},
+    {"ceil(ceil(x))", "ceil(x)"},    {"ceil(floor(x))", "floor(x)"},
+    {"ceil(fract(x))", NULL},        {"ceil(neg(x))", NULL},
+    {"fract(fract(x))", "fract(x)"}, {"fract(floor(x))", "0"},
+    {"fract(ceil(v))", "[0, 0, 0]"}, {"fract(abs(x))", NULL},
     {"fract(neg(x))", NULL},         {"fract(sign(x))", NULL},
 };
 
@@ -72,7 +76,8 @@ static const RuleCase products[] = {
     {"mul(y, x)", "mul(x, y)"},
 };
 
-/* Only powers of two have exact inverses, and of those only the ones whose inverse a float holds. */
+/* Only powers of two have exact inverses, and of those only the ones whose inverse a float
+ * holds. */
 static const RuleCase quotients[] = {
     {"div(x, 1)", "x"},
     {"div(0, x)", "0"},
@@ -149,11 +154,17 @@ static const RuleCase vectors[] = {
     {"dot(v, [0, 2, 2])", NULL},
     {"dot(v, [1, 0, 1])", NULL},
     {"dot(v, w)", NULL},
-    {"dot(vec3(sin(x), sin(x), sin(x)), [0.3333333333333333, 0.3333333333333333, 0.3333333333333333])", "sin(x)"},
+    {"dot(vec3(sin(x), sin(x), sin(x)), [0.3333333333333333, 0.3333333333333333, "
+     "0.3333333333333333])",
+     "sin(x)"},
     {"dot(vec2(sin(x), sin(x)), [0.5, 0.5])", "sin(x)"},
     {"dot(vec3(sin(x), sin(x), sin(x)), [0.5, 0.5, 0.5])", NULL},
-    {"dot(vec3(sin(x), sin(x), sin(y)), [0.3333333333333333, 0.3333333333333333, 0.3333333333333333])", NULL},
-    {"dot(vec3(sin(x), sin(y), sin(x)), [0.3333333333333333, 0.3333333333333333, 0.3333333333333333])", NULL},
+    {"dot(vec3(sin(x), sin(x), sin(y)), [0.3333333333333333, 0.3333333333333333, "
+     "0.3333333333333333])",
+     NULL},
+    {"dot(vec3(sin(x), sin(y), sin(x)), [0.3333333333333333, 0.3333333333333333, "
+     "0.3333333333333333])",
+     NULL},
     {"dot(vec3(sin(x), sin(x), sin(x)), [0.3333333333333333, 0.3333333333333333, 0.25])", NULL},
     {"length(neg(v))", "length(v)"},
     {"length(abs(v))", NULL},

@@ -1,4 +1,5 @@
-/* Constants of sums and products are brought together, each sign and each side of it; and where they must not be. */
+/* Constants of sums and products are brought together, each sign and each side of it; and where
+ * they must not be. */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

@@ -1,4 +1,5 @@
-/* The oracle's functions against 200 bits: waves, exponents, rotations, the sky; formulas from semantics.md alone. */
+/* The oracle's functions against 200 bits: waves, exponents, rotations, the sky; formulas from
+ * semantics.md alone. */
 /* ctest: alone */
 #include "tests/exact.h"
 #include <stdio.h>
@@ -63,8 +64,9 @@ enum { WAVES = sizeof waves / sizeof *waves };
 /* Spread evenly, and some where functions change their course. */
 static double argument(int i)
 {
-    static const double special[] = {0,      -0.,  1,    -1, 0.5,  -0.5,  0.25,  -0.25,    0.75, 1e-8, -1e-8,
-                                     1e-300, 1e-4, 3.75, -2, 88.5, -88.5, 127.5, 0.999999, 5e4,  -1e5, 12345.678};
+    static const double special[] = {0,     -0.,   1,        -1,     0.5,  -0.5,     0.25, -0.25,
+                                     0.75,  1e-8,  -1e-8,    1e-300, 1e-4, 3.75,     -2,   88.5,
+                                     -88.5, 127.5, 0.999999, 5e4,    -1e5, 12345.678};
     enum { SPECIALS = sizeof special / sizeof *special };
     return i < SPECIALS ? special[i] : 40 * fraction(i * 0.6180339887498949) - 20;
 }
@@ -76,7 +78,8 @@ static void waves_are_exact(void **state)
     for (int w = 0; w < WAVES; w++) {
         Read read;
         char text[160];
-        snprintf(text, sizeof text, "material: Phong\nemissive: { map: Gradient, waveForm: %s }\n", waves[w].name);
+        snprintf(text, sizeof text, "material: Phong\nemissive: { map: Gradient, waveForm: %s }\n",
+                 waves[w].name);
         read_open(&read, text, REFERENCE_LATTICE);
         for (int i = 0; i < 400; i++) {
             Surface surface;
@@ -140,15 +143,18 @@ static void rotations_are_exact(void **state)
         double m[4][3], p[3]; /* translation, rotation, scale, shear */
         char text[512];
         for (int i = 0; i < 12; i++)
-            m[i / 3][i % 3] = floor(512 * (8 * fraction((n * 12 + i) * 0.7548776662466927) - 4)) / 512;
+            m[i / 3][i % 3] =
+                floor(512 * (8 * fraction((n * 12 + i) * 0.7548776662466927) - 4)) / 512;
         for (int i = 0; i < 3; i++)
             p[i] = 10 * fraction((n * 3 + i) * 0.5698402909980532) - 5;
         snprintf(text, sizeof text,
-                 "material: Phong\nemissive: { map: Gradient, direction: [1, 0.5, -2], input: { map: XYZTransform, "
-                 "transform: { translation: [%.9f, %.9f, %.9f], rotation: [%.9f, %.9f, %.9f], scale: [%.9f, %.9f, "
+                 "material: Phong\nemissive: { map: Gradient, direction: [1, 0.5, -2], input: { "
+                 "map: XYZTransform, "
+                 "transform: { translation: [%.9f, %.9f, %.9f], rotation: [%.9f, %.9f, %.9f], "
+                 "scale: [%.9f, %.9f, "
                  "%.9f], shear: [%.9f, %.9f, %.9f] } } }\n",
-                 m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2], m[3][0], m[3][1],
-                 m[3][2]);
+                 m[0][0], m[0][1], m[0][2], m[1][0], m[1][1], m[1][2], m[2][0], m[2][1], m[2][2],
+                 m[3][0], m[3][1], m[3][2]);
         Read read;
         Surface surface;
         SlotValues values;
@@ -158,7 +164,8 @@ static void rotations_are_exact(void **state)
             surface.root[channel_id(GROUP_X, i)] = p[i];
         read_values(&read, &surface, &values);
         R x = num(p[0]), y = num(p[1]), z = num(p[2]);
-        R q[3] = {plus(plus(x, times(num(m[3][0]), y)), times(num(m[3][1]), z)), plus(y, times(num(m[3][2]), z)), z};
+        R q[3] = {plus(plus(x, times(num(m[3][0]), y)), times(num(m[3][1]), z)),
+                  plus(y, times(num(m[3][2]), z)), z};
         for (int i = 0; i < 3; i++)
             q[i] = times(q[i], num(m[2][i]));
         for (int axis = 0; axis < 3; axis++)
@@ -202,8 +209,9 @@ static R perez_f(int lane, R turbidity, R cos_theta, R gamma)
     R k[5], c = cosine(gamma);
     for (int i = 0; i < 5; i++)
         k[i] = plus(times(decimal(perez[i][lane][0]), turbidity), decimal(perez[i][lane][1]));
-    return times(plus(num(1), times(k[0], power_e(over(k[1], cos_theta)))),
-                 plus(plus(num(1), times(k[2], power_e(times(k[3], gamma)))), times(k[4], times(c, c))));
+    return times(
+        plus(num(1), times(k[0], power_e(over(k[1], cos_theta)))),
+        plus(plus(num(1), times(k[2], power_e(times(k[3], gamma)))), times(k[4], times(c, c))));
 }
 
 static R cubic_of(const char *const k[4], R t)
@@ -214,7 +222,8 @@ static R cubic_of(const char *const k[4], R t)
     return sum;
 }
 
-/* Chromaticity x or y of the zenith; the luminance's own is left out, as it is scaled in any case. */
+/* Chromaticity x or y of the zenith; the luminance's own is left out, as it is scaled in any
+ * case. */
 static R zenith_of(int lane, R turbidity, R sun)
 {
     if (lane == 0)
@@ -230,10 +239,12 @@ static void sky_along(R turbidity, R *sun, R *view, R rgb[3])
     static const char *const matrix[3][3] = {{"3.2404542", "-1.5371385", "-.4985314"},
                                              {"-.9692660", "1.8760108", ".0415560"},
                                              {".0556434", "-.2040259", "1.0572252"}};
-    R gamma = arc_cosine(dot3(view, sun)), sun_angle = arc_cosine(sun[2]), Yxy[3], XYZ[3], least = num(0);
+    R gamma = arc_cosine(dot3(view, sun)), sun_angle = arc_cosine(sun[2]), Yxy[3], XYZ[3],
+      least = num(0);
     for (int i = 0; i < 3; i++)
-        Yxy[i] = times(zenith_of(i, turbidity, sun_angle),
-                       over(perez_f(i, turbidity, view[2], gamma), perez_f(i, turbidity, num(1), sun_angle)));
+        Yxy[i] = times(
+            zenith_of(i, turbidity, sun_angle),
+            over(perez_f(i, turbidity, view[2], gamma), perez_f(i, turbidity, num(1), sun_angle)));
     XYZ[0] = times(Yxy[0], over(Yxy[1], Yxy[2]));
     XYZ[1] = Yxy[0];
     XYZ[2] = times(Yxy[0], over(less(less(num(1), Yxy[1]), Yxy[2]), Yxy[2]));
@@ -264,7 +275,8 @@ static void skies_are_exact(void **state)
     for (int n = 0; n < 12; n++) {
         char text[160];
         double t = turbidities[n % 4], height = 0.1 + 0.15 * (n / 2);
-        snprintf(text, sizeof text, "material: SunSkyLight\nsun: [0.3, 1, %.9f]\nturbidity: %.9f\n", height, t);
+        snprintf(text, sizeof text, "material: SunSkyLight\nsun: [0.3, 1, %.9f]\nturbidity: %.9f\n",
+                 height, t);
         Read read;
         read_open(&read, text, REFERENCE_LATTICE);
         R up[3] = {num(0), num(0), num(1)}, first[3], sun[3];
@@ -276,7 +288,8 @@ static void skies_are_exact(void **state)
         sky_along(num(t), sun, up, first);
         radiance(&read, up, base);
         for (int i = 0; i < 40; i++) {
-            double z = 0.02 + 0.96 * fraction(i * 0.618034), a = i * 2.4, rgb[3], r = sqrt(1 - z * z);
+            double z = 0.02 + 0.96 * fraction(i * 0.618034), a = i * 2.4, rgb[3],
+                   r = sqrt(1 - z * z);
             R view[3] = {num(r * cos(a)), num(r * sin(a)), num(z)}, want[3];
             unit3(view);
             sky_along(num(t), sun, view, want);

@@ -1,4 +1,5 @@
-/* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and not from the oracle. */
+/* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and
+ * not from the oracle. */
 /* ctest: alone */
 #include "tests/exact.h"
 
@@ -26,7 +27,8 @@ static void gray(R v, R *want) { want[0] = want[1] = want[2] = v; }
 /* u' = scaleU q1 - shear scaleV q2, v' = scaleV q2, q the turned offset coordinate. */
 static void checker(const At *at, R *want)
 {
-    R a = num(0.5), c = cosine(a), s = sine(a), x = less(at->u, num(0.25)), y = less(at->v, num(-0.5));
+    R a = num(0.5), c = cosine(a), s = sine(a), x = less(at->u, num(0.25)),
+      y = less(at->v, num(-0.5));
     R q1 = plus(times(c, x), times(s, y)), q2 = less(times(c, y), times(s, x));
     R v = times(num(2), q2), u = less(times(num(4), q1), times(num(0.125), v));
     bool first = value(odd(plus(whole(times(num(2), u)), whole(times(num(2), v))))) > 0.25;
@@ -34,7 +36,8 @@ static void checker(const At *at, R *want)
         want[i] = num(first ? (double[]){0.25, 0.5, 1}[i] : (double[]){0.125, 0, 0.75}[i]);
 }
 
-/* sin(2 pi (3 x + 0.5 y + 0.125)) mixed from (1, 0, 0) at -1 over (0, 1, 0) at 0 to (0.5, 0.5, 1) at 1. */
+/* sin(2 pi (3 x + 0.5 y + 0.125)) mixed from (1, 0, 0) at -1 over (0, 1, 0) at 0 to (0.5, 0.5, 1)
+ * at 1. */
 static void bands(const At *at, R *want)
 {
     const double colour[3][3] = {{1, 0, 0}, {0, 1, 0}, {0.5, 0.5, 1}};
@@ -48,7 +51,8 @@ static void bands(const At *at, R *want)
 /* Rings: the triangle wave of 5 sqrt(x^2 + y^2) + 0.25. */
 static void rings(const At *at, R *want)
 {
-    R r = root(plus(square(at->p[0]), square(at->p[1]))), t = times(num(4), part(plus(times(num(5), r), num(0.25))));
+    R r = root(plus(square(at->p[0]), square(at->p[1]))),
+      t = times(num(4), part(plus(times(num(5), r), num(0.25))));
     gray(below(t, num(1)) ? t : below(t, num(3)) ? less(num(2), t) : less(t, num(4)), want);
 }
 
@@ -76,12 +80,15 @@ static void tilt(const At *at, R k, const R by[2], R *want)
         want[i] = behind ? minus(want[i]) : want[i];
 }
 
-/* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a = 0.125 / |n|. */
+/* n' = (Tu + a n dh/du) x (Tv + a n dh/dv) of unit length, h = cos(2 pi 3 u) cos(2 pi 2 v), a =
+ * 0.125 / |n|. */
 static void waves(const At *at, R *want)
 {
     R a = over(num(0.125), root(dot3((R *)at->n, (R *)at->n))), turn = times(num(2), pi());
-    R wu = times(turn, num(3)), wv = times(turn, num(2)), U = times(wu, at->u), V = times(wv, at->v);
-    R by_u = minus(times(times(wu, sine(U)), cosine(V))), by_v = minus(times(times(wv, cosine(U)), sine(V)));
+    R wu = times(turn, num(3)), wv = times(turn, num(2)), U = times(wu, at->u),
+      V = times(wv, at->v);
+    R by_u = minus(times(times(wu, sine(U)), cosine(V))),
+      by_v = minus(times(times(wv, cosine(U)), sine(V)));
     tilt(at, a, (R[]){by_u, by_v}, want);
 }
 
@@ -103,7 +110,8 @@ static void bump_finite(const At *at, R *want)
 static void bump(const At *at, R *want)
 {
     R twice = plus(at->p[0], times(num(2), at->p[2]));
-    R by_u = plus(times(num(0.5), at->by_u[0]), at->by_u[2]), by_v = plus(times(num(0.5), at->by_v[0]), at->by_v[2]);
+    R by_u = plus(times(num(0.5), at->by_u[0]), at->by_u[2]),
+      by_v = plus(times(num(0.5), at->by_v[0]), at->by_v[2]);
     tilted(at, times(twice, by_u), times(twice, by_v), want);
 }
 
@@ -117,12 +125,15 @@ static void bump_blend(const At *at, R *want)
     tilted(at, by_u, by_v, want);
 }
 
-/* A checker in that Blend's place rises by 1 / 0.05 where u or v is nearer than that to the edge ahead. */
+/* A checker in that Blend's place rises by 1 / 0.05 where u or v is nearer than that to the edge
+ * ahead. */
 static void bump_checker(const At *at, R *want)
 {
-    R step = over(num(1), num(20)), u = times(num(2), at->u), v = times(num(2), at->v), twice = times(num(2), step);
+    R step = over(num(1), num(20)), u = times(num(2), at->u), v = times(num(2), at->v),
+      twice = times(num(2), step);
     R here = odd(plus(whole(u), whole(v)));
-    R right = odd(plus(whole(plus(u, twice)), whole(v))), above = odd(plus(whole(u), whole(plus(v, twice))));
+    R right = odd(plus(whole(plus(u, twice)), whole(v))),
+      above = odd(plus(whole(u), whole(plus(v, twice))));
     tilted(at, over(less(right, here), step), over(less(above, here), step), want);
 }
 
@@ -136,7 +147,8 @@ static void clear(const At *at, R *want)
 /* Exponent of the Mandelbrot map over z <- z^2 + c, laid from [-1, 1] to [0, 1] by a Chain. */
 static void mandel(const At *at, R *want)
 {
-    R a = less(times(num(4), part(at->p[0])), num(2)), b = less(times(num(4), part(at->p[1])), num(2)), x = a, y = b;
+    R a = less(times(num(4), part(at->p[0])), num(2)),
+      b = less(times(num(4), part(at->p[1])), num(2)), x = a, y = b;
     int steps = 0;
     for (; steps < 12; steps++) {
         R re = plus(less(square(x), square(y)), a), im = plus(times(num(2), times(x, y)), b);
@@ -146,7 +158,9 @@ static void mandel(const At *at, R *want)
     }
     R share = over(num(steps), num(12)); /* (f + 1) / 2 */
     R l = times(share, less(num(2), share));
-    want[0] = steps == 0 ? num(0) : steps == 12 ? num(65504) : lesser(over(num(-2), natural_log(l)), num(65504));
+    want[0] = steps == 0    ? num(0)
+              : steps == 12 ? num(65504)
+                            : lesser(over(num(-2), natural_log(l)), num(65504));
 }
 
 /* The mean of 27 distances from the z axis. */
@@ -155,7 +169,8 @@ static void smooth(const At *at, R *want)
     R sum = num(0);
     for (int i = -1; i <= 1; i++)
         for (int k = -1; k <= 1; k++)
-            sum = plus(sum, root(plus(square(plus(at->p[0], num(i * 0.25))), square(plus(at->p[1], num(k * 0.5))))));
+            sum = plus(sum, root(plus(square(plus(at->p[0], num(i * 0.25))),
+                                      square(plus(at->p[1], num(k * 0.5))))));
     gray(over(sum, num(9)), want); /* z does not matter */
 }
 
@@ -236,59 +251,80 @@ static void turbulence(const At *at, R *want)
 
 /* The oracle's slopes are differences over 2^-26 of the surface's size. */
 #define SLOPES 1e-7
-enum { AUTO = CHOICE_derivatives_auto, FINITE = CHOICE_derivatives_finite, ANALYTIC = CHOICE_derivatives_analytic };
-#define SQUARED                                                                                                        \
-    "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Gradient, direction: [0.5, 0, 1], "     \
+enum {
+    AUTO = CHOICE_derivatives_auto,
+    FINITE = CHOICE_derivatives_finite,
+    ANALYTIC = CHOICE_derivatives_analytic
+};
+#define SQUARED                                                                                    \
+    "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Gradient, "         \
+    "direction: [0.5, 0, 1], "                                                                     \
     "waveForm: Sqr } }\n"
 
 static const Material materials[] = {
     {"checker",
-     "material: Phong\ndiffuse: { map: Checker, color1: [0.25, 0.5, 1], color2: [0.125, 0, 0.75], input: { map: "
-     "UVTransform, offsetU: 0.25, offsetV: -0.5, scaleU: 4, scaleV: 2, angle: 0.5, shear: 0.125 } }\n",
+     "material: Phong\ndiffuse: { map: Checker, color1: [0.25, 0.5, 1], color2: [0.125, 0, 0.75], "
+     "input: { map: "
+     "UVTransform, offsetU: 0.25, offsetV: -0.5, scaleU: 4, scaleV: 2, angle: 0.5, shear: 0.125 } "
+     "}\n",
      SLOT_diffuse, checker, 0, AUTO},
     {"bands",
-     "material: Phong\nemissive: { map: Blend, blend: [{ value: -1, input: [1, 0, 0] }, { value: 0, input: [0, 1, 0] "
-     "}, { value: 1, input: [0.5, 0.5, 1] }], input: { map: Gradient, direction: [3, 0.5, 0], phase: 0.125, "
+     "material: Phong\nemissive: { map: Blend, blend: [{ value: -1, input: [1, 0, 0] }, { value: "
+     "0, input: [0, 1, 0] "
+     "}, { value: 1, input: [0.5, 0.5, 1] }], input: { map: Gradient, direction: [3, 0.5, 0], "
+     "phase: 0.125, "
      "waveForm: Sin01 } }\n",
      SLOT_emissive, bands, 2e-14, AUTO},
-    {"rings", "material: Phong\nspecular: { map: Wood, frequency: 5, phase: 0.25, waveForm: Triangle }\n",
+    {"rings",
+     "material: Phong\nspecular: { map: Wood, frequency: 5, phase: 0.25, waveForm: Triangle }\n",
      SLOT_specular, rings, 2e-14, AUTO},
     {"leopard",
-     "material: Phong\nambient: { map: Leopard, input: { map: XYZTransform, transform: { rotation: [0, 0, 0.75], "
+     "material: Phong\nambient: { map: Leopard, input: { map: XYZTransform, transform: { rotation: "
+     "[0, 0, 0.75], "
      "translation: [1, -2, 0.5] } } }\n",
      SLOT_ambient, leopard, 4e-15, AUTO},
-    {"waves", "material: Phong\ninput: { map: WaveMap, amplitude: 0.125, uCount: 3, vCount: 2 }\n", SLOT_normal, waves,
-     2e-13, AUTO},
+    {"waves", "material: Phong\ninput: { map: WaveMap, amplitude: 0.125, uCount: 3, vCount: 2 }\n",
+     SLOT_normal, waves, 2e-13, AUTO},
     {"bump, finite", SQUARED, SLOT_normal, bump_finite, 2e-13, FINITE},
     {"bump, analytic", SQUARED, SLOT_normal, bump, SLOPES, ANALYTIC},
     {"bump", SQUARED, SLOT_normal, bump, SLOPES, AUTO},
     {"bump of a blend",
-     "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Blend, blend: [{ value: -1, input: 0 "
+     "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Blend, blend: [{ "
+     "value: -1, input: 0 "
      "}, { "
-     "value: 1, input: { map: Gradient, direction: [0, 1, 0] } }], input: { map: Gradient, waveForm: Sin01 } } }\n",
+     "value: 1, input: { map: Gradient, direction: [0, 1, 0] } }], input: { map: Gradient, "
+     "waveForm: Sin01 } } }\n",
      SLOT_normal, bump_blend, SLOPES, AUTO},
-    {"bump of a checker", "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Checker } }\n",
+    {"bump of a checker",
+     "material: Phong\ninput: { map: BumpMap, strength: 3, displacement: { map: Checker } }\n",
      SLOT_normal, bump_checker, SLOPES, AUTO},
     {"clear",
-     "material: Phong\ndiffuse: { map: Checker, color1: [1, 1, 1, 0.25], color2: [0, 0, 0, 0.75] }\n"
+     "material: Phong\ndiffuse: { map: Checker, color1: [1, 1, 1, 0.25], color2: [0, 0, 0, 0.75] "
+     "}\n"
      "transparency: { map: Gradient }\n",
      SLOT_transparency, clear, 2e-15, AUTO},
     {"mandel",
-     "material: Phong\nshininess: { map: Mandel, iterations: 12, waveForm: { wave: Chain, factor: 0.5, shift: 0.5 } "
+     "material: Phong\nshininess: { map: Mandel, iterations: 12, waveForm: { wave: Chain, factor: "
+     "0.5, shift: 0.5 } "
      "}\n",
      SLOT_shininess, mandel, 4e-15, AUTO},
-    {"smooth", "material: Phong\ndiffuseTransparency: { map: Smooth3D, sx: 0.5, sy: 1, sz: 3, input: { map: Wood } }\n",
+    {"smooth",
+     "material: Phong\ndiffuseTransparency: { map: Smooth3D, sx: 0.5, sy: 1, sz: 3, input: { map: "
+     "Wood } }\n",
      SLOT_diffuseTransparency, smooth, 2e-14, AUTO},
     {"turbulence",
-     "material: Phong\ndiffuse: { map: VolumeTurbulence, size: 1.5, octaves: 4, noiseRatio: 2, frequencyRatio: 3 }\n",
+     "material: Phong\ndiffuse: { map: VolumeTurbulence, size: 1.5, octaves: 4, noiseRatio: 2, "
+     "frequencyRatio: 3 }\n",
      SLOT_diffuse, turbulence, 2e-13, AUTO},
 };
 enum { MATERIALS = sizeof materials / sizeof *materials, POINTS = 200 };
 
-/* Multiples of 2^-20, in [-3, 3). The square keeps vectors of neighbouring axes out of one plane, where a normal has no side. */
+/* Multiples of 2^-20, in [-3, 3). The square keeps vectors of neighbouring axes out of one plane,
+ * where a normal has no side. */
 static double coordinate(int point, int axis)
 {
-    const double turns = (point * 13 + axis + 1) * 0.6180339887498949 + axis * axis * 0.41421356237309503;
+    const double turns =
+        (point * 13 + axis + 1) * 0.6180339887498949 + axis * axis * 0.41421356237309503;
     return floor(6 * fraction(turns) * (1 << 20)) / (1 << 20) - 3;
 }
 
@@ -328,7 +364,8 @@ static void materials_are_exact(void **state)
             read_values(&read, &surface, &values);
             materials[m].exact(&at, want);
             for (int lane = 0; lane < lanes; lane++)
-                agrees(materials[m].name, values.lane[materials[m].slot][lane], want[lane], materials[m].bound);
+                agrees(materials[m].name, values.lane[materials[m].slot][lane], want[lane],
+                       materials[m].bound);
             exact_forget();
         }
         read_close(&read);

@@ -1,4 +1,5 @@
-/* Every library function and every volume map's: its GLSL, drawn, against its reference in double at the same floats. */
+/* Every library function and every volume map's: its GLSL, drawn, against its reference in double
+ * at the same floats. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"
@@ -16,7 +17,8 @@ enum {
     MOST_SHOWN = 3,    /* faults of a case that are printed */
     MOST_NUMBERS = 4 * CALL_ARGUMENTS
 };
-static const double least_relative = 1e-30; /* below, errors count as if the value were this: floats end at 1e-38 */
+/* below, errors count as if the value were this: floats end at 1e-38 */
+static const double least_relative = 1e-30;
 
 typedef struct {
     Caller caller;
@@ -37,7 +39,8 @@ static double ulp(double v) { return ldexp(1, ilogb(fmax(fabs(v), 1e-20)) - 23);
 static double octave_sum(Test *t, Tuple tuple, bool slope)
 {
     int at = (int)strcspn(function_arguments(t->function), "i");
-    double frequency = fabs((double)tuple[at + 1][0]), noise = fabs((double)tuple[at + 2][0]), sum = 0;
+    double frequency = fabs((double)tuple[at + 1][0]), noise = fabs((double)tuple[at + 2][0]),
+           sum = 0;
     for (int k = 0; k < (int)tuple[at][0]; k++)
         sum += pow(noise, k) * (slope ? fmax(pow(frequency, k), 1) : 1);
     return sum;
@@ -71,8 +74,8 @@ static void reference(const Test *t, const double *args, double expected[CALL_LA
     reference_of(t->function)(&t->context, args, expected);
 }
 
-/* From what the reference makes of the neighbours: from the nearest of them for codes, else from their hull, which is taken to be
- * wider by its own width. */
+/* From what the reference makes of the neighbours: from the nearest of them for codes, else from
+ * their hull, which is taken to be wider by its own width. */
 static double miss_nearby(Test *t, int i, int lane, double start)
 {
     const char *letters = function_arguments(t->function);
@@ -121,8 +124,9 @@ static void show(Test *t, int i, int lane, double expected, double miss)
         count += argument_lanes(letters[k]);
     for (int k = 0; k < count; k++)
         size += snprintf(text + size, sizeof text - (size_t)size, " %.9g", args[k]);
-    print_error("%s %s (%s) lane %d:%s\n    is %.9g, should be %.9g, off by %.2g\n", name_of(t->row),
-                target_table[t->caller.target].name, t->choices, lane, text, t->result[i][lane], expected, miss);
+    print_error("%s %s (%s) lane %d:%s\n    is %.9g, should be %.9g, off by %.2g\n",
+                name_of(t->row), target_table[t->caller.target].name, t->choices, lane, text,
+                t->result[i][lane], expected, miss);
 }
 
 static void compare(Test *t)
@@ -171,9 +175,11 @@ static void call(Test *t)
 /* Every text that the choices of noise and trigonometry make, once. */
 static void call_variants(Test *t)
 {
-    static const char *const noises[] = {"lattice", "groimp", "simplex"}, *const trigonometry[] = {"native", "bounded"};
-    static const char *const names[][2] = {
-        {"lattice", "lattice, bounded"}, {"groimp", "groimp, bounded"}, {"simplex", "simplex, bounded"}};
+    static const char *const noises[] = {"lattice", "groimp", "simplex"}, *const trigonometry[] = {
+                                                                              "native", "bounded"};
+    static const char *const names[][2] = {{"lattice", "lattice, bounded"},
+                                           {"groimp", "groimp, bounded"},
+                                           {"simplex", "simplex, bounded"}};
     char *texts[MOST_VARIANTS];
     int count = 0;
     for (int i = 0; i < 6; i++) {
@@ -192,7 +198,8 @@ static void call_variants(Test *t)
             continue;
         texts[count++] = strdup(t->caller.text);
         t->choices = names[i / 2][i % 2];
-        t->context = (ReferenceContext){job_noise(job.choice[AXIS_noise], t->caller.target), call_textures};
+        t->context =
+            (ReferenceContext){job_noise(job.choice[AXIS_noise], t->caller.target), call_textures};
         call(t);
     }
     while (count)
@@ -204,7 +211,8 @@ static bool exists(int function, Target target)
     const bool of_sampler = function == FN_imageSampledOver || function == FN_pictureSize ||
                             function == FN_imageRiseOver || function == FN_imageRiseNear ||
                             function == FN_imageRiseBeyond; /* of GLSL 1.30 */
-    return target_table[target].words || (function_row(function)->result != TYPE_uint && !of_sampler);
+    return target_table[target].words ||
+           (function_row(function)->result != TYPE_uint && !of_sampler);
 }
 
 /* Its faults. */
@@ -217,8 +225,8 @@ static int check_case(Test *t, const FunctionCase *row, const char *only)
     t->tuples = t->moved = t->faults = 0;
     t->worst = 0;
     call_variants(t);
-    print_message("%-26s %9.1e %9.1e %7d %d%s\n", name_of(row), row->bound, t->worst, t->tuples, t->moved,
-                  t->faults ? "  TOO LARGE" : "");
+    print_message("%-26s %9.1e %9.1e %7d %d%s\n", name_of(row), row->bound, t->worst, t->tuples,
+                  t->moved, t->faults ? "  TOO LARGE" : "");
     return t->faults;
 }
 
@@ -235,7 +243,8 @@ static int check_target(Test *t, Target target, const char *only)
     int faults = 0;
     if (!caller_open(&t->caller, target))
         fail_msg("%s", t->caller.error);
-    print_message("%-26s %9s %9s %7s %s\n", target_table[target].name, "bound", "worst", "tuples", "by neighbours");
+    print_message("%-26s %9s %9s %7s %s\n", target_table[target].name, "bound", "worst", "tuples",
+                  "by neighbours");
     for (int i = 0; i < case_count; i++)
         faults += check_case(t, &function_cases[i], only);
     for (int kind = 0; kind < KIND_COUNT; kind++) {
@@ -253,20 +262,24 @@ static void functions_are_their_references(void **state)
     (void)state;
     static Test test;
     const char *only = getenv("FUNCTION_ONLY");
-    int faults = check_target(&test, TARGET_glsl330, only) + check_target(&test, TARGET_glsl110, only);
+    int faults =
+        check_target(&test, TARGET_glsl330, only) + check_target(&test, TARGET_glsl110, only);
     assert_int_equal(faults, 0);
 }
 
-/* |z| = 2 has not escaped. All numbers are exact: c = -2 is the set's tip, where z is -2, 2, 2, ...; of c = 1 z is 1, 2, 5. */
+/* |z| = 2 has not escaped. All numbers are exact: c = -2 is the set's tip, where z is -2, 2, 2,
+ * ...; of c = 1 z is 1, 2, 5. */
 static const struct {
     Kind map;
     float x, y, cx, cy;
     int iterations, within; /* steps that stay within 2 */
 } escapes[] = {
-    {KIND_Mandel, 0, .5f, 0, 0, 8, 8},     {KIND_Mandel, .75f, .5f, 0, 0, 8, 1}, {KIND_Mandel, .5f, .5f, 0, 0, 8, 8},
-    {KIND_Mandel, -3, 7.5f, 0, 0, 16, 16}, {KIND_Mandel, .5f, 0, 0, 0, 8, 0},    {KIND_Julia, .5f, .5f, -2, 0, 8, 8},
-    {KIND_Julia, 0, .5f, -2, 0, 8, 8},     {KIND_Julia, .5f, .5f, 2, 0, 8, 1},   {KIND_Julia, .5f, .5f, 0, 2, 8, 1},
-    {KIND_Julia, .5f, .5f, 0, -2, 16, 1},  {KIND_Julia, .75f, .5f, 1, 0, 8, 1},  {KIND_Julia, .5f, .5f, 2.5f, 0, 8, 0},
+    {KIND_Mandel, 0, .5f, 0, 0, 8, 8},   {KIND_Mandel, .75f, .5f, 0, 0, 8, 1},
+    {KIND_Mandel, .5f, .5f, 0, 0, 8, 8}, {KIND_Mandel, -3, 7.5f, 0, 0, 16, 16},
+    {KIND_Mandel, .5f, 0, 0, 0, 8, 0},   {KIND_Julia, .5f, .5f, -2, 0, 8, 8},
+    {KIND_Julia, 0, .5f, -2, 0, 8, 8},   {KIND_Julia, .5f, .5f, 2, 0, 8, 1},
+    {KIND_Julia, .5f, .5f, 0, 2, 8, 1},  {KIND_Julia, .5f, .5f, 0, -2, 16, 1},
+    {KIND_Julia, .75f, .5f, 1, 0, 8, 1}, {KIND_Julia, .5f, .5f, 2.5f, 0, 8, 0},
 };
 
 static void check_escape(Caller *caller, size_t i)
@@ -289,8 +302,8 @@ static void check_escape(Caller *caller, size_t i)
     assert_true(call_draw(caller, function, tuples, results));
     double expected = 2. * escapes[i].within / escapes[i].iterations - 1;
     if (fabs(results[0][0] - expected) > 1e-6)
-        fail_msg("%s %s, row %zu: is %g, should be %g", function_row(function)->name, options.target, i, results[0][0],
-                 expected);
+        fail_msg("%s %s, row %zu: is %g, should be %g", function_row(function)->name,
+                 options.target, i, results[0][0], expected);
 }
 
 static void what_reaches_two_has_not_escaped(void **state)

@@ -1,4 +1,5 @@
-/* What the value tests rest on: a fragment program gets the very floats of a point, on either side and in either context. */
+/* What the value tests rest on: a fragment program gets the very floats of a point, on either side
+ * and in either context. */
 #include "tests/test.h"
 #include "tests/value/draw.h"
 #include <math.h>
@@ -8,9 +9,11 @@
 static void show_input(char *text, size_t room, bool core, Input input)
 {
     const char *type = type_table[input_table[input].type].name, *name = input_table[input].glsl;
-    snprintf(text, room, "#version %s\n%s %s %s;\n%svoid main() { %s = vec4(%s%s, gl_FrontFacing ? 1.0 : 0.0); }",
-             core ? "330 core" : "110", core ? "in" : "varying", type, name, core ? "out vec4 c;\n" : "",
-             core ? "c" : "gl_FragData[0]", name, input == INPUT_U ? ", 0.0" : "");
+    snprintf(
+        text, room,
+        "#version %s\n%s %s %s;\n%svoid main() { %s = vec4(%s%s, gl_FrontFacing ? 1.0 : 0.0); }",
+        core ? "330 core" : "110", core ? "in" : "varying", type, name, core ? "out vec4 c;\n" : "",
+        core ? "c" : "gl_FragData[0]", name, input == INPUT_U ? ", 0.0" : "");
 }
 
 static void compare_input(const Point *points, Input input, bool front, const float *rgba)
@@ -21,7 +24,8 @@ static void compare_input(const Point *points, Input input, bool front, const fl
             float want = points[i].input[input][lane], got = rgba[4 * i + lane];
             bool flushed = got == 0 && fabsf(want) < WAVE_LEAST;
             if (got != want && !flushed)
-                fail_msg("%s, point %d: %.9g instead of %.9g", input_table[input].glsl, i, got, want);
+                fail_msg("%s, point %d: %.9g instead of %.9g", input_table[input].glsl, i, got,
+                         want);
         }
     }
 }

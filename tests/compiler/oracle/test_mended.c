@@ -1,4 +1,5 @@
-/* Documents that once had a fault: as `matbench stress` tries them, in every mode, and with every pixel. */
+/* Documents that once had a fault: as `matbench stress` tries them, in every mode, and with every
+ * pixel. */
 /* ctest: seconds=50 */
 #include "tests/test.h"
 #include "compiler/base/file.h"

@@ -1,16 +1,19 @@
-/* The oracle against closed forms worked out by hand from reference/semantics.md: delegation and the maps. */
+/* The oracle against closed forms worked out by hand from reference/semantics.md: delegation and
+ * the maps. */
 #include "tests/oracle_fixture.h"
 
 static void test_surface(void **state)
 {
     (void)state;
-    static const char *const settable[] = {"px",    "py",    "pz",    "nx", "ny", "nz", "dpxdu", "dpydu", "dpzdu",
-                                           "dpxdv", "dpydv", "dpzdv", "u",  "v",  "x",  "y",     "z",     "ior"};
+    static const char *const settable[] = {"px",    "py",    "pz",    "nx",    "ny",    "nz",
+                                           "dpxdu", "dpydu", "dpzdu", "dpxdv", "dpydv", "dpzdv",
+                                           "u",     "v",     "x",     "y",     "z",     "ior"};
     static const char *const rejected[] = {"w", "r", "g", "b", "a", "", "U", "uv", "N"};
     Surface s;
     oracle_surface_default(&s);
     assert_true(s.front);
-    assert_true(s.root[NZ] == 1 && s.root[DPXDU] == 1 && s.root[DPYDV] == 1 && s.root[IOR] == 1 && s.root[U] == 0);
+    assert_true(s.root[NZ] == 1 && s.root[DPXDU] == 1 && s.root[DPYDV] == 1 && s.root[IOR] == 1 &&
+                s.root[U] == 0);
     for (size_t i = 0; i < sizeof settable / sizeof *settable; i++)
         assert_true(oracle_surface_set(&s, settable[i], 2));
     for (size_t i = 0; i < sizeof rejected / sizeof *rejected; i++)
@@ -61,7 +64,8 @@ static void test_uniform_is_its_default(void **state)
     build_free(&b);
 }
 
-/* Whatever a map does not define is the surface's, in every group and in the lanes without a name. */
+/* Whatever a map does not define is the surface's, in every group and in the lanes without a
+ * name. */
 static void expect_forwarded(const Builder *b, const Node *map, unsigned defined)
 {
     Surface s = distinct();
@@ -75,7 +79,8 @@ static void test_delegation(void **state)
 {
     (void)state;
     Builder b = {0};
-    const unsigned uv = 3u << U, uvw = 7u << U, xyz = 7u << X, frame = 7u << NX | 7u << DPXDU | 7u << DPXDV;
+    const unsigned uv = 3u << U, uvw = 7u << U, xyz = 7u << X,
+                   frame = 7u << NX | 7u << DPXDU | 7u << DPXDV;
     Node *bump = build_node(&b, KIND_BumpMap), *flat = build_node(&b, KIND_BumpMap);
     build_link(bump, P_BumpMap_displacement, build_gradient(&b, 1, 0, 0));
     expect_forwarded(&b, build_node(&b, KIND_UVTransform), uv | 7u << DPXDU | 7u << DPXDV);
@@ -90,7 +95,8 @@ static void test_delegation(void **state)
 
 static Node *build_checker(Builder *b)
 {
-    Node *checker = build_node(b, KIND_Checker), *red = build_constant(b, build_lanes(4, 1, .5, .25, .125));
+    Node *checker = build_node(b, KIND_Checker),
+         *red = build_constant(b, build_lanes(4, 1, .5, .25, .125));
     build_link(checker, P_Checker_color1, red);
     return checker;
 }
@@ -102,8 +108,9 @@ static void test_checker(void **state)
     const Node *checker = build_checker(&b);
     const struct {
         double u, v, red;
-    } cells[] = {{0, 0, 0},    {.49, .49, 0}, {.5, 0, 1},   {0, .5, 1},    {.5, .5, 0},      {1.2, .1, 0},
-                 {-.1, .1, 1}, {-.1, -.1, 0}, {-.5, .1, 1}, {-.51, .1, 0}, {1e6 + .6, .1, 1}};
+    } cells[] = {{0, 0, 0},    {.49, .49, 0}, {.5, 0, 1},       {0, .5, 1},
+                 {.5, .5, 0},  {1.2, .1, 0},  {-.1, .1, 1},     {-.1, -.1, 0},
+                 {-.5, .1, 1}, {-.51, .1, 0}, {1e6 + .6, .1, 1}};
     for (size_t i = 0; i < sizeof cells / sizeof *cells; i++) {
         Surface s = at_uv(cells[i].u, cells[i].v);
         expect(&b, checker, R, &s, cells[i].red);
@@ -124,7 +131,8 @@ static void test_checker_derivative(void **state)
     expect(&b, checker, DPXDV, &edge_u, 0);
     expect(&b, checker, DPZDV, &edge_v, -.25 / .05);
     expect(&b, checker, DPZDU, &inside, 0);
-    build_link(checker, P_Checker_color2, NULL); /* reads the surface: its own derivative channel, its red 0 */
+    /* reads the surface: its own derivative channel, its red 0 */
+    build_link(checker, P_Checker_color2, NULL);
     expect(&b, checker, DPXDU, &inside, 1);
     expect(&b, checker, DPXDU, &edge_u, 1 / .05);
     build_free(&b);
@@ -135,7 +143,8 @@ static void test_volume_checker(void **state)
     (void)state;
     Builder b = {0};
     const Node *checker = build_node(&b, KIND_VolumeChecker);
-    const double odd[][3] = {{1.5, .5, .5}, {-.5, .5, .5}, {-.5, -.5, -.5}, {.5, 1, 2}, {1e6 + 1, 0, 0}};
+    const double odd[][3] = {
+        {1.5, .5, .5}, {-.5, .5, .5}, {-.5, -.5, -.5}, {.5, 1, 2}, {1e6 + 1, 0, 0}};
     const double even[][3] = {{0, 0, 0}, {1.5, 1.5, .5}, {-.5, -.5, .5}, {-1, .5, 3.5}};
     for (size_t i = 0; i < sizeof odd / sizeof *odd; i++) {
         Surface s = at_xyz(odd[i][0], odd[i][1], odd[i][2]);
@@ -175,7 +184,8 @@ static void expect_blend(int count, const double (*items)[2], double t, double w
 static void test_blend(void **state)
 {
     (void)state;
-    const double ramp[][2] = {{-1, 10}, {0, 20}, {1, 60}}, step[][2] = {{0, 1}, {.5, 2}, {.5, 7}, {1, 9}};
+    const double ramp[][2] = {{-1, 10}, {0, 20}, {1, 60}},
+                 step[][2] = {{0, 1}, {.5, 2}, {.5, 7}, {1, 9}};
     const double unsorted[][2] = {{0, 1}, {2, 3}, {1, 5}, {4, 6}}, hole[][2] = {{0, -1}, {1, 4}};
     expect_blend(0, NULL, 3, 0);
     expect_blend(1, ramp, -3, 10);
@@ -215,11 +225,14 @@ static void test_volume_channels(void **state)
     Node *gradient = build_gradient(&b, 1, 0, 0);
     build_set(gradient, P_Gradient_frequency, 3);
     build_set(gradient, P_Gradient_phase, -2);
-    *build_param(gradient, P_Gradient_waveForm) = (Value){.kind = VALUE_wave, .wave = build_wave(&b, WAVE_Sqr)};
+    *build_param(gradient, P_Gradient_waveForm) =
+        (Value){.kind = VALUE_wave, .wave = build_wave(&b, WAVE_Sqr)};
     Surface s = at_xyz(4, 5, 6);
     for (int channel = 0; channel < CHANNEL_ID_COUNT; channel++)
         expect(&b, gradient, channel, &s,
-               group_is_draws((Group)(channel / 4)) ? s.root[channel] : channel % 4 == 3 ? 1 : 100);
+               group_is_draws((Group)(channel / 4)) ? s.root[channel]
+               : channel % 4 == 3                   ? 1
+                                                    : 100);
     build_free(&b);
 }
 
@@ -240,12 +253,13 @@ static void test_waves(void **state)
     const struct {
         WaveKind kind;
         double v, want;
-    } cases[] = {
-        {WAVE_Id, -3, -3},      {WAVE_Abs, -3, 3},         {WAVE_Ceil, -1.5, -1},       {WAVE_Floor, -1.5, -2},
-        {WAVE_Pi, 2, 2 * M_PI}, {WAVE_Log10, 1000, 3},     {WAVE_Exp2, 3, 8},           {WAVE_Sin01, 2.25, 1},
-        {WAVE_Ramp, -.25, .5},  {WAVE_Cubic, .5, 0},       {WAVE_Cubic, 3, -1},         {WAVE_Triangle, .125, .5},
-        {WAVE_Triangle, .5, 0}, {WAVE_Triangle, -.25, -1}, {WAVE_Triangle, 1.625, -.5}, {WAVE_Scallop, 1.5, 1},
-        {WAVE_Scallop, 2, -1},  {WAVE_Sqrt, -1, 0},        {WAVE_Acos, 2, 0},           {WAVE_Expm1, 0, 0}};
+    } cases[] = {{WAVE_Id, -3, -3},      {WAVE_Abs, -3, 3},         {WAVE_Ceil, -1.5, -1},
+                 {WAVE_Floor, -1.5, -2}, {WAVE_Pi, 2, 2 * M_PI},    {WAVE_Log10, 1000, 3},
+                 {WAVE_Exp2, 3, 8},      {WAVE_Sin01, 2.25, 1},     {WAVE_Ramp, -.25, .5},
+                 {WAVE_Cubic, .5, 0},    {WAVE_Cubic, 3, -1},       {WAVE_Triangle, .125, .5},
+                 {WAVE_Triangle, .5, 0}, {WAVE_Triangle, -.25, -1}, {WAVE_Triangle, 1.625, -.5},
+                 {WAVE_Scallop, 1.5, 1}, {WAVE_Scallop, 2, -1},     {WAVE_Sqrt, -1, 0},
+                 {WAVE_Acos, 2, 0},      {WAVE_Expm1, 0, 0}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         close_to(wave_at(&(Wave){.kind = cases[i].kind}, cases[i].v), cases[i].want, 1e-12);
 }
@@ -255,10 +269,16 @@ static void test_chain(void **state)
     (void)state;
     Wave sqr = {.kind = WAVE_Sqr}, abs = {.kind = WAVE_Abs};
     Wave affine = {.kind = WAVE_Chain, .factor = build_number(-2), .shift = build_number(5)};
-    Wave chain = {
-        .kind = WAVE_Chain, .first = &sqr, .second = &abs, .factor = build_number(2), .shift = build_number(-20)};
-    Wave nested = {
-        .kind = WAVE_Chain, .first = &chain, .second = &affine, .factor = build_number(1), .shift = build_number(0)};
+    Wave chain = {.kind = WAVE_Chain,
+                  .first = &sqr,
+                  .second = &abs,
+                  .factor = build_number(2),
+                  .shift = build_number(-20)};
+    Wave nested = {.kind = WAVE_Chain,
+                   .first = &chain,
+                   .second = &affine,
+                   .factor = build_number(1),
+                   .shift = build_number(0)};
     close_to(wave_at(&affine, 3), -1, 0);
     close_to(wave_at(&chain, 3), 2, 0);
     close_to(wave_at(&nested, 3), 1, 0);

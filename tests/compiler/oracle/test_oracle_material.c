@@ -1,7 +1,8 @@
 /* The oracle against closed forms: the noise maps' check values, and the rules of the materials. */
 #include "tests/oracle_fixture.h"
 
-static const double PRINTED = 2e-6; /* the check values of semantics.md have six digits after the point */
+/* the check values of semantics.md have six digits after the point */
+static const double PRINTED = 2e-6;
 
 static Surface check_point(void) { return at_xyz(.25, .5, .75); }
 
@@ -19,7 +20,8 @@ static void test_turbulence(void **state)
     build_set3(map, P_Turbulence_amount, 1, .5, 2);
     expect_near(&b, map, X, .25 + 8.515307);
     expect_near(&b, map, Y, .5 + 8.641798 / 2);
-    close_to(value_at(&b, map, Z, &(Surface){.root[X] = .25, .root[Y] = .5, .root[Z] = .75}), .75 - 2 * 2.514515, 4e-6);
+    close_to(value_at(&b, map, Z, &(Surface){.root[X] = .25, .root[Y] = .5, .root[Z] = .75}),
+             .75 - 2 * 2.514515, 4e-6);
     build_set(map, P_Turbulence_octaves, -3);
     expect_near(&b, map, X, .25 + .151588);
     build_set(map, P_Turbulence_octaves, 10);
@@ -69,8 +71,8 @@ static void test_volume_functions(void **state)
     Node *wood = build_node(&b, KIND_Wood), *leopard = build_node(&b, KIND_Leopard);
     Node *mandel = build_node(&b, KIND_Mandel), *julia = build_node(&b, KIND_Julia);
     expect_near(&b, build_node(&b, KIND_Granite), G, .411586);
-    Surface s = at_xyz(3, -4, 9), half = at_xyz(.5, .5, 0), corner = at_xyz(.01, .01, 0), ones = at_xyz(1.5, 1.5, 1.5),
-            tip = at_xyz(0, .5, 0), one = at_xyz(.75, .5, 0);
+    Surface s = at_xyz(3, -4, 9), half = at_xyz(.5, .5, 0), corner = at_xyz(.01, .01, 0),
+            ones = at_xyz(1.5, 1.5, 1.5), tip = at_xyz(0, .5, 0), one = at_xyz(.75, .5, 0);
     expect(&b, wood, R, &s, 5);
     expect(&b, wood, A, &s, 1);
     expect(&b, leopard, R, &ones, sin(1.5) * sin(1.5));
@@ -97,7 +99,10 @@ static SlotValues slots_at(const Builder *b, const Node *material, const Surface
     return values;
 }
 
-static void expect1(const SlotValues *values, Slot slot, double want) { close_to(values->lane[slot][0], want, 1e-12); }
+static void expect1(const SlotValues *values, Slot slot, double want)
+{
+    close_to(values->lane[slot][0], want, 1e-12);
+}
 
 static void expect3(const SlotValues *values, Slot slot, double x, double y, double z)
 {
@@ -163,7 +168,8 @@ static void test_phong_input(void **state)
     Builder b = {0};
     Node *phong = build_node(&b, KIND_Phong);
     build_link(phong, P_Phong_input, build_constant(&b, build_lanes(3, 3, 0, 4, 0)));
-    build_link(phong, P_Phong_diffuse, build_node(&b, KIND_UVTransform)); /* colour and alpha of the surface: 0 */
+    /* colour and alpha of the surface: 0 */
+    build_link(phong, P_Phong_diffuse, build_node(&b, KIND_UVTransform));
     Surface s = at_uv(0, 0);
     SlotValues v = slots_at(&b, phong, &s);
     expect3(&v, SLOT_normal, .6, 0, .8);
@@ -233,7 +239,8 @@ static void test_mix(void **state)
 {
     (void)state;
     Builder b = {0};
-    Node *mix = build_node(&b, KIND_MixMaterial), *first = build_node(&b, KIND_Phong), *second = build_node(&b, KIND_Phong);
+    Node *mix = build_node(&b, KIND_MixMaterial), *first = build_node(&b, KIND_Phong),
+         *second = build_node(&b, KIND_Phong);
     Surface s = at_uv(0, 0);
     close_to(red_of(&b, mix, true), 128. / 255, 0);
     build_link(mix, P_MixMaterial_a, first);
@@ -302,7 +309,8 @@ static void test_sky(void **state)
     build_free(&b);
 }
 
-/* An oracle remembers the sky that it was asked for last: others, by any one of their numbers, are themselves, in whatever order. */
+/* An oracle remembers the sky that it was asked for last: others, by any one of their numbers, are
+ * themselves, in whatever order. */
 static void test_skies_in_turn(void **state)
 {
     (void)state;
@@ -321,8 +329,10 @@ static void test_skies_in_turn(void **state)
         const SlotValues alone = slots_at(&b, sky, &up);
         SlotValues asked, other = slots_at(&b, skies[(i * 3 + 1) % SKIES], &up);
         oracle_material(oracle, sky, &up, &asked);
-        assert_memory_equal(asked.lane[SLOT_emissive], alone.lane[SLOT_emissive], 3 * sizeof(double));
-        assert_memory_not_equal(asked.lane[SLOT_emissive], other.lane[SLOT_emissive], 3 * sizeof(double));
+        assert_memory_equal(asked.lane[SLOT_emissive], alone.lane[SLOT_emissive],
+                            3 * sizeof(double));
+        assert_memory_not_equal(asked.lane[SLOT_emissive], other.lane[SLOT_emissive],
+                                3 * sizeof(double));
     }
     oracle_close(oracle);
     build_free(&b);
@@ -331,18 +341,12 @@ static void test_skies_in_turn(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_turbulence),
-        cmocka_unit_test(test_turbulence_uv),
-        cmocka_unit_test(test_volume_turbulence),
-        cmocka_unit_test(test_volume_functions),
-        cmocka_unit_test(test_phong_defaults),
-        cmocka_unit_test(test_phong_maps),
-        cmocka_unit_test(test_phong_input),
-        cmocka_unit_test(test_rgba),
-        cmocka_unit_test(test_side_switch),
-        cmocka_unit_test(test_mix),
-        cmocka_unit_test(test_algorithm_switch),
-        cmocka_unit_test(test_sky),
+        cmocka_unit_test(test_turbulence),        cmocka_unit_test(test_turbulence_uv),
+        cmocka_unit_test(test_volume_turbulence), cmocka_unit_test(test_volume_functions),
+        cmocka_unit_test(test_phong_defaults),    cmocka_unit_test(test_phong_maps),
+        cmocka_unit_test(test_phong_input),       cmocka_unit_test(test_rgba),
+        cmocka_unit_test(test_side_switch),       cmocka_unit_test(test_mix),
+        cmocka_unit_test(test_algorithm_switch),  cmocka_unit_test(test_sky),
         cmocka_unit_test(test_skies_in_turn),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
-/* The oracle against closed forms: coordinate transformers, normal modifiers, filters, and textures. */
+/* The oracle against closed forms: coordinate transformers, normal modifiers, filters, and
+ * textures. */
 #include "tests/oracle_fixture.h"
 #include "tests/value/documents.h"
 #include <stdio.h>
@@ -46,13 +47,15 @@ static void test_uv_transform_chain(void **state)
     build_free(&b);
 }
 
-static void expect_moved(const Transform *transform, bool global, const double p[3], const double want[3])
+static void expect_moved(const Transform *transform, bool global, const double p[3],
+                         const double want[3])
 {
     Builder b = {0};
     Node *map = build_node(&b, KIND_XYZTransform);
     build_set(map, P_XYZTransform_useGlobal, global);
     if (transform)
-        *build_param(map, P_XYZTransform_transform) = (Value){.kind = VALUE_transform, .transform = transform};
+        *build_param(map, P_XYZTransform_transform) =
+            (Value){.kind = VALUE_transform, .transform = transform};
     Surface s = at_xyz(p[0], p[1], p[2]);
     s.root[PX] = 7;
     for (int i = 0; i < 3; i++)
@@ -68,7 +71,8 @@ static void test_xyz_transform(void **state)
     const double p[3] = {1, 2, 4};
     Transform scale = {.kind = TRANSFORM_scale, .scale = build_number(3)};
     Transform move = {.kind = TRANSFORM_translation, .translation = build_lanes(3, 10, 20, 30, 0)};
-    Transform matrix = {.kind = TRANSFORM_matrix, .matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 0, 0, 1}};
+    Transform matrix = {.kind = TRANSFORM_matrix,
+                        .matrix = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 0, 0, 0, 1}};
     expect_moved(NULL, false, p, p);
     expect_moved(NULL, true, p, (double[]){7, 0, 0});
     expect_moved(&scale, false, p, (double[]){3, 6, 12});
@@ -90,7 +94,8 @@ static void test_xyz_components(void **state)
 {
     (void)state;
     const double quarter = M_PI / 2;
-    Transform x = components(quarter, 0, 0), y = components(0, quarter, 0), z = components(0, 0, quarter);
+    Transform x = components(quarter, 0, 0), y = components(0, quarter, 0),
+              z = components(0, 0, quarter);
     Transform yz = components(0, quarter, quarter), all = components(0, 0, quarter);
     expect_moved(&x, false, (double[]){1, 2, 3}, (double[]){1, -3, 2});
     expect_moved(&y, false, (double[]){1, 2, 3}, (double[]){3, 2, -1});
@@ -103,9 +108,11 @@ static void test_xyz_components(void **state)
     expect_moved(&all, false, (double[]){1, 2, 4}, (double[]){7, 8, 19});
 }
 
-/* A bump by the step of a checker: slope 20, and 0.02 strength of it along the normal, whatever the normal's length. */
+/* A bump by the step of a checker: slope 20, and 0.02 strength of it along the normal, whatever the
+ * normal's length. */
 /* Within what differences over steps of 2^-26 err by. */
-static void expect_slope(const Builder *b, const Node *map, int channel, const Surface *surface, double want)
+static void expect_slope(const Builder *b, const Node *map, int channel, const Surface *surface,
+                         double want)
 {
     close_to(value_at(b, map, channel, surface), want, 1e-6);
 }
@@ -142,7 +149,8 @@ static void test_wave_map(void **state)
     build_set(map, P_WaveMap_amplitude, .1);
     build_set(map, P_WaveMap_uCount, 1);
     build_set(map, P_WaveMap_vCount, 2);
-    Surface u = at_uv(.25, 0), v = at_uv(0, .125), top = at_uv(5. / 16, 1. / 3), beside = at_uv(.1, .5);
+    Surface u = at_uv(.25, 0), v = at_uv(0, .125), top = at_uv(5. / 16, 1. / 3),
+            beside = at_uv(.1, .5);
     expect(&b, map, DPZDU, &u, -.2 * M_PI);
     expect(&b, map, NX, &u, .2 * M_PI);
     expect(&b, map, NZ, &u, 1);
@@ -157,7 +165,8 @@ static void test_wave_map(void **state)
 static Node *build_square(Builder *b)
 {
     Node *gradient = build_gradient(b, 1, 0, 0);
-    *build_param(gradient, P_Gradient_waveForm) = (Value){.kind = VALUE_wave, .wave = build_wave(b, WAVE_Sqr)};
+    *build_param(gradient, P_Gradient_waveForm) =
+        (Value){.kind = VALUE_wave, .wave = build_wave(b, WAVE_Sqr)};
     return gradient;
 }
 
@@ -252,7 +261,8 @@ static void test_image_bilinear(void **state)
     Builder b = {0};
     Image image;
     const Node *map = build_image(&b, &image, true), *none = build_node(&b, KIND_ImageMap);
-    Surface corner = at_uv(0, 0), half = at_uv(.25, 0), wrapped = at_uv(.75, 0), middle = at_uv(.25, .25);
+    Surface corner = at_uv(0, 0), half = at_uv(.25, 0), wrapped = at_uv(.75, 0),
+            middle = at_uv(.25, .25);
     expect(&b, map, R, &corner, 0);
     expect(&b, map, R, &half, .5);
     expect(&b, map, R, &wrapped, .5);
@@ -297,7 +307,8 @@ static void test_image_address(void **state)
     }
 }
 
-/* A texel in the middle of its square, by hand: along u the bottom row's red is 0 at 1/4 and 1 at 3/4, along v 0 and .4. */
+/* A texel in the middle of its square, by hand: along u the bottom row's red is 0 at 1/4 and 1 at
+ * 3/4, along v 0 and .4. */
 static void test_image_centres(void **state)
 {
     (void)state;
@@ -345,7 +356,8 @@ static void test_carpenter(void **state)
     build_free(&b);
 }
 
-/* A stair has no slope, and differences over its steps have its mean: they tell none. A smooth height's do. */
+/* A stair has no slope, and differences over its steps have its mean: they tell none. A smooth
+ * height's do. */
 static void test_rough_slopes(void **state)
 {
     (void)state;
@@ -367,7 +379,8 @@ static void test_rough_slopes(void **state)
         Document d;
         Surface s;
         SlotValues values;
-        snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n", cases[i].height);
+        snprintf(text, sizeof text, "material: Phong\ninput: { map: BumpMap, displacement: %s }\n",
+                 cases[i].height);
         assert_true(document_open_text(&d, text));
         Oracle *oracle = oracle_open(d.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
         oracle_derivatives(oracle, CHOICE_derivatives_analytic);

@@ -1,4 +1,5 @@
-/* The C references of the library functions: check values of the semantics, closed forms, round trips, behaviour at the edges. */
+/* The C references of the library functions: check values of the semantics, closed forms, round
+ * trips, behaviour at the edges. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"
@@ -177,15 +178,17 @@ static void spheremap_round_trip(void **state)
 static void pictures(void **state)
 {
     (void)state;
-    static const uint8_t bytes[2 * 2 * 4] = {0, 51, 102, 255, 255, 51, 102, 255, 51, 51, 102, 255, 102, 51, 102, 255};
+    static const uint8_t bytes[2 * 2 * 4] = {0,  51, 102, 255, 255, 51, 102, 255,
+                                             51, 51, 102, 255, 102, 51, 102, 255};
     static const float floats[4] = {0, 1, .25F, .5F};
     const ReferenceTexture textures[] = {{.width = 2, .height = 2, .lanes = 4, .bytes = bytes},
                                          {.width = 2, .height = 2, .lanes = 1, .floats = floats}};
     const ReferenceContext context = {.textures = textures};
     /* u, v, nearest, bilinear: red of texels (0,0) (1,0) (0,1) (1,1) is 0 1 .2 .4 */
     static const double rows[][4] = {
-        {0, 0, 0, 0},     {.5, 0, 1, 1},     {.25, 0, 0, .5}, {.75, 0, 1, .5},   {.25, .25, 0, .4},  {0, .5, .2, .2},
-        {-.25, 0, 1, .5}, {-1.75, 0, 0, .5}, {7, -3, 0, 0},   {-1e-30, 0, 1, 0}, {.5, -.25, .4, .7}, {1e30, 0, 0, 0},
+        {0, 0, 0, 0},      {.5, 0, 1, 1},     {.25, 0, 0, .5},    {.75, 0, 1, .5},
+        {.25, .25, 0, .4}, {0, .5, .2, .2},   {-.25, 0, 1, .5},   {-1.75, 0, 0, .5},
+        {7, -3, 0, 0},     {-1e-30, 0, 1, 0}, {.5, -.25, .4, .7}, {1e30, 0, 0, 0},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         const double args[] = {0, rows[i][0], rows[i][1], 2, 2};
@@ -197,9 +200,11 @@ static void pictures(void **state)
         near(texel[0], rows[i][3], 1e-15);
         near(texel[3], 1, 1e-15);
     }
-    /* A relief: as a picture from 0 on, extrapolated below: at u = -1/4 the weight is -1/2 from texel 0 on, 0 - (1 - 0) / 2. */
-    static const double relief[][3] = {{0, 0, 0},   {.25, 0, .5},   {.75, 0, .5},    {-.25, 0, -.5},
-                                       {-.5, 0, 1}, {-.75, 0, 1.5}, {-7.25, 9, -.5}, {0, -.25, -.125}};
+    /* A relief: as a picture from 0 on, extrapolated below: at u = -1/4 the weight is -1/2 from
+     * texel 0 on, 0 - (1 - 0) / 2. */
+    static const double relief[][3] = {{0, 0, 0},       {.25, 0, .5},    {.75, 0, .5},
+                                       {-.25, 0, -.5},  {-.5, 0, 1},     {-.75, 0, 1.5},
+                                       {-7.25, 9, -.5}, {0, -.25, -.125}};
     for (size_t i = 0; i < sizeof relief / sizeof *relief; i++) {
         const double args[] = {1, relief[i][0], relief[i][1], 2, 2};
         double value;
@@ -225,7 +230,8 @@ static void reliefs(void **state)
         }
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, texels);
     near((double)texels[0], .5, 0);
-    for (int y = 0; y < 256; y++) /* the torus closes: neighbours are near each other across the seam */
+    /* the torus closes: neighbours are near each other across the seam */
+    for (int y = 0; y < 256; y++)
         near((double)texels[256 * y], (double)texels[256 * y + 255], .2);
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 256, 256}, other);
     assert_memory_equal(texels, other, sizeof other);
@@ -234,7 +240,8 @@ static void reliefs(void **state)
     carpenter_bake(&(CarpenterRelief){.25, 0, 1, 0, 3, 5}, other); /* no noise: flat */
     for (int at = 0; at < 15; at++)
         near((double)other[at], .25, 0);
-    /* The first draws of java.util.Random(0) as floats are .7309678 and .8314411: centre, then the middle of the lower edge. */
+    /* The first draws of java.util.Random(0) as floats are .7309678 and .8314411: centre, then the
+     * middle of the lower edge. */
     carpenter_bake(&(CarpenterRelief){.5, 1, 1, 0, 2, 2}, other);
     near((double)other[3], .5 + .4619356, 1e-6);
     near((double)other[1], (.5 + .9619356) / 2 + .6628822, 1e-6);
@@ -253,12 +260,14 @@ static void sky_is_finite(void **state)
 {
     (void)state;
     double rows[7][3], rgb[3];
-    for (double turbidity = 0; turbidity <= 64; turbidity = turbidity < 12 ? turbidity + .5 : turbidity + 13)
+    for (double turbidity = 0; turbidity <= 64;
+         turbidity = turbidity < 12 ? turbidity + .5 : turbidity + 13)
         for (int degrees = 0; degrees <= 180; degrees += 5) {
             const double sun[3] = {sin(degrees * M_PI / 180), 0, cos(degrees * M_PI / 180)};
             sky_coefficients(sun, turbidity, 1, rows);
             for (int i = 0; i < 60; i++) {
-                const double direction[3] = {sample(), sample(), i % 3 ? fabs(sample()) : 1e-3 * sample()};
+                const double direction[3] = {sample(), sample(),
+                                             i % 3 ? fabs(sample()) : 1e-3 * sample()};
                 sky_value((const double(*)[3])rows, direction, rgb);
                 for (int lane = 0; lane < 3; lane++)
                     inside(rgb[lane], 0, direction[2] < 0 ? 0 : 1e5);
@@ -268,7 +277,8 @@ static void sky_is_finite(void **state)
     near(rows[6][2], 1, 0);
 }
 
-/* The zenith of a material's sky is Y_z of the model times the scale; the sky is bluer than it is red, and brighter at the sun. */
+/* The zenith of a material's sky is Y_z of the model times the scale; the sky is bluer than it is
+ * red, and brighter at the sun. */
 static void sky_is_a_sky(void **state)
 {
     (void)state;
@@ -284,8 +294,8 @@ static void sky_is_a_sky(void **state)
     assert_true(toward[1] > away[1]);
 }
 
-/* Text of the IR may give a function any number as a count of bits, octaves or steps: what comes out is a number, at once, and a
- * word has 32 bits. */
+/* Text of the IR may give a function any number as a count of bits, octaves or steps: what comes
+ * out is a number, at once, and a word has 32 bits. */
 static void any_number_may_be_a_count(void **state)
 {
     (void)state;
@@ -299,13 +309,16 @@ static void any_number_may_be_a_count(void **state)
             double args[64], result[4] = {0};
             int used = 0;
             for (const char *letter = letters; *letter; letter++)
-                for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1); lane++)
+                for (int lane = 0; lane < (*letter >= '2' && *letter <= '4' ? *letter - '0' : 1);
+                     lane++)
                     args[used++] = *letter == 'i' ? counts[i] : *letter == 's' ? 0 : 1;
             reference_of(function)(&context, args, result);
             bool word = function_row(function)->result == TYPE_uint;
             for (int lane = 0; lane < 4; lane++)
-                if (!isfinite(result[lane]) || (word && !(result[lane] >= 0 && result[lane] < 4294967296.)))
-                    fail_msg("%s of a count of %g: %g", function_row(function)->name, counts[i], result[lane]);
+                if (!isfinite(result[lane]) ||
+                    (word && !(result[lane] >= 0 && result[lane] < 4294967296.)))
+                    fail_msg("%s of a count of %g: %g", function_row(function)->name, counts[i],
+                             result[lane]);
         }
     }
 }

@@ -66,14 +66,17 @@ static void groimp_turbulence(void **state)
     }
 }
 
-/* Every noise is spread as GroIMP's is, its outputs are unrelated, and so are cells near each other or mirrored. */
+/* Every noise is spread as GroIMP's is, its outputs are unrelated, and so are cells near each other
+ * or mirrored. */
 static void lattice_statistics(void **state)
 {
     (void)state;
     for (int noise = REFERENCE_LATTICE; noise < REFERENCE_NOISE_COUNT; noise++) {
-        double sum = 0, squares = 0, products[3] = {0}, neighbours = 0, swapped[3] = {0}, clamped = 0;
+        double sum = 0, squares = 0, products[3] = {0}, neighbours = 0, swapped[3] = {0},
+               clamped = 0;
         for (int i = 0; i < SAMPLES; i++) {
-            const double p[3] = {1000 * sample(), 1000 * sample(), 1000 * sample()}, q[3] = {p[0] + 2, p[1], p[2]};
+            const double p[3] = {1000 * sample(), 1000 * sample(), 1000 * sample()},
+                         q[3] = {p[0] + 2, p[1], p[2]};
             double l[3], n;
             reference_lattice3((ReferenceNoise)noise, p, l);
             n = clamp(2 * l[0], -1, 1);
@@ -90,8 +93,8 @@ static void lattice_statistics(void **state)
             }
             neighbours += 4 * l[0] * reference_lattice((ReferenceNoise)noise, q, NULL);
         }
-        print_message("noise %d: mean %.4f, deviation %.4f, clamped %.2f %%\n", noise, sum / SAMPLES,
-                      sqrt(squares / SAMPLES), 100 * clamped / SAMPLES);
+        print_message("noise %d: mean %.4f, deviation %.4f, clamped %.2f %%\n", noise,
+                      sum / SAMPLES, sqrt(squares / SAMPLES), 100 * clamped / SAMPLES);
         near(sum / SAMPLES, 0, .03);
         near(sqrt(squares / SAMPLES), .5, .02);
         near(clamped / SAMPLES, .05, .02);
@@ -111,7 +114,8 @@ static void lattice_is_continuous_periodic_and_finite(void **state)
             const double p[3] = {floor(40000 * sample()), 40000 * sample(), 40000 * sample()};
             const double below[3] = {p[0] - 1e-9, p[1], p[2]},
                          far[3] = {p[0] + 3 * 65536, p[1] - 3 * 65536.,
-                                   p[2]}; /* simplex noise repeats after three of its cells' periods */
+                                   /* simplex noise repeats after three of its cells' periods */
+                                   p[2]};
             const double farthest[3] = {1e30 * sample(), 1e308 * sample(), 1e-310 * sample()};
             double here = reference_lattice((ReferenceNoise)noise, p, NULL);
             near(reference_lattice((ReferenceNoise)noise, below, NULL), here, 1e-8);

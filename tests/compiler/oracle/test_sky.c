@@ -1,5 +1,6 @@
-/* SunSkyLight against the paper: Preetham, Shirley and Smits, A Practical Analytic Model for Daylight (1999), with the numbers of its
- * appendix typed in here, and the sun's colour by the CIE's 1931 table where the product has a fit to it. */
+/* SunSkyLight against the paper: Preetham, Shirley and Smits, A Practical Analytic Model for
+ * Daylight (1999), with the numbers of its appendix typed in here, and the sun's colour by the
+ * CIE's 1931 table where the product has a fit to it. */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include <math.h>
@@ -9,7 +10,8 @@
 
 enum { BANDS = 38, FIRST_NM = 380, STEP_NM = 10, RINGS = 300, SECTORS = 300 };
 
-/* 380 to 750 nm: the sun above the air, W/(cm2 um sr); absorption of ozone and of water vapour, 1/cm; the standard observer. */
+/* 380 to 750 nm: the sun above the air, W/(cm2 um sr); absorption of ozone and of water vapour,
+ * 1/cm; the standard observer. */
 static const struct {
     double sun, ozone, water, x, y, z;
 } bands[BANDS] = {
@@ -73,37 +75,57 @@ static Vector unit(Vector v)
 }
 
 /* a_0 + a_1 s + a_2 s^2 + a_3 s^3 */
-static double cubic(double s, double a0, double a1, double a2, double a3) { return a0 + s * (a1 + s * (a2 + s * a3)); }
+static double cubic(double s, double a0, double a1, double a2, double a3)
+{
+    return a0 + s * (a1 + s * (a2 + s * a3));
+}
 
 static Sky sky_of(Vector sun, double turbidity)
 {
     static const double perez[3][5][2] = {
-        {{.17872, -1.46303}, {-.35540, .42749}, {-.02266, 5.32505}, {.12064, -2.57705}, {-.06696, .37027}},
-        {{-.01925, -.25922}, {-.06651, .00081}, {-.00041, .21247}, {-.06409, -.89887}, {-.00325, .04517}},
-        {{-.01669, -.26078}, {-.09495, .00921}, {-.00792, .21023}, {-.04405, -1.65369}, {-.01092, .05291}},
+        {{.17872, -1.46303},
+         {-.35540, .42749},
+         {-.02266, 5.32505},
+         {.12064, -2.57705},
+         {-.06696, .37027}},
+        {{-.01925, -.25922},
+         {-.06651, .00081},
+         {-.00041, .21247},
+         {-.06409, -.89887},
+         {-.00325, .04517}},
+        {{-.01669, -.26078},
+         {-.09495, .00921},
+         {-.00792, .21023},
+         {-.04405, -1.65369},
+         {-.01092, .05291}},
     };
     Sky sky = {.sun = unit(sun), .turbidity = turbidity};
     const double t = turbidity, s = sky.zenith_angle = acos(sky.sun.z);
     for (int lane = 0; lane < 3; lane++)
         for (int i = 0; i < 5; i++)
             sky.perez[lane][i] = perez[lane][i][0] * t + perez[lane][i][1];
-    sky.zenith[0] = fmax((4.0453 * t - 4.9710) * tan((4. / 9 - t / 120) * (M_PI - 2 * s)) - .2155 * t + 2.4192, 0);
-    sky.zenith[1] = t * t * cubic(s, 0, .00208, -.00374, .00165) + t * cubic(s, .00394, -.03202, .06377, -.02902) +
+    sky.zenith[0] = fmax(
+        (4.0453 * t - 4.9710) * tan((4. / 9 - t / 120) * (M_PI - 2 * s)) - .2155 * t + 2.4192, 0);
+    sky.zenith[1] = t * t * cubic(s, 0, .00208, -.00374, .00165) +
+                    t * cubic(s, .00394, -.03202, .06377, -.02902) +
                     cubic(s, .25885, .06052, -.21196, .11693);
-    sky.zenith[2] = t * t * cubic(s, 0, .00316, -.00610, .00275) + t * cubic(s, .00515, -.04153, .08970, -.04212) +
+    sky.zenith[2] = t * t * cubic(s, 0, .00316, -.00610, .00275) +
+                    t * cubic(s, .00515, -.04153, .08970, -.04212) +
                     cubic(s, .26688, .06669, -.26756, .15346);
     return sky;
 }
 
 static double perez(const double *p, double cosine, double gamma)
 {
-    return (1 + p[0] * exp(p[1] / cosine)) * (1 + p[2] * exp(p[3] * gamma) + p[4] * cos(gamma) * cos(gamma));
+    return (1 + p[0] * exp(p[1] / cosine)) *
+           (1 + p[2] * exp(p[3] * gamma) + p[4] * cos(gamma) * cos(gamma));
 }
 
 /* IEC 61966-2-1 by its primaries and D65; what is below 0 raises all. */
 static Vector rgb_of_xyz(double x, double y, double z)
 {
-    Vector c = {3.2404542 * x - 1.5371385 * y - .4985314 * z, -.9692660 * x + 1.8760108 * y + .0415560 * z,
+    Vector c = {3.2404542 * x - 1.5371385 * y - .4985314 * z,
+                -.9692660 * x + 1.8760108 * y + .0415560 * z,
                 .0556434 * x - .2040259 * y + 1.0572252 * z};
     const double least = fmin(fmin(c.x, fmin(c.y, c.z)), 0);
     return (Vector){c.x - least, c.y - least, c.z - least};
@@ -111,7 +133,8 @@ static Vector rgb_of_xyz(double x, double y, double z)
 
 static double mean(Vector c) { return (c.x + c.y + c.z) / 3; }
 
-/* Y, x, y of a direction; the chromaticity's y is at least .001, since what is divided by it has to stay finite. */
+/* Y, x, y of a direction; the chromaticity's y is at least .001, since what is divided by it has to
+ * stay finite. */
 static Vector radiance(const Sky *sky, Vector view, double *least_y)
 {
     double luminance[3];
@@ -122,8 +145,8 @@ static Vector radiance(const Sky *sky, Vector view, double *least_y)
     view = unit(view);
     const double gamma = acos(fmax(fmin(dot(view, sky->sun), 1), -1));
     for (int lane = 0; lane < 3; lane++)
-        luminance[lane] =
-            sky->zenith[lane] * perez(sky->perez[lane], view.z, gamma) / perez(sky->perez[lane], 1, sky->zenith_angle);
+        luminance[lane] = sky->zenith[lane] * perez(sky->perez[lane], view.z, gamma) /
+                          perez(sky->perez[lane], 1, sky->zenith_angle);
     const double y = fmax(luminance[2], .001), Y = fmax(luminance[0], 0) * 1000 / 683.002;
     if (least_y)
         *least_y = luminance[2];
@@ -136,27 +159,32 @@ static double sky_irradiance(const Sky *sky)
     double sum = 0;
     for (int i = 0; i < RINGS; i++)
         for (int k = 0; k < SECTORS; k++) {
-            const double z = (i + .5) / RINGS, r = sqrt(1 - z * z), turn = 2 * M_PI * (k + .5) / SECTORS;
+            const double z = (i + .5) / RINGS, r = sqrt(1 - z * z),
+                         turn = 2 * M_PI * (k + .5) / SECTORS;
             sum += mean(radiance(sky, (Vector){r * cos(turn), r * sin(turn), z}, NULL)) * z;
         }
     return sum * 2 * M_PI / (RINGS * SECTORS);
 }
 
-/* By the sun's disc of 32 minutes of arc, through air of relative mass m, .35 cm of ozone and 2 cm of water. */
+/* By the sun's disc of 32 minutes of arc, through air of relative mass m, .35 cm of ozone and 2 cm
+ * of water. */
 static double sun_irradiance(const Sky *sky)
 {
     if (sky->sun.z <= 0)
         return 0;
     const double degrees = sky->zenith_angle * 180 / M_PI, radius = 16. / 60 * M_PI / 180;
-    const double m = 1 / (sky->sun.z + .15 * pow(93.885 - degrees, -1.253)), beta = .04608 * sky->turbidity - .04586;
+    const double m = 1 / (sky->sun.z + .15 * pow(93.885 - degrees, -1.253)),
+                 beta = .04608 * sky->turbidity - .04586;
     Vector sum = {0, 0, 0};
     for (int i = 0; i < BANDS; i++) {
         const double um = (FIRST_NM + STEP_NM * i) / 1000.;
         const double wet = bands[i].water * 2 * m;
         const double through = exp(-.008735 * pow(um, -4.08) * m) * exp(-beta * pow(um, -1.3) * m) *
-                               exp(-bands[i].ozone * .35 * m) * exp(-.2385 * wet / pow(1 + 20.07 * wet, .45));
+                               exp(-bands[i].ozone * .35 * m) *
+                               exp(-.2385 * wet / pow(1 + 20.07 * wet, .45));
         const double power = bands[i].sun * 100 * through * STEP_NM;
-        sum = (Vector){sum.x + power * bands[i].x, sum.y + power * bands[i].y, sum.z + power * bands[i].z};
+        sum = (Vector){sum.x + power * bands[i].x, sum.y + power * bands[i].y,
+                       sum.z + power * bands[i].z};
     }
     return mean(rgb_of_xyz(sum.x, sum.y, sum.z)) * sky->sun.z * 2 * M_PI * (1 - cos(radius));
 }
@@ -171,7 +199,8 @@ static Vector seen(const MatcDocument *document, Vector view)
     snprintf(point, sizeof point, "x=%.17g y=%.17g z=%.17g", view.x, view.y, view.z);
     char *values = matc_eval(document, 0, point, &options, &fault);
     assert_non_null(values);
-    assert_int_equal(sscanf(strstr(values, "emissive "), "emissive %lf %lf %lf", &c.x, &c.y, &c.z), 3);
+    assert_int_equal(sscanf(strstr(values, "emissive "), "emissive %lf %lf %lf", &c.x, &c.y, &c.z),
+                     3);
     free(values);
     return c;
 }
@@ -181,7 +210,8 @@ static MatcDocument *read_sky(Vector sun, double turbidity, double factor)
     char text[256];
     MatcOptions options;
     matc_options_init(&options);
-    snprintf(text, sizeof text, "material: SunSkyLight\nsun: [%g, %g, %g]\nturbidity: %g\nradianceFactor: %g\n", sun.x,
+    snprintf(text, sizeof text,
+             "material: SunSkyLight\nsun: [%g, %g, %g]\nturbidity: %g\nradianceFactor: %g\n", sun.x,
              sun.y, sun.z, turbidity, factor);
     MatcDocument *document = matc_read("sky.yaml", text, strlen(text), &options);
     assert_int_equal(matc_material_count(document), 1);
@@ -208,8 +238,8 @@ static void test_shape(void **state)
         for (double turbidity = 2; turbidity <= 14; turbidity += 4) {
             const Sky sky = sky_of(suns[i], turbidity);
             MatcDocument *document = read_sky(suns[i], turbidity, 1);
-            const double scale =
-                mean(seen(document, (Vector){0, 0, 1})) / mean(radiance(&sky, (Vector){0, 0, 1}, NULL));
+            const double scale = mean(seen(document, (Vector){0, 0, 1})) /
+                                 mean(radiance(&sky, (Vector){0, 0, 1}, NULL));
             for (size_t k = 0; k < sizeof views / sizeof *views; k++) {
                 const Vector got = seen(document, views[k]), want = radiance(&sky, views[k], NULL);
                 near(got.x, scale * want.x, 1e-7);
@@ -220,8 +250,8 @@ static void test_shape(void **state)
         }
 }
 
-/* 10 over the irradiance by sky and sun, times the factor. Within 1 %, for the fit to the standard observer and for the steps of the
- * product's integral; without the ozone it would be too dark. */
+/* 10 over the irradiance by sky and sun, times the factor. Within 1 %, for the fit to the standard
+ * observer and for the steps of the product's integral; without the ozone it would be too dark. */
 static void test_scale(void **state)
 {
     (void)state;
@@ -236,21 +266,24 @@ static void test_scale(void **state)
         }
 }
 
-/* What a colour is divided by, y of the chromaticity, has a floor of .001 in the product. Skies that a document can ask for stay above
- * .23: the floor is for rounding, and changes nothing. */
+/* What a colour is divided by, y of the chromaticity, has a floor of .001 in the product. Skies
+ * that a document can ask for stay above .23: the floor is for rounding, and changes nothing. */
 static void test_least_y(void **state)
 {
     (void)state;
     for (double turbidity = 1.7; turbidity <= 30; turbidity += .5)
         for (int degrees = 0; degrees <= 180; degrees += 4) {
-            const Sky sky = sky_of((Vector){sin(degrees * M_PI / 180), 0, cos(degrees * M_PI / 180)}, turbidity);
+            const Sky sky = sky_of(
+                (Vector){sin(degrees * M_PI / 180), 0, cos(degrees * M_PI / 180)}, turbidity);
             for (int q = 0; q < 90; q += 6)
                 for (int turn = 0; turn <= 180; turn += 30) {
                     double y = 1;
                     const double a = q * M_PI / 180, b = turn * M_PI / 180;
-                    const Vector c = radiance(&sky, (Vector){sin(a) * cos(b), sin(a) * sin(b), cos(a)}, &y);
+                    const Vector c =
+                        radiance(&sky, (Vector){sin(a) * cos(b), sin(a) * sin(b), cos(a)}, &y);
                     if (mean(c) > 0 && y < .23)
-                        fail_msg("y is %g at turbidity %g, sun at %d degrees", y, turbidity, degrees);
+                        fail_msg("y is %g at turbidity %g, sun at %d degrees", y, turbidity,
+                                 degrees);
                 }
         }
 }

@@ -1,4 +1,5 @@
-/* A small run of what `matbench stress` does without end: random documents mean the same to all who evaluate them. */
+/* A small run of what `matbench stress` does without end: random documents mean the same to all who
+ * evaluate them. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/sanitized.h"
@@ -19,13 +20,15 @@ static void random_trees_hold(void **state)
     options.validate_every = 20;
     options.draw_every = 32;
     int faults = stress_run(&options, &n);
-    print_message("%ld trees, %ld values, %ld validated, %ld drawn\n", n.trees, n.values, n.validated, n.programs);
+    print_message("%ld trees, %ld values, %ld validated, %ld drawn\n", n.trees, n.values,
+                  n.validated, n.programs);
     assert_int_equal(faults, 0);
     assert_int_equal(n.trees, TREES);
     assert_true(n.values > 10 * TREES && n.programs > TREES / 32 && n.judged > 5 * TREES / 2);
 }
 
-/* Trees of displacements, each way of finding their slopes: nearly all of a document is there to be differentiated. */
+/* Trees of displacements, each way of finding their slopes: nearly all of a document is there to be
+ * differentiated. */
 static void random_reliefs_hold(void **state)
 {
     (void)state;
@@ -40,7 +43,8 @@ static void random_reliefs_hold(void **state)
         options.count = RELIEFS;
         options.validate_every = options.draw_every = 0;
         assert_int_equal(stress_run(&options, &n), 0);
-        print_message("%s: %ld trees, %ld values, %ld known slopes\n", derivatives[i], n.trees, n.values, n.slopes);
+        print_message("%s: %ld trees, %ld values, %ld known slopes\n", derivatives[i], n.trees,
+                      n.values, n.slopes);
         assert_true(n.slopes > RELIEFS || !strcmp(derivatives[i], "finite"));
     }
 }
@@ -52,7 +56,8 @@ static void mended_trees_hold(void **state)
     static const struct {
         uint64_t seed;
         long first;
-    } trees[] = {{20261121, 6118}}; /* Blend: values that are one as floats, and their distance a divisor at -O0 */
+        /* Blend: values that are one as floats, and their distance a divisor at -O0 */
+    } trees[] = {{20261121, 6118}};
     for (size_t i = 0; i < sizeof trees / sizeof *trees; i++) {
         StressOptions options;
         TrialCount n = {0};

@@ -1,6 +1,7 @@
-/* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level and target.
- * tests/bounds.def says how far they may be apart, and the table at the end how far they are.
- * VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says more of each fault; VALUE_SEED=N takes other points. */
+/* The proof: what the emitted programs draw is what the oracle says, for every example, slot, level
+ * and target. tests/bounds.def says how far they may be apart, and the table at the end how far
+ * they are. VALUE_ONLY=part-of-a-path in the environment looks at those documents only, and says
+ * more of each fault; VALUE_SEED=N takes other points. */
 /* ctest: unsanitized unoptimized seconds=140 */
 #include "tests/test.h"
 #include "tests/value/draw.h"
@@ -30,7 +31,8 @@ typedef struct {
     Verdicts verdicts; /* sharp: those whose hull and bound are below SHARP */
 } Run;
 
-/* Programs that differ in nothing but their slot draw the same: without textures and uniforms, once is enough. */
+/* Programs that differ in nothing but their slot draw the same: without textures and uniforms, once
+ * is enough. */
 typedef struct {
     uint64_t hash;
     float *rgba[2];
@@ -69,7 +71,8 @@ static void turn_hulls(const Hull *front, Hull *back)
     }
 }
 
-static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice derivatives, bool front)
+static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice derivatives,
+                            bool front)
 {
     Hull **hulls = &s->hulls[noise][derivatives][front];
     if (*hulls)
@@ -87,8 +90,10 @@ static const Hull *hulls_of(Worker *w, Subject *s, ReferenceNoise noise, Choice 
     }
     oracle_derivatives(s->oracles[noise], derivatives);
     const bool steep = noise == REFERENCE_SIMPLEX || noise == REFERENCE_SIMPLEX_FLOAT;
-    const PointSet points = {w->run->points, POINT_COUNT, front, steep ? &reach_steep : &reach_float, false};
-    points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points, *hulls);
+    const PointSet points = {w->run->points, POINT_COUNT, front,
+                             steep ? &reach_steep : &reach_float, false};
+    points_hulls(s->oracles[noise], s->document->graph->materials[s->material].node, &points,
+                 *hulls);
     return *hulls;
 }
 
@@ -103,7 +108,8 @@ static const Hull *sampled_hulls_of(Worker *w, Subject *s, bool front)
         abort();
     memcpy(*sampled, exact, POINT_COUNT * sizeof **sampled);
     const PointSet points = {w->run->points, POINT_COUNT, front, &reach_float, false};
-    sampler_widen(s->oracles[REFERENCE_LATTICE], s->document->graph, s->material, &points, *sampled);
+    sampler_widen(s->oracles[REFERENCE_LATTICE], s->document->graph, s->material, &points,
+                  *sampled);
     return *sampled;
 }
 
@@ -132,8 +138,8 @@ typedef struct {
 static void name_slot(const Case *c, char *text, size_t room)
 {
     snprintf(text, room, "%s %s %s%s", document_name(c->subject->document),
-             matc_material_name(c->subject->document->document, c->subject->material), slot_table[c->slot].name,
-             c->changed ? " with other uniforms" : "");
+             matc_material_name(c->subject->document->document, c->subject->material),
+             slot_table[c->slot].name, c->changed ? " with other uniforms" : "");
 }
 
 static bool is_sharp(const Hull *hull, const Case *c, int lane)
@@ -142,33 +148,39 @@ static bool is_sharp(const Hull *hull, const Case *c, int lane)
     return 3 * width / fmax(1, fabs(hull->value.lane[c->slot][lane])) + c->bound < SHARP;
 }
 
-/* How far a drawn number lies outside of its hull or, of a few numbers of a bump, outside of what rounding makes of its program. */
+/* How far a drawn number lies outside of its hull or, of a few numbers of a bump, outside of what
+ * rounding makes of its program. */
 static double miss_of(const Case *c, const DrawnNumber *drawn, int *excused)
 {
     MatcOptions options = c->subject->document->options;
     double miss = hull_miss(drawn->hull, c->slot, drawn->lane, drawn->number);
-    const bool is_bump = c->slot == SLOT_normal && (c->subjects->has[KIND_BumpMap] || c->subjects->displaced);
+    const bool is_bump =
+        c->slot == SLOT_normal && (c->subjects->has[KIND_BumpMap] || c->subjects->displaced);
     if (miss <= c->bound || !isfinite(drawn->number) || !is_bump || *excused == ROUNDING_NUMBERS)
         return miss;
     ++*excused;
     way_options(c->way, c->slot, &options);
-    return fmin(miss, rounding_miss(c->subject->document, c->subject->material, &options, drawn, c->bound));
+    return fmin(
+        miss, rounding_miss(c->subject->document, c->subject->material, &options, drawn, c->bound));
 }
 
 /* The worst lane of all points against the oracle; one fault a draw. */
 static void compare(Worker *w, const Case *c, bool front, const float *rgba)
 {
-    const Hull *hulls = way_samples(c->way, c->subjects)
-                            ? sampled_hulls_of(w, c->subject, front)
-                            : hulls_of(w, c->subject, way_noise(c->way), way_derivatives(c->way), front);
-    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0, excused = 0;
+    const Hull *hulls =
+        way_samples(c->way, c->subjects)
+            ? sampled_hulls_of(w, c->subject, front)
+            : hulls_of(w, c->subject, way_noise(c->way), way_derivatives(c->way), front);
+    int lanes = type_table[slot_table[c->slot].type].lanes, point = 0, lane = 0, bad = 0, sharp = 0,
+        excused = 0;
     double worst = 0;
     for (int i = 0; i < POINT_COUNT; i++) {
         const bool judged = way_judges(c->way, c->subjects, &w->run->points[i]);
         for (int k = 0; k < lanes; k++) {
             if (!judged && isfinite(rgba[4 * i + k]))
                 continue;
-            const DrawnNumber drawn = {c->slot, k, &w->run->points[i], front, &hulls[i], rgba[4 * i + k]};
+            const DrawnNumber drawn = {c->slot, k,         &w->run->points[i],
+                                       front,   &hulls[i], rgba[4 * i + k]};
             const double miss = miss_of(c, &drawn, &excused);
             sharp += is_sharp(&hulls[i], c, k);
             bad += miss > c->bound;
@@ -181,17 +193,19 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
     }
     char name[160], way[64];
     name_slot(c, name, sizeof name);
-    verdicts_record(&w->run->verdicts, &(Seen){name, worst, POINT_COUNT * lanes, sharp, c->subjects, c->governing});
+    verdicts_record(&w->run->verdicts,
+                    &(Seen){name, worst, POINT_COUNT * lanes, sharp, c->subjects, c->governing});
     if (!bad)
         return;
     char at[200];
     point_describe(&w->run->points[point], at, sizeof at);
-    verdicts_fault(
-        &w->run->verdicts, name, worst,
-        "%s: %d values; worst %.2g, bound %.2g (%s): drawn %.9g, oracle %.9g in [%.9g, %.9g] at point %d: %s",
-        way_name(c->way, front, way), bad, worst, c->bound, subject_name(c->governing), rgba[4 * point + lane],
-        hulls[point].value.lane[c->slot][lane], hulls[point].low.lane[c->slot][lane],
-        hulls[point].high.lane[c->slot][lane], point, at);
+    verdicts_fault(&w->run->verdicts, name, worst,
+                   "%s: %d values; worst %.2g, bound %.2g (%s): drawn %.9g, oracle %.9g in [%.9g, "
+                   "%.9g] at point %d: %s",
+                   way_name(c->way, front, way), bad, worst, c->bound, subject_name(c->governing),
+                   rgba[4 * point + lane], hulls[point].value.lane[c->slot][lane],
+                   hulls[point].low.lane[c->slot][lane], hulls[point].high.lane[c->slot][lane],
+                   point, at);
 }
 
 /* Of the text behind its comments, which name the slot and the choices. */
@@ -226,7 +240,8 @@ static bool draw_sides(Worker *w, const Shading *shading, float *const rgba[2])
     Drawer *drawer = target_table[shading->target].in_out ? &w->core : &w->compat;
     Material material;
     bool drawn = drawer_material(drawer, shading, &material);
-    for (int front = strstr(shading->fragment, "gl_FrontFacing") ? 0 : 1; front < 2 && drawn; front++)
+    for (int front = strstr(shading->fragment, "gl_FrontFacing") ? 0 : 1; front < 2 && drawn;
+         front++)
         drawn = drawer_draw(drawer, &material, front, &rgba[front], 1);
     material_delete(&material);
     atomic_fetch_add(&w->run->drawn, 1);
@@ -240,7 +255,8 @@ static void check_program(Worker *w, const Case *c, MatcProgram *program)
                        .program = program,
                        .graph = c->subject->document->graph};
     float *rgba[2] = {w->scratch[0], w->scratch[1]};
-    bool plain = !matc_texture_count(program) && !matc_uniform_count(program) && !matc_constant_count(program),
+    bool plain = !matc_texture_count(program) && !matc_uniform_count(program) &&
+                 !matc_constant_count(program),
          drawn = false;
     if (plain) {
         Drawn *memo = remember(w, hash_text(shading.fragment, shading.target));
@@ -253,7 +269,8 @@ static void check_program(Worker *w, const Case *c, MatcProgram *program)
         Drawer *drawer = target_table[shading.target].in_out ? &w->core : &w->compat;
         char name[160], way[64];
         name_slot(c, name, sizeof name);
-        verdicts_fault(&w->run->verdicts, name, 1e9, "%s: %s", way_name(c->way, true, way), drawer->error);
+        verdicts_fault(&w->run->verdicts, name, 1e9, "%s: %s", way_name(c->way, true, way),
+                       drawer->error);
         return;
     }
     compare(w, c, true, rgba[1]);
@@ -265,7 +282,8 @@ static void check_way(Worker *w, const Case *c)
 {
     MatcOptions options = c->subject->document->options;
     way_options(c->way, c->slot, &options);
-    MatcProgram *program = matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
+    MatcProgram *program =
+        matc_compile(c->subject->document->document, c->subject->material, MATC_FRAGMENT, &options);
     char name[160], way[64];
     name_slot(c, name, sizeof name);
     if (matc_ok(program))
@@ -287,14 +305,17 @@ static void check_material(Worker *w, Subject subject, bool changed)
             const Way *way = &way_table[i];
             const int governing = subject_governing(&subjects, way->choice);
             const double bound = way_bound(way, document, governing);
-            if (way_taken(way, (Slot)slot, subject.number + subject.material) && way_matters(way, &subjects))
-                check_way(w, &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
+            if (way_taken(way, (Slot)slot, subject.number + subject.material) &&
+                way_matters(way, &subjects))
+                check_way(w,
+                          &(Case){&subject, (Slot)slot, way, &subjects, governing, bound, changed});
         }
     }
     forget(&subject);
 }
 
-/* Other values than the defaults, which programs and oracle must take from the uniforms alone. Counts stay whole. */
+/* Other values than the defaults, which programs and oracle must take from the uniforms alone.
+ * Counts stay whole. */
 static void change_uniforms(Document *document)
 {
     for (int i = 0; i < document->graph->uniform_count; i++) {
@@ -327,7 +348,8 @@ static void check_document(Worker *w, int number)
     if (document.graph->uniform_count) {
         change_uniforms(&document);
         for (int i = 0; i < document.graph->material_count; i++)
-            check_material(w, (Subject){.document = &document, .number = number, .material = i}, true);
+            check_material(w, (Subject){.document = &document, .number = number, .material = i},
+                           true);
     }
     document_close(&document);
 }
@@ -374,10 +396,12 @@ static void examples_draw_what_they_mean(void **state)
     workers_run(work, &run);
     documents_free(&run.documents);
     const Verdicts *seen = &run.verdicts;
-    print_message("%d programs, %d drawn, %ld values, %.1f %% of them judged within %g\n", run.programs, run.drawn,
-                  seen->values, 100. * (double)seen->sharp / (double)seen->values, SHARP);
+    print_message("%d programs, %d drawn, %ld values, %.1f %% of them judged within %g\n",
+                  run.programs, run.drawn, seen->values,
+                  100. * (double)seen->sharp / (double)seen->values, SHARP);
     verdicts_print(seen);
-    assert_true(seen->fault_count || getenv("VALUE_ONLY") || seen->sharp > 0.85 * (double)seen->values);
+    assert_true(seen->fault_count || getenv("VALUE_ONLY") ||
+                seen->sharp > 0.85 * (double)seen->values);
     if (seen->fault_count)
         fail_msg("%d slots are wrong; points are given as u v  x y z  px py pz", seen->fault_count);
 }

@@ -1,5 +1,5 @@
-/* What the oracle counts is what it takes: values of every costly kind, by their time for each step that is counted. A kind that is
- * not counted would be hundreds of times as slow. */
+/* What the oracle counts is what it takes: values of every costly kind, by their time for each step
+ * that is counted. A kind that is not counted would be hundreds of times as slow. */
 /* ctest: small-pages */
 #include "tests/test.h"
 #include "compiler/oracle/oracle.h"
@@ -56,7 +56,8 @@ static void put_reliefs(FILE *out)
 {
     for (int i = 0; i < RELIEFS; i++)
         fprintf(out,
-                "{ map: Blend, blend: [{ value: -1, input: { map: Carpenter, width: 512, height: 512, seed: %d } }, "
+                "{ map: Blend, blend: [{ value: -1, input: { map: Carpenter, width: 512, height: "
+                "512, seed: %d } }, "
                 "{ value: 1, input: ",
                 i);
     fputs("0.5", out);
@@ -110,8 +111,8 @@ static bool is_counted(const Row *row)
     double start = now();
     assert_true(oracle_material(oracle, d.graph->materials[0].node, &surface, &values));
     double seconds = now() - start, nanoseconds = seconds * 1e9 / oracle_work(oracle);
-    print_message("%-18s %9.0f steps, %7.1f ms, %5.1f ns a step\n", row->name, oracle_work(oracle), seconds * 1e3,
-                  nanoseconds);
+    print_message("%-18s %9.0f steps, %7.1f ms, %5.1f ns a step\n", row->name, oracle_work(oracle),
+                  seconds * 1e3, nanoseconds);
     oracle_close(oracle);
     document_close(&d);
     free(text);

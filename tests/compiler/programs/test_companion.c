@@ -1,5 +1,6 @@
-/* What matc writes beside a fragment program is whole by itself: the code that reads a layout back and the vertex program of every pass,
- * each parsed by glslang with nothing in front of it but what docs/layouts.md says, for every target. */
+/* What matc writes beside a fragment program is whole by itself: the code that reads a layout back
+ * and the vertex program of every pass, each parsed by glslang with nothing in front of it but what
+ * docs/layouts.md says, for every target. */
 #include "tests/test.h"
 #include "compiler/layout/custom.h"
 #include "compiler/emit/emit.h"
@@ -18,7 +19,8 @@
 
 enum { TEXT_ROOM = 1 << 16 };
 
-/* The unpacking code behind a #version, in front of a light pass that reads every member; with a vertex program, both linked. */
+/* The unpacking code behind a #version, in front of a light pass that reads every member; with a
+ * vertex program, both linked. */
 static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
 {
     Arena arena = {0};
@@ -34,7 +36,8 @@ static bool is_whole(const LayoutRow *layout, Target target, const char *vertex)
     const char *unpack = emit_unpack(&session, &job);
     Text text = text_new(&arena);
     text_format(&text, "#version %s\n%s", row->version, unpack);
-    text_format(&text, "%svoid main() {\n    Surface s = unpackSurface(%s);\n    float sum = 0.0;\n",
+    text_format(&text,
+                "%svoid main() {\n    Surface s = unpackSurface(%s);\n    float sum = 0.0;\n",
                 !row->in_out     ? ""
                 : row->locations ? "layout(location = 0) out vec4 color;\n"
                                  : "out vec4 color;\n",
@@ -55,19 +58,21 @@ static bool is_read(const LayoutRow *layout, Target target)
     return target_table[target].words || !layout_has_words(layout);
 }
 
-/* ES links a uniform of both shaders only if both give it the same precision: so the samplers are held to be highp, and what would be
- * lowp without a word is found. */
+/* ES links a uniform of both shaders only if both give it the same precision: so the samplers are
+ * held to be highp, and what would be lowp without a word is found. */
 static bool samplers_are_exact(const LayoutRow *layout)
 {
     char vertex[TEXT_ROOM];
     int size = snprintf(vertex, sizeof vertex, "#version 300 es\n");
     for (int i = 0; i < layout_targets(layout); i++)
-        size += snprintf(vertex + size, sizeof vertex - (size_t)size, "uniform highp %ssampler2D matc_gbuffer%d;\n",
+        size += snprintf(vertex + size, sizeof vertex - (size_t)size,
+                         "uniform highp %ssampler2D matc_gbuffer%d;\n",
                          format_table[layout->formats[i]].words ? "u" : "", i);
     snprintf(vertex + size, sizeof vertex - (size_t)size, "void main() { gl_Position = vec4(0.0)");
     for (int i = 0; i < layout_targets(layout); i++) {
         size = (int)strlen(vertex);
-        snprintf(vertex + size, sizeof vertex - (size_t)size, " + vec4(texelFetch(matc_gbuffer%d, ivec2(0), 0))", i);
+        snprintf(vertex + size, sizeof vertex - (size_t)size,
+                 " + vec4(texelFetch(matc_gbuffer%d, ivec2(0), 0))", i);
     }
     strncat(vertex, "; }\n", sizeof vertex - strlen(vertex) - 1);
     return is_whole(layout, TARGET_essl300, vertex);
@@ -160,8 +165,9 @@ static void so_is_every_layout_of_auto(void **state)
 static void vertex_programs_are_whole(void **state)
 {
     (void)state;
-    static const char text[] = "material: Phong\ninput: { map: BumpMap, displacement: { map: Granite } }\n"
-                               "diffuse: { map: Checker, input: { map: Turbulence } }\n";
+    static const char text[] =
+        "material: Phong\ninput: { map: BumpMap, displacement: { map: Granite } }\n"
+        "diffuse: { map: Checker, input: { map: Turbulence } }\n";
     MatcOptions options;
     matc_options_init(&options);
     MatcDocument *document = matc_read("test.yaml", text, sizeof text - 1, &options);
@@ -173,8 +179,10 @@ static void vertex_programs_are_whole(void **state)
         options.pass = pass_table[i / TARGET_COUNT].name;
         MatcProgram *program = matc_compile(document, 0, MATC_VERTEX, &options);
         const char *vertex = matc_output(program, MATC_VERTEX, NULL);
-        if (!vertex || !validate(&session, (Target)(i % TARGET_COUNT), &(ProgramTexts){.vertex = vertex}, &log))
-            fail_msg("%s, %s: %s\n%s", options.target, options.pass, log ? log : "none", vertex ? vertex : "");
+        if (!vertex || !validate(&session, (Target)(i % TARGET_COUNT),
+                                 &(ProgramTexts){.vertex = vertex}, &log))
+            fail_msg("%s, %s: %s\n%s", options.target, options.pass, log ? log : "none",
+                     vertex ? vertex : "");
         matc_program_free(program);
         arena_free(&arena);
     }

@@ -1,5 +1,7 @@
-/* Compute programs that displace the vertices of a buffer, run under OSMesa: positions against the oracle's, normals against the oracle's and against closed forms of curved bodies, from meshes that lie
- * in any order; what nobody asked for stays as it was. Places of uniforms are those that the reflection says. */
+/* Compute programs that displace the vertices of a buffer, run under OSMesa: positions against the
+ * oracle's, normals against the oracle's and against closed forms of curved bodies, from meshes
+ * that lie in any order; what nobody asked for stays as it was. Places of uniforms are those that
+ * the reflection says. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/curved.h"
@@ -17,8 +19,9 @@ static const double position_bound = 4e-6, /* in the world, of positions about 2
     angle_bound = 1e-3;                    /* degrees: floats, of steep slopes */
 static const float untouched = -77;
 
-static const char *const names[] = {"position",  "normal",    "texcoord",    "tangentU",    "tangentV",
-                                    "normalByU", "normalByV", "tangentUByU", "tangentUByV", "tangentVByV"};
+static const char *const names[] = {"position",    "normal",     "texcoord",  "tangentU",
+                                    "tangentV",    "normalByU",  "normalByV", "tangentUByU",
+                                    "tangentUByV", "tangentVByV"};
 enum { NAMES = sizeof names / sizeof *names };
 
 /* Vertices in the object's space, and what they are in the world. */
@@ -31,7 +34,9 @@ typedef struct {
 /* How it lies in the buffer, and what is asked for. */
 typedef struct {
     bool sections, local, normals,
-        flat; /* an attribute behind the other; written in the object's space; normals; slopes of the base are one zero for all */
+        /* an attribute behind the other; written in the object's space; normals; slopes of the base
+         * are one zero for all */
+        flat;
     int groups[2];
 } Way;
 
@@ -73,8 +78,10 @@ static void put(Reflection *r, const char *prefix, const char *name, const void 
     const cJSON *member;
     snprintf(whole, sizeof whole, "%s%s", prefix, name);
     cJSON_ArrayForEach(
-        member, cJSON_GetObjectItem(r->compute,
-                                    "vertices")) if (!strcmp(cJSON_GetObjectItem(member, "name")->valuestring, whole))
+        member,
+        cJSON_GetObjectItem(
+            r->compute, "vertices")) if (!strcmp(cJSON_GetObjectItem(member, "name")->valuestring,
+                                                 whole))
     {
         memcpy(r->block + cJSON_GetObjectItem(member, "offset")->valueint, bytes, size);
         return;
@@ -97,9 +104,12 @@ static int lay_out(const Mass *mass, const Way *way, Reflection *r, float *numbe
     {
         const char *name = cJSON_GetObjectItem(attribute, "name")->valuestring;
         const int of = number_of(name), count = way->flat && of >= 5 ? 1 : COUNT;
-        const uint32_t at[2] = {(uint32_t)size, count == 1 ? 0 : way->sections ? LANES : (uint32_t)step};
+        const uint32_t at[2] = {(uint32_t)size, count == 1      ? 0
+                                                : way->sections ? LANES
+                                                                : (uint32_t)step};
         for (int i = 0; i < count; i++)
-            memcpy(&numbers[at[0] + at[1] * (uint32_t)i], &mass->at[i][LANES * of], LANES * sizeof(float));
+            memcpy(&numbers[at[0] + at[1] * (uint32_t)i], &mass->at[i][LANES * of],
+                   LANES * sizeof(float));
         put(r, "matc_at_", name, at, sizeof at);
         size += way->sections ? LANES * count : LANES;
     }
@@ -115,8 +125,10 @@ static void put_places(const Mass *mass, const Way *way, Reflection *r)
     if (way->local)
         assert_true(mat4_inverse(&mass->space.world_from_local, &out));
     for (int i = 0; i < 9;
-         i++) /* the inverse transpose: of the way to the object's space, the transpose of its matrix */
-        padded[4 * (i / 3) + i % 3] = way->local ? mass->space.world_from_local.m[4 * (i % 3) + i / 3] : i % 4 == 0;
+         /* the inverse transpose: of the way to the object's space, the transpose of its matrix */
+         i++)
+        padded[4 * (i / 3) + i % 3] =
+            way->local ? mass->space.world_from_local.m[4 * (i % 3) + i / 3] : i % 4 == 0;
     put(r, "", "matc_outFromWorld", out.m, sizeof out.m);
     put(r, "", "matc_outNormalFromWorld", padded, sizeof padded);
     put(r, "", "matc_count", &count, sizeof count);
@@ -137,7 +149,8 @@ static void run(Rig *rig, const Task *task, Result *result)
     matc_options_init(&options);
     options.target = "glsl450";
     options.pixels = true;
-    MatcProgram *program = matc_compile(task->document, task->material, MATC_COMPUTE | MATC_REFLECT, &options);
+    MatcProgram *program =
+        matc_compile(task->document, task->material, MATC_COMPUTE | MATC_REFLECT, &options);
     if (!matc_ok(program))
         fail_msg("%s", matc_program_diagnostics(program, MATC_TEXT));
     cJSON *json = cJSON_Parse(matc_output(program, MATC_REFLECT, NULL));
@@ -148,19 +161,24 @@ static void run(Rig *rig, const Task *task, Result *result)
         for (int k = 0; k < LANES; k++)
             result->position[i][k] = result->normal[i][k] = untouched;
     assert_true(gl_use(gl));
-    if (!material_make(rig->store, program, &(ProgramText){.compute = {matc_output(program, MATC_COMPUTE, NULL)}},
+    if (!material_make(rig->store, program,
+                       &(ProgramText){.compute = {matc_output(program, MATC_COMPUTE, NULL)}},
                        &made))
         fail_msg("%s", gl->error);
     spaces_set(&mass->space, &made);
-    assert_true(material_write(&made, "Vertices", r.block, (size_t)whole_at(r.compute, "verticesBlock", "size")));
+    assert_true(material_write(&made, "Vertices", r.block,
+                               (size_t)whole_at(r.compute, "verticesBlock", "size")));
     material_use(&made);
     gl->GenBuffers(2, buffers);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers[0]);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)((size_t)count * sizeof *numbers), numbers, GL_STATIC_DRAW);
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)((size_t)count * sizeof *numbers), numbers,
+                   GL_STATIC_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, buffers[1]);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, sizeof *result, result, GL_STATIC_DRAW);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)whole_at(r.compute, "read", "binding"), buffers[0]);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)whole_at(r.compute, "written", "binding"), buffers[1]);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)whole_at(r.compute, "read", "binding"),
+                       buffers[0]);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, (GLuint)whole_at(r.compute, "written", "binding"),
+                       buffers[1]);
     assert_int_equal(cJSON_GetObjectItem(r.compute, "localSize")->valueint, 64);
     gl->DispatchCompute((GLuint)way->groups[0], (GLuint)way->groups[1], 1);
     gl->MemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -208,8 +226,10 @@ static void to_space(const Mass *mass, const Way *way, const float in[LANES], do
     memcpy(world, to, LANES * sizeof *world);
 }
 
-/* A normal that was written, in the world again: by the inverse transpose of the matrix, up to its length. */
-static void normal_to_world(const Mass *mass, const Way *way, const float in[LANES], double world[LANES])
+/* A normal that was written, in the world again: by the inverse transpose of the matrix, up to its
+ * length. */
+static void normal_to_world(const Mass *mass, const Way *way, const float in[LANES],
+                            double world[LANES])
 {
     Mat4 local;
     assert_true(mat4_inverse(&mass->space.world_from_local, &local));
@@ -238,24 +258,28 @@ typedef struct {
     double worst[2];
 } Wanted;
 
-static void check_vertex(const Mass *mass, const Way *way, const Result *result, int i, Wanted *wanted)
+static void check_vertex(const Mass *mass, const Way *way, const Result *result, int i,
+                         Wanted *wanted)
 {
     const double *want = wanted->position[i];
-    const bool bumped = strstr(wanted->path, "Bumped") != NULL; /* which bends what is shaded, and no shape */
+    /* which bends what is shaded, and no shape */
+    const bool bumped = strstr(wanted->path, "Bumped") != NULL;
     double is[3], turned[3];
     to_space(mass, way, result->position[i], is);
-    const double off = sqrt(pow(is[0] - want[0], 2) + pow(is[1] - want[1], 2) + pow(is[2] - want[2], 2));
+    const double off =
+        sqrt(pow(is[0] - want[0], 2) + pow(is[1] - want[1], 2) + pow(is[2] - want[2], 2));
     wanted->worst[0] = fmax(wanted->worst[0], off);
     if (!(off <= position_bound))
-        fail_msg("%s, vertex %d: %g %g %g, not %g %g %g", wanted->path, i, is[0], is[1], is[2], want[0], want[1],
-                 want[2]);
+        fail_msg("%s, vertex %d: %g %g %g, not %g %g %g", wanted->path, i, is[0], is[1], is[2],
+                 want[0], want[1], want[2]);
     if (!way->normals || bumped)
         return;
     normal_to_world(mass, way, result->normal[i], turned);
     const double angle = curved_angle(turned, wanted->normal[i]);
     wanted->worst[1] = fmax(wanted->worst[1], angle);
     if (!(angle <= angle_bound))
-        fail_msg("%s, material %d, vertex %d: a normal is %g degrees off", wanted->path, wanted->material, i, angle);
+        fail_msg("%s, material %d, vertex %d: a normal is %g degrees off", wanted->path,
+                 wanted->material, i, angle);
 }
 
 static void check_material(Rig *rig, const MatcDocument *document, const Mass *mass, Wanted *wanted)
@@ -296,12 +320,14 @@ static void vertices_are_the_oracles(void **state)
         char *text = read_whole(path, &size);
         MatcDocument *document = open_text(path, text);
         wanted.path = path;
-        for (wanted.material = 0; wanted.material < matc_material_count(document); wanted.material++)
+        for (wanted.material = 0; wanted.material < matc_material_count(document);
+             wanted.material++)
             check_material(RIG, document, &mass, &wanted);
         matc_document_free(document);
         free(text);
     }
-    print_message("positions within %.1e, normals within %.1e degrees\n", wanted.worst[0], wanted.worst[1]);
+    print_message("positions within %.1e, normals within %.1e degrees\n", wanted.worst[0],
+                  wanted.worst[1]);
 }
 
 static void from_body(CurvedBody body, Mass *mass)
@@ -337,7 +363,8 @@ static double off_body(Rig *rig, CurvedBody body, Carried by)
     char text[300];
     double most = 0;
     const double scale = curved_radius[body] / 4;
-    const Way way = {.flat = by == HEIGHTS_STAYING, .sections = true, .normals = true, .groups = {4, 1}};
+    const Way way = {
+        .flat = by == HEIGHTS_STAYING, .sections = true, .normals = true, .groups = {4, 1}};
     snprintf(text, sizeof text, "material: Phong\ndisplacement%s\ndisplacementScale: %g\n",
              by == VECTORS ? "Vector: " CURVED_VECTOR : ": " CURVED_HEIGHT, scale);
     MatcDocument *document = open_text("curved.yaml", text);
@@ -372,7 +399,8 @@ static void who_has_none_says_so(void **state)
 {
     (void)state;
     static const char text[] = "material: Phong\n";
-    static const char *const cases[][2] = {{"glsl330", "gbuffer"}, {"essl300", "depth"}, {"glsl450", "plane"}};
+    static const char *const cases[][2] = {
+        {"glsl330", "gbuffer"}, {"essl300", "depth"}, {"glsl450", "plane"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcOptions options;
         matc_options_init(&options);
@@ -380,7 +408,8 @@ static void who_has_none_says_so(void **state)
         options.pass = cases[i][1];
         MatcDocument *document = matc_read("rock.yaml", text, strlen(text), &options);
         MatcProgram *program = matc_compile(document, 0, MATC_COMPUTE, &options);
-        assert_true(!matc_ok(program) && strstr(matc_program_diagnostics(program, MATC_TEXT), "no compute program"));
+        assert_true(!matc_ok(program) &&
+                    strstr(matc_program_diagnostics(program, MATC_TEXT), "no compute program"));
         matc_program_free(program);
         matc_document_free(document);
     }

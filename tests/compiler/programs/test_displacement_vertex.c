@@ -1,4 +1,5 @@
-/* Where matc's vertex programs put what they displace, drawn under OSMesa, against the oracle in double. */
+/* Where matc's vertex programs put what they displace, drawn under OSMesa, against the oracle in
+ * double. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/move.h"
@@ -11,7 +12,8 @@
 #define SOURCE_FOLDER "."
 #endif
 
-static const double drawn_bound = 4e-6; /* of a position in the world about 2 in size: roundings of noise and of matrices */
+/* of a position in the world about 2 in size: roundings of noise and of matrices */
+static const double drawn_bound = 4e-6;
 
 static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
@@ -19,27 +21,31 @@ static double size_of(const double v[3]) { return sqrt(v[0] * v[0] + v[1] * v[1]
 static void wrap(const char *vertex, char *text, size_t room)
 {
     const size_t line = strcspn(vertex, "\n") + 1;
-    const int written = snprintf(
-        text, room,
-        "%.*s#define main matc_main\n%s#undef main\nout vec3 test_position;\nvoid main() {\n    matc_main();\n"
-        "    test_position = matc_worldPosition;\n    int i = gl_VertexID;\n"
-        "    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / 8 * 8 + 3)) + 0.5;\n"
-        "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
-        (int)line, vertex, vertex + line, SIDE);
+    const int written =
+        snprintf(text, room,
+                 "%.*s#define main matc_main\n%s#undef main\nout vec3 test_position;\nvoid main() "
+                 "{\n    matc_main();\n"
+                 "    test_position = matc_worldPosition;\n    int i = gl_VertexID;\n"
+                 "    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / 8 * 8 + 3)) + 0.5;\n"
+                 "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
+                 (int)line, vertex, vertex + line, SIDE);
     assert_true(written > 0 && (size_t)written < room);
 }
 
 /* A vertex program of our own around the function that `--emit=displace` writes. */
 static void call(const char *displace, char *text, size_t room)
 {
-    const int written = snprintf(
-        text, room,
-        "#version 330 core\nin vec3 position, displacementNormal, displacementTangentU, displacementTangentV;\nin vec2 displacementTexcoord;\n"
-        "%s\nout vec3 test_position;\nvoid main() {\n"
-        "    test_position = matc_displaced(position, displacementNormal, displacementTexcoord, displacementTangentU, displacementTangentV);\n"
-        "    int i = gl_VertexID;\n    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / 8 * 8 + 3)) + 0.5;\n"
-        "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
-        displace, SIDE);
+    const int written =
+        snprintf(text, room,
+                 "#version 330 core\nin vec3 position, displacementNormal, displacementTangentU, "
+                 "displacementTangentV;\nin vec2 displacementTexcoord;\n"
+                 "%s\nout vec3 test_position;\nvoid main() {\n"
+                 "    test_position = matc_displaced(position, displacementNormal, "
+                 "displacementTexcoord, displacementTangentU, displacementTangentV);\n"
+                 "    int i = gl_VertexID;\n    vec2 pixel = vec2(float(i %% 8 * 8 + 5), float(i / "
+                 "8 * 8 + 3)) + 0.5;\n"
+                 "    gl_Position = vec4(2.0 * pixel / %d.0 - 1.0, 0.0, 1.0);\n}\n",
+                 displace, SIDE);
     assert_true(written > 0 && (size_t)written < room);
 }
 
@@ -55,7 +61,8 @@ typedef struct {
 static void draw_vertices(Rig *rig, const Case *c, double *worst)
 {
     static const char fragment[] =
-        "#version 330 core\nin vec3 test_position;\nout vec4 color;\nvoid main() {\n    color = vec4(test_position, 1.0);\n}\n";
+        "#version 330 core\nin vec3 test_position;\nout vec4 color;\nvoid main() {\n    color = "
+        "vec4(test_position, 1.0);\n}\n";
     static Vertices vertices;
     static char text[200000];
     Space space = space_camera((float[3]){2.5f, -2, 2}, (float[3]){0.1f, 0, 0}, 0.5f);
@@ -63,10 +70,12 @@ static void draw_vertices(Rig *rig, const Case *c, double *worst)
     double want[VERTICES][3];
     space_place(&space);
     vertices_make(&vertices, &space, SIDE);
-    MatcProgram *program = matc_compile(c->document, c->material, MATC_FRAGMENT | (unsigned)c->by, &c->options);
+    MatcProgram *program =
+        matc_compile(c->document, c->material, MATC_FRAGMENT | (unsigned)c->by, &c->options);
     (c->by == MATC_DISPLACE ? call : wrap)(matc_output(program, c->by, NULL), text, sizeof text);
     assert_true(gl_use(rig->gl));
-    if (!material_make(rig->store, program, &(ProgramText){.vertex = {text}, .fragment = {fragment}}, &drawn))
+    if (!material_make(rig->store, program,
+                       &(ProgramText){.vertex = {text}, .fragment = {fragment}}, &drawn))
         fail_msg("%s: %s", c->path, rig->gl->error);
     vertices_upload(&vertices, rig->gl);
     assert_true(rig_begin(rig, &rig->full));
@@ -77,23 +86,29 @@ static void draw_vertices(Rig *rig, const Case *c, double *worst)
     assert_true(move_points(c->path, c->material, &(MovePoints){vertices.surface, VERTICES}, want));
     for (int i = 0; i < VERTICES; i++) {
         const float *is = rig->color[0][vertices.pixel[i]];
-        const double miss = size_of((double[3]){is[0] - want[i][0], is[1] - want[i][1], is[2] - want[i][2]});
+        const double miss =
+            size_of((double[3]){is[0] - want[i][0], is[1] - want[i][1], is[2] - want[i][2]});
         *worst = fmax(*worst, miss);
         if (!(miss <= drawn_bound))
-            fail_msg("%s, pass %s, vertex %d: %g %g %g, not %g %g %g", c->path, c->options.pass, i, is[0], is[1], is[2], want[i][0],
-                     want[i][1], want[i][2]);
+            fail_msg("%s, pass %s, vertex %d: %g %g %g, not %g %g %g", c->path, c->options.pass, i,
+                     is[0], is[1], is[2], want[i][0], want[i][1], want[i][2]);
     }
     vertices_delete(&vertices, rig->gl);
     material_delete(&drawn);
     matc_program_free(program);
 }
 
-/* By every pass that draws a surface's triangles: shadows and depth are displaced too. And by the function alone, in a stage that is written around it. */
+/* By every pass that draws a surface's triangles: shadows and depth are displaced too. And by the
+ * function alone, in a stage that is written around it. */
 static void vertices_stand_where_the_oracle_has_them(void **state)
 {
-    static const char *const documents[] = {"displacement.yaml", "channels/displacementVector.yaml", "channels/displacementPicture.yaml",
-                                            "channels/displacementBound.yaml", "channels/displacementSwitch.yaml",
-                                            "channels/displacementBumped.yaml", "channels/displacementVolume.yaml"};
+    static const char *const documents[] = {"displacement.yaml",
+                                            "channels/displacementVector.yaml",
+                                            "channels/displacementPicture.yaml",
+                                            "channels/displacementBound.yaml",
+                                            "channels/displacementSwitch.yaml",
+                                            "channels/displacementBumped.yaml",
+                                            "channels/displacementVolume.yaml"};
     static const char *const passes[] = {"gbuffer", "value", "shadow", "depth"};
     double worst = 0;
     for (size_t i = 0; i < sizeof documents / sizeof *documents; i++) {

@@ -1,5 +1,6 @@
-/* Geometry programs, drawn under OSMesa: of each target that has them, the picture is what the vertex program makes of a mesh that was divided before, within and beyond what one call
- * writes; what is closed has no hole; what has no such programs says so. */
+/* Geometry programs, drawn under OSMesa: of each target that has them, the picture is what the
+ * vertex program makes of a mesh that was divided before, within and beyond what one call writes;
+ * what is closed has no hole; what has no such programs says so. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "runtime/scene/scene_divide.h"
@@ -8,13 +9,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char text[] =
-    "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, octaves: 2, noiseRatio: 0.3 }\n"
-    "displacementScale: 0.15\n";
-/* What a mesh has besides, where its vertices say the same as their positions: the two are mixed alike. */
-static const char with_attribute[] = "material: Phong\ndiffuse: \"= attribute('wetness', float, 0)\"\ndisplacement: { map: Gradient }\ndisplacementScale: 0.2\n";
-static const char compares[] = "%sin vec3 localPosition;\nin float matc_attribute_wetness;\nout vec4 fragment0;\n"
-                               "void main() {\n    fragment0 = vec4(abs(matc_attribute_wetness - localPosition.x), matc_attribute_wetness, 0.0, 1.0);\n}\n";
+static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, "
+                           "octaves: 2, noiseRatio: 0.3 }\n"
+                           "displacementScale: 0.15\n";
+/* What a mesh has besides, where its vertices say the same as their positions: the two are mixed
+ * alike. */
+static const char with_attribute[] =
+    "material: Phong\ndiffuse: \"= attribute('wetness', float, 0)\"\ndisplacement: { map: Gradient "
+    "}\ndisplacementScale: 0.2\n";
+static const char compares[] =
+    "%sin vec3 localPosition;\nin float matc_attribute_wetness;\nout vec4 fragment0;\n"
+    "void main() {\n    fragment0 = vec4(abs(matc_attribute_wetness - localPosition.x), "
+    "matc_attribute_wetness, 0.0, 1.0);\n}\n";
 static const char white[] =
     "%sout vec4 fragment0;\nvoid main() {\n    fragment0 = vec4(vec3(gl_FragCoord.z), 1.0);\n}\n";
 
@@ -22,7 +28,8 @@ typedef struct {
     const char *target, *version;
     bool geometry; /* or vertices of a mesh that is fine already */
     int parts, rows;
-    bool attribute; /* `with_attribute` is drawn, of which `compares` shows how far it is from the position */
+    /* `with_attribute` is drawn, of which `compares` shows how far it is from the position */
+    bool attribute;
 } Way;
 
 typedef struct {
@@ -43,7 +50,9 @@ static Drawn open_drawn(Rig *rig, const Way *way)
     options.validate = true;
     d.document = matc_read("rock.yaml", document, strlen(document), &options);
     d.program = matc_compile(
-        d.document, 0, MATC_FRAGMENT | (way->geometry ? MATC_GEOMETRYVERTEX | MATC_GEOMETRY : MATC_VERTEX), &options);
+        d.document, 0,
+        MATC_FRAGMENT | (way->geometry ? MATC_GEOMETRYVERTEX | MATC_GEOMETRY : MATC_VERTEX),
+        &options);
     if (!matc_ok(d.program))
         fail_msg("%s", matc_program_diagnostics(d.program, MATC_TEXT));
     snprintf(fragment, sizeof fragment, way->attribute ? compares : white, way->version);
@@ -65,15 +74,17 @@ static void close_drawn(Drawn *d)
 
 static void look_from(int view, int views, Drawn *d)
 {
-    const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view, r = sqrt(1 - z * z),
-                 far = view % 2 ? 1.9 : 4;
-    const float eye[3] = {(float)(far * r * cos(turn)), (float)(far * r * sin(turn)), (float)(far * z)};
+    const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
+                 r = sqrt(1 - z * z), far = view % 2 ? 1.9 : 4;
+    const float eye[3] = {(float)(far * r * cos(turn)), (float)(far * r * sin(turn)),
+                          (float)(far * z)};
     Space space = space_camera(eye, (float[3]){0, 0, 0}, 0.5f);
     space.world_from_local = mat4_identity();
     spaces_set(&space, &d->material);
 }
 
-/* A ball of 40 triangles, its rows by the program or by the mesh, from each side; the pictures one behind the other. */
+/* A ball of 40 triangles, its rows by the program or by the mesh, from each side; the pictures one
+ * behind the other. */
 static void draw_views(Rig *rig, const Way *way, int views, float *pictures)
 {
     Shape ball, divided;
@@ -93,7 +104,8 @@ static void draw_views(Rig *rig, const Way *way, int views, float *pictures)
         material_set_number(&d.material, "matc_parts", (float)way->parts);
         material_use(&d.material);
         rig->gl->BindVertexArray(mesh.array);
-        rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, NULL,
+        rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT,
+                                                   NULL,
                                                    way->geometry ? way->parts * way->parts : 1, 0);
         rig->gl->BindVertexArray(0);
         assert_true(rig_finish(rig, &rig->full));
@@ -123,19 +135,23 @@ static int holes(const float *picture, int *within)
     return count;
 }
 
-/* Unit normals that are mixed lose length between corners, which scene_divide gives back: it is the direction that moves a point. */
+/* Unit normals that are mixed lose length between corners, which scene_divide gives back: it is the
+ * direction that moves a point. */
 static void pictures_are_those_of_divided_meshes(void **state)
 {
     enum { VIEWS = 6 };
     static const struct {
         const char *target, *version;
-    } targets[] = {{"glsl450", "#version 450 core\nlayout(location = 0) "}, {"glsl330", "#version 330 core\n"}};
+    } targets[] = {{"glsl450", "#version 450 core\nlayout(location = 0) "},
+                   {"glsl330", "#version 330 core\n"}};
     static const int divisions[][2] = {{1, 1}, {1, 2}, {1, 9}, {2, 1}, {3, 4}, {5, 3}};
-    float *of[2] = {calloc(VIEWS * SIDE * SIDE, sizeof **of), calloc(VIEWS * SIDE * SIDE, sizeof **of)};
+    float *of[2] = {calloc(VIEWS * SIDE * SIDE, sizeof **of),
+                    calloc(VIEWS * SIDE * SIDE, sizeof **of)};
     for (int i = 0; i < 2; i++)
         for (size_t k = 0; k < sizeof divisions / sizeof *divisions; k++) {
             int others = 0, within = 0, found = 0;
-            Way way = {targets[i].target, targets[i].version, false, divisions[k][0], divisions[k][1], false};
+            Way way = {targets[i].target, targets[i].version, false,
+                       divisions[k][0],   divisions[k][1],    false};
             draw_views(RIG, &way, VIEWS, of[0]);
             way.geometry = true;
             draw_views(RIG, &way, VIEWS, of[1]);
@@ -143,8 +159,8 @@ static void pictures_are_those_of_divided_meshes(void **state)
                 others += fabsf(of[0][pixel] - of[1][pixel]) > 1e-3f;
             for (int view = 0; view < VIEWS; view++)
                 found += holes(&of[1][(size_t)view * SIDE * SIDE], &within);
-            print_message("%s, %d parts of %d rows: %d of %d pixels differ, %d holes\n", way.target, way.parts,
-                          way.rows, others, within, found);
+            print_message("%s, %d parts of %d rows: %d of %d pixels differ, %d holes\n", way.target,
+                          way.parts, way.rows, others, within, found);
             assert_true(within > VIEWS * 400 && found == 0 && others <= within / 500);
         }
     free(of[0]);
@@ -159,14 +175,16 @@ static void attributes_are_handed_on(void **state)
     Mesh mesh;
     Drawn d = open_drawn(rig, &way);
     double worst = 0, least = 1, most = -1;
-    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) && mesh_make_of(rig->gl, &ball, &mesh));
+    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) &&
+                mesh_make_of(rig->gl, &ball, &mesh));
     assert_true(rig_begin(rig, &rig->full));
     look_from(0, 2, &d);
     material_set_number(&d.material, "matc_rows", (float)way.rows);
     material_set_number(&d.material, "matc_parts", (float)way.parts);
     material_use(&d.material);
     feed_attribute(rig->gl, &mesh);
-    rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, NULL, 1, 0);
+    rig->gl->DrawElementsInstancedBaseInstance(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT,
+                                               NULL, 1, 0);
     rig->gl->BindVertexArray(0);
     assert_true(rig_finish(rig, &rig->full));
     for (int i = 0; i < SIDE * SIDE; i++)
@@ -175,7 +193,8 @@ static void attributes_are_handed_on(void **state)
             least = fmin(least, rig->color[0][i][1]);
             most = fmax(most, rig->color[0][i][1]);
         }
-    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most, worst);
+    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most,
+                  worst);
     assert_true(worst < 1e-6 && least < -.5 && most > .5);
     mesh_delete(rig->gl, &mesh);
     shape_free(&ball);
@@ -195,7 +214,8 @@ static void others_have_none(void **state)
         MatcDocument *document = matc_read("rock.yaml", text, sizeof text - 1, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_GEOMETRY, &options);
         assert_false(matc_ok(program));
-        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT), "no geometry program"));
+        assert_non_null(
+            strstr(matc_program_diagnostics(program, MATC_TEXT), "no geometry program"));
         matc_program_free(program);
         matc_document_free(document);
     }
@@ -213,7 +233,8 @@ static void all_passes_are_valid(void **state)
         options.pass = passes[i];
         options.validate = true;
         MatcDocument *document = matc_read("rock.yaml", text, sizeof text - 1, &options);
-        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_GEOMETRYVERTEX | MATC_GEOMETRY, &options);
+        MatcProgram *program = matc_compile(
+            document, 0, MATC_FRAGMENT | MATC_GEOMETRYVERTEX | MATC_GEOMETRY, &options);
         if (!matc_ok(program))
             fail_msg("%s: %s", passes[i], matc_program_diagnostics(program, MATC_TEXT));
         matc_program_free(program);

@@ -1,5 +1,6 @@
-/* Planes, skies and surfaces, drawn with matc's own vertex program as an engine would, and what is read back of a G-buffer. What is to be
- * seen is computed here from the camera, and by the C reference. */
+/* Planes, skies and surfaces, drawn with matc's own vertex program as an engine would, and what is
+ * read back of a G-buffer. What is to be seen is computed here from the camera, and by the C
+ * reference. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/apart.h"
@@ -27,7 +28,8 @@ typedef struct {
 } Errors;
 
 /* What a G-buffer holds of the world's normal. */
-static void stored_normal(const Scene *scene, const Space *space, const double world[3], double stored[4])
+static void stored_normal(const Scene *scene, const Space *space, const double world[3],
+                          double stored[4])
 {
     const char *normals = scene->options.normals;
     if (normals && !strcmp(normals, "world"))
@@ -36,8 +38,12 @@ static void stored_normal(const Scene *scene, const Space *space, const double w
         space_transform(&space->eye_from_world, world, 0, stored);
 }
 
-/* The thesis' spheremap has its rim at -z: beside it a step of the code turns the normal by so many times as much. */
-static double least_code(const double normal[3]) { return normal[2] < 0 ? fmin(hypot(normal[0], normal[1]), 1) : 1; }
+/* The thesis' spheremap has its rim at -z: beside it a step of the code turns the normal by so many
+ * times as much. */
+static double least_code(const double normal[3])
+{
+    return normal[2] < 0 ? fmin(hypot(normal[0], normal[1]), 1) : 1;
+}
 
 /* Errors of the ray grow with the distance and as the plane is seen from aside. */
 static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
@@ -48,22 +54,27 @@ static void compare_hit(const View *view, int i, const Hit *hit, Errors *errors)
     double normal[4], size = fmax(1, fmax(fabs(hit->u), fabs(hit->v))) / fabs(hit->slope);
     stored_normal(view->scene, &view->space, want.lane[SLOT_normal], normal);
     bool border = at_border(hit->u, 1e-6 * size) || at_border(hit->v, 1e-6 * size);
-    bool fine = note(apart(s->slot[SLOT_specular][i], want.lane[SLOT_specular]) / size, &errors->slots) < 1e-6;
-    fine &= note(apart(s->slot[SLOT_transparency][i], want.lane[SLOT_transparency]) / size, &errors->slots) < 1e-6;
-    fine &= note(apart(s->slot[SLOT_normal][i], normal) * least_code(normal), &errors->normal) < 2e-6;
+    bool fine = note(apart(s->slot[SLOT_specular][i], want.lane[SLOT_specular]) / size,
+                     &errors->slots) < 1e-6;
+    fine &= note(apart(s->slot[SLOT_transparency][i], want.lane[SLOT_transparency]) / size,
+                 &errors->slots) < 1e-6;
+    fine &=
+        note(apart(s->slot[SLOT_normal][i], normal) * least_code(normal), &errors->normal) < 2e-6;
     fine &= note(fabs(s->z[i] - space_depth(&view->space, hit->position)), &errors->depth) < 1e-5;
     fine &= border || apart(s->slot[SLOT_diffuse][i], want.lane[SLOT_diffuse]) == 0;
     if (!fine)
-        fail_msg("pixel %d, %d, u %.7g, v %.7g, slope %.3g: specular %.9g, not %.9g; diffuse %g, not %g; depth %.9g; "
+        fail_msg("pixel %d, %d, u %.7g, v %.7g, slope %.3g: specular %.9g, not %.9g; diffuse %g, "
+                 "not %g; depth %.9g; "
                  "worst errors so far: slots %.2g, normal %.2g, depth %.2g",
                  i % SIDE, i / SIDE, hit->u, hit->v, hit->slope, s->slot[SLOT_specular][i][0],
-                 want.lane[SLOT_specular][0], s->slot[SLOT_diffuse][i][0], want.lane[SLOT_diffuse][0], s->z[i],
-                 errors->slots, errors->normal, errors->depth);
+                 want.lane[SLOT_specular][0], s->slot[SLOT_diffuse][i][0],
+                 want.lane[SLOT_diffuse][0], s->z[i], errors->slots, errors->normal, errors->depth);
 }
 
 static double beyond(const Hit *hit) { return fmax(fabs(hit->u - 0.5), fabs(hit->v - 0.5)) - 0.5; }
 
-/* Draws the G-buffer in floats and looks at every pixel that does not lie on the horizon or the rim. */
+/* Draws the G-buffer in floats and looks at every pixel that does not lie on the horizon or the
+ * rim. */
 static void compare_plane(const View *view)
 {
     Errors errors = {0};
@@ -76,14 +87,15 @@ static void compare_plane(const View *view)
         if (fabs(hit.slope) < 1e-4 || (view->mesh && fabs(beyond(&hit)) < 1e-3))
             continue;
         if (shown != (s->color[1][i][0] != rig_cleared) || shown != (s->z[i] != rig_cleared_depth))
-            fail_msg("pixel %d, %d: shown %d, but %g, %g", i % SIDE, i / SIDE, shown, s->color[1][i][0], s->z[i]);
+            fail_msg("pixel %d, %d: shown %d, but %g, %g", i % SIDE, i / SIDE, shown,
+                     s->color[1][i][0], s->z[i]);
         errors.shown += shown;
         errors.hidden += !shown;
         if (shown && fabs(hit.slope) > 0.02)
             compare_hit(view, i, &hit, &errors);
     }
-    print_message("%d pixels of it, %d of nothing: slots within %.1e, normal %.1e, depth %.1e\n", errors.shown,
-                  errors.hidden, errors.slots, errors.normal, errors.depth);
+    print_message("%d pixels of it, %d of nothing: slots within %.1e, normal %.1e, depth %.1e\n",
+                  errors.shown, errors.hidden, errors.slots, errors.normal, errors.depth);
     assert_true(errors.shown > PIXELS / 4 && errors.hidden > PIXELS / 20);
 }
 
@@ -94,7 +106,8 @@ static const char sides_text[] =
     "  material: Phong\n"
     "  diffuse: { map: Checker, color1: [0.25, 0.5, 0.75], color2: [1, 0.125, 0] }\n"
     "  specular: { map: Gradient, direction: [0.11, -0.07, 0.05] }\n"
-    "  transparency: { map: Gradient, direction: [0.06, 0.09, -0.1], input: { map: XYZTransform, useGlobal: true } }\n"
+    "  transparency: { map: Gradient, direction: [0.06, 0.09, -0.1], input: { map: XYZTransform, "
+    "useGlobal: true } }\n"
     "frontShader: { <<: *back, diffuse: { map: Checker, color1: [0, 2, 4], color2: 0.5 } }\n";
 
 static void meet_plane(Rig *rig, const char *normals)
@@ -119,7 +132,8 @@ static void a_plane_is_met(void **state)
     meet_plane(RIG, "world");
 }
 
-/* A mesh stands where the same plane would be met: turned, scaled by three numbers, moved; from both sides. */
+/* A mesh stands where the same plane would be met: turned, scaled by three numbers, moved; from
+ * both sides. */
 static void stand_in_world(Rig *rig, const char *normals)
 {
     static const float eyes[][3] = {{2.5f, -2, 2}, {-2, 1.5f, -2.5f}};
@@ -145,8 +159,10 @@ typedef struct {
     const Vertices *vertices;
 } PlacedVertices;
 
-/* One slot of all vertices; without a slot in the options the normal, as it is read back of a G-buffer. */
-static void compare_vertices(const PlacedVertices *placed, const char *text, const SceneOptions *options, Slot slot)
+/* One slot of all vertices; without a slot in the options the normal, as it is read back of a
+ * G-buffer. */
+static void compare_vertices(const PlacedVertices *placed, const char *text,
+                             const SceneOptions *options, Slot slot)
 {
     Rig *rig = placed->rig;
     const Space *space = placed->space;
@@ -166,10 +182,11 @@ static void compare_vertices(const PlacedVertices *placed, const char *text, con
         stored_normal(&scene, space, values.lane[slot], normal);
         const float *drawn = (stored ? rig->slot[SLOT_normal] : rig->color[0])[vertices->pixel[i]];
         if (!(note(apart(drawn, want), &worst) < 2e-6))
-            fail_msg("%s: %s: %.9g, not %.9g", options->target, slot_table[slot].name, drawn[0], want[0]);
+            fail_msg("%s: %s: %.9g, not %.9g", options->target, slot_table[slot].name, drawn[0],
+                     want[0]);
     }
-    print_message("%s, %s: within %.1e\n", options->target, stored ? "normal of the G-buffer" : slot_table[slot].name,
-                  worst);
+    print_message("%s, %s: within %.1e\n", options->target,
+                  stored ? "normal of the G-buffer" : slot_table[slot].name, worst);
     scene_close(&scene);
 }
 
@@ -177,7 +194,8 @@ static void compare_vertices(const PlacedVertices *placed, const char *text, con
 static const char frame_text[] =
     "material: Phong\n"
     "diffuse: { map: Gradient, direction: [0.5, -0.3, 0.7] }\n"
-    "specular: { map: Gradient, direction: [0.3, 0.7, -0.4], input: { map: XYZTransform, useGlobal: true } }\n"
+    "specular: { map: Gradient, direction: [0.3, 0.7, -0.4], input: { map: XYZTransform, "
+    "useGlobal: true } }\n"
     "input: { map: WaveMap, amplitude: 0.1, uCount: 0.5, vCount: 0.3 }\n";
 
 static void compare_attributes(Rig *rig, const Space *space, Vertices *vertices, const char *target)
@@ -195,7 +213,8 @@ static void compare_attributes(Rig *rig, const Space *space, Vertices *vertices,
     if (!strcmp(target, "glsl330"))
         for (int i = 0; i < 4; i++) /* as it is interpolated, and as a map bends it */
             compare_vertices(&placed, i % 2 ? frame_text : "material: Phong",
-                             &(SceneOptions){.target = target, .normals = i / 2 ? "world" : "eye"}, SLOT_normal);
+                             &(SceneOptions){.target = target, .normals = i / 2 ? "world" : "eye"},
+                             SLOT_normal);
     vertices_delete(vertices, rig->gl);
 }
 
@@ -220,7 +239,8 @@ static void compare_sky(Rig *rig, Scene *scene, const Space *space, double bound
     draw_scene(rig, scene, space, NULL, &rig->full);
     for (int i = 0; i < PIXELS; i += 5) {
         Hit hit = space_meet(space, middle(i % SIDE), middle(i / SIDE));
-        const double *ray = hit.ray, u = atan2(ray[1], -ray[0]) / (2 * M_PI) + 0.5, v = acos(-ray[2]) / M_PI;
+        const double *ray = hit.ray, u = atan2(ray[1], -ray[0]) / (2 * M_PI) + 0.5,
+                     v = acos(-ray[2]) / M_PI;
         Surface s = {.front = true};
         surface_set3(&s, GROUP_P, ray);
         surface_set3(&s, GROUP_X, ray);
@@ -233,20 +253,22 @@ static void compare_sky(Rig *rig, Scene *scene, const Space *space, double bound
             want[lane] += values.lane[SLOT_emissive][lane];
         const float *drawn = rig->color[0][i];
         if (!(note(apart(drawn, want) / fmax(1, want[1]), worst) < bound) || drawn[3] != 1)
-            fail_msg("ray (%.7g, %.7g, %.7g): red %.7g, alpha %.7g, not %.7g, 1", ray[0], ray[1], ray[2], drawn[0],
-                     drawn[3], want[0]);
+            fail_msg("ray (%.7g, %.7g, %.7g): red %.7g, alpha %.7g, not %.7g, 1", ray[0], ray[1],
+                     ray[2], drawn[0], drawn[3], want[0]);
     }
 }
 
 static void a_sky_is_all_around(void **state)
 {
-    static const char checker[] =
-        "material: Phong\n"
-        "diffuse: { map: Checker, color1: { map: Gradient, direction: [0.5, 0.3, -0.4] }, color2: [3, 2, 1],\n"
-        "           input: { map: UVTransform, scaleU: 6, scaleV: 5 } }\n"
-        "emissive: { map: Gradient, direction: [0.2, 0.4, 1], input: { map: XYZTransform, useGlobal: true } }\n";
+    static const char checker[] = "material: Phong\n"
+                                  "diffuse: { map: Checker, color1: { map: Gradient, direction: "
+                                  "[0.5, 0.3, -0.4] }, color2: [3, 2, 1],\n"
+                                  "           input: { map: UVTransform, scaleU: 6, scaleV: 5 } }\n"
+                                  "emissive: { map: Gradient, direction: [0.2, 0.4, 1], input: { "
+                                  "map: XYZTransform, useGlobal: true } }\n";
     static const char *const texts[] = {checker, SOURCE_FOLDER "/examples/materials/sunSky.yaml"};
-    static const float ways[][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+    static const float ways[][3] = {{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
+                                    {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     const float eye[3] = {3, -2, 1};
     for (int k = 0; k < 2; k++) {
         double worst = 0;
@@ -262,11 +284,13 @@ static void a_sky_is_all_around(void **state)
     }
 }
 
-enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 }; /* how a slot is kept: to a half float, to seven bits; a pixel */
+/* how a slot is kept: to a half float, to seven bits; a pixel */
+enum { HALF, PAIR, MIDDLE = (SIDE + 1) * SIDE / 2 };
 
 static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int lane, int how)
 {
-    double value = values->lane[slot][lane], greatest = how == PAIR ? 1 : 65504, least = how == PAIR ? 0 : -greatest;
+    double value = values->lane[slot][lane], greatest = how == PAIR ? 1 : 65504,
+           least = how == PAIR ? 0 : -greatest;
     double want = fmin(fmax(value, least), greatest), got = s->slot[slot][MIDDLE][lane];
     double bound = how == PAIR ? 1 / 127.5 + 1e-6 : half_step(want) + 3e-6 * fabs(want);
     if (!(fabs(got - want) <= bound))
@@ -276,7 +300,8 @@ static void compare_slot(const Rig *s, const SlotValues *values, Slot slot, int 
 static void compare_round_trip(Rig *rig, Scene *scene, const float direction[3], double *worst)
 {
     Space space = space_flat();
-    space.world_from_local = mat4_look_at((float[3]){0, 0, 0}, direction, (float[3]){0.3f, 1, 0.2f});
+    space.world_from_local =
+        mat4_look_at((float[3]){0, 0, 0}, direction, (float[3]){0.3f, 1, 0.2f});
     draw_scene(rig, scene, &space, &rig->plane, &rig->half);
     unpack(rig, scene, &rig->half);
     Surface s;
@@ -285,7 +310,8 @@ static void compare_round_trip(Rig *rig, Scene *scene, const float direction[3],
     surface_set3(&s, GROUP_N, (double[3]){normal[0], normal[1], normal[2]});
     s.front = normal[2] > 0;
     SlotValues values = values_at(scene, &s);
-    assert_true(note(angle(rig->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) < 0.22);
+    assert_true(note(angle(rig->slot[SLOT_normal][MIDDLE], values.lane[SLOT_normal]), worst) <
+                0.22);
     compare_slot(rig, &values, SLOT_shininess, 0, HALF);
     compare_slot(rig, &values, SLOT_transparencyShininess, 0, HALF);
     for (int lane = 0; lane < 3; lane++) {
@@ -300,11 +326,15 @@ static void compare_round_trip(Rig *rig, Scene *scene, const float direction[3],
 static void a_surface_comes_back(void **state)
 {
     static const char *const texts[] = {
-        "{ material: Phong, diffuse: [0.1, 0.7, 0.33], specular: [0.9, 0.21, 0.05], transparency: [0.3, 0.6, 0.01],\n"
-        "  emissive: [0.2, 0.77, 0.999], diffuseTransparency: [0.45, 0.123, 0.6], shininess: 0.83,\n"
+        "{ material: Phong, diffuse: [0.1, 0.7, 0.33], specular: [0.9, 0.21, 0.05], transparency: "
+        "[0.3, 0.6, 0.01],\n"
+        "  emissive: [0.2, 0.77, 0.999], diffuseTransparency: [0.45, 0.123, 0.6], shininess: "
+        "0.83,\n"
         "  transparencyShininess: 0.4 }",
-        "{ material: Phong, diffuse: [-3.3, 1.0e+6, 1.0e-5], specular: [7.77, -1.0e+9, 0], transparency: [2, -1, 1],\n"
-        "  emissive: [5, -1, 1], diffuseTransparency: [0, 1, 1.5], shininess: 1, transparencyShininess: 0 }",
+        "{ material: Phong, diffuse: [-3.3, 1.0e+6, 1.0e-5], specular: [7.77, -1.0e+9, 0], "
+        "transparency: [2, -1, 1],\n"
+        "  emissive: [5, -1, 1], diffuseTransparency: [0, 1, 1.5], shininess: 1, "
+        "transparencyShininess: 0 }",
     };
     for (int k = 0; k < 2; k++) {
         double worst = 0;

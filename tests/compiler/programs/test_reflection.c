@@ -1,5 +1,5 @@
-/* The reflection against the program itself: every example, passes, layouts and targets, by the SPIR-V that glslang makes of it and by what
- * OpenGL answers of the linked program. */
+/* The reflection against the program itself: every example, passes, layouts and targets, by the
+ * SPIR-V that glslang makes of it and by what OpenGL answers of the linked program. */
 /* ctest: seconds=18 */
 #include "tests/test.h"
 #include "runtime/gl/backend.h"
@@ -22,12 +22,14 @@ typedef struct {
 static void fault(Test *t, const char *where, const char *what, const Fact *fact)
 {
     if (t->failures++ < MOST_SHOWN)
-        print_error("%s: %s: %s %s %s, place %d, size %d\n", where, what, fact_kinds[fact->kind], fact->type,
-                    fact->name, fact->place, fact->size);
+        print_error("%s: %s: %s %s %s, place %d, size %d\n", where, what, fact_kinds[fact->kind],
+                    fact->type, fact->name, fact->place, fact->size);
 }
 
-/* Every fact of one list is in the other, and says the same; a place or type that either does not tell is any. */
-static void compare(Test *t, const char *where, const Facts *facts, const Facts *others, const char *missing)
+/* Every fact of one list is in the other, and says the same; a place or type that either does not
+ * tell is any. */
+static void compare(Test *t, const char *where, const Facts *facts, const Facts *others,
+                    const char *missing)
 {
     for (int i = 0; i < facts->count; i++) {
         const Fact *fact = &facts->at[i], *other = facts_find(others, fact->kind, fact->name);
@@ -36,7 +38,8 @@ static void compare(Test *t, const char *where, const Facts *facts, const Facts 
             fault(t, where, missing, fact);
             continue;
         }
-        bool placed = fact->place == NO_PLACE || other->place == NO_PLACE || fact->place == other->place;
+        bool placed =
+            fact->place == NO_PLACE || other->place == NO_PLACE || fact->place == other->place;
         bool typed = !*fact->type || !*other->type || !strcmp(fact->type, other->type);
         if (!placed || !typed || fact->size != other->size) {
             fault(t, where, "is", fact);
@@ -53,7 +56,10 @@ static void check_told(Test *t, const char *where, const Facts *told)
             fault(t, where, "no place is told", &told->at[i]);
 }
 
-static bool is_bound(const Fact *fact) { return fact->kind == FACT_block || fact->kind == FACT_texture; }
+static bool is_bound(const Fact *fact)
+{
+    return fact->kind == FACT_block || fact->kind == FACT_texture;
+}
 
 /* Both programs of a pipeline share one set: no two resources are at one binding. */
 static void check_bindings(Test *t, const char *where)
@@ -71,10 +77,12 @@ static void check_bindings(Test *t, const char *where)
         }
 }
 
-/* Facts without the block of uniforms that the vertex program alone has, which displaces by them where the fragment program computes nothing. */
+/* Facts without the block of uniforms that the vertex program alone has, which displaces by them
+ * where the fragment program computes nothing. */
 static Facts without_vertex_block(const Facts *told, const Facts *found, const char *vertex)
 {
-    const bool displaces = !facts_find(found, FACT_block, BLOCK) && strstr(vertex, "uniform " BLOCK " {");
+    const bool displaces =
+        !facts_find(found, FACT_block, BLOCK) && strstr(vertex, "uniform " BLOCK " {");
     Facts kept = *told;
     kept.count = 0;
     for (int i = 0; i < told->count; i++)
@@ -86,13 +94,15 @@ static Facts without_vertex_block(const Facts *told, const Facts *found, const c
 static void check_spirv(Test *t, const char *where, const MatcProgram *program)
 {
     size_t bytes;
-    const uint32_t *words = (const uint32_t *)(const void *)matc_output(program, MATC_SPIRV, &bytes);
+    const uint32_t *words =
+        (const uint32_t *)(const void *)matc_output(program, MATC_SPIRV, &bytes);
     if (!words || !facts_of_spirv(words, bytes, &t->found))
         fail_msg("%s: no module, or a resource outside of set 0", where);
     check_told(t, where, &t->told);
     check_told(t, where, &t->told_vertex);
     check_bindings(t, where);
-    const Facts own = without_vertex_block(&t->told, &t->found, matc_output(program, MATC_VERTEX, NULL));
+    const Facts own =
+        without_vertex_block(&t->told, &t->found, matc_output(program, MATC_VERTEX, NULL));
     compare(t, where, &own, &t->found, "told, but not in the SPIR-V");
     compare(t, where, &t->found, &t->told, "in the SPIR-V, but not told");
 }
@@ -110,7 +120,8 @@ static void check_kept(Test *t, const char *where, const Facts *told, const char
 {
     for (int i = 0; i < told->count; i++) {
         const Fact *fact = &told->at[i];
-        bool asked = fact->kind == FACT_uniform || fact->kind == FACT_texture || fact->kind == FACT_attribute;
+        bool asked = fact->kind == FACT_uniform || fact->kind == FACT_texture ||
+                     fact->kind == FACT_attribute;
         if (asked && !facts_find(&t->found, fact->kind, fact->name)) {
             t->dropped++;
             if (!is_declared(text, fact))
@@ -127,7 +138,8 @@ static void check_linked(Test *t, const char *where, const MatcProgram *program,
 {
     static Facts all;
     GlContext *gl = old ? t->old : t->core;
-    const char *fragment = matc_output(program, MATC_FRAGMENT, NULL), *vertex = matc_output(program, MATC_VERTEX, NULL);
+    const char *fragment = matc_output(program, MATC_FRAGMENT, NULL),
+               *vertex = matc_output(program, MATC_VERTEX, NULL);
     assert_true(gl_use(gl));
     GLuint name = program_make(gl, &(ProgramText){.vertex = {vertex}, .fragment = {fragment}});
     if (!name)
@@ -156,13 +168,16 @@ static void check(Test *t, const Document *document, int material, const Way *wa
     options.constants = way->constants;
     options.noise = way->noise;
     bool spirv = !strcmp(way->target, "spirv"), located = spirv || !strcmp(way->target, "glsl450");
-    const unsigned outputs = MATC_REFLECT | MATC_VERTEX | (spirv ? 0 : MATC_FRAGMENT) | (located ? MATC_SPIRV : 0);
+    const unsigned outputs =
+        MATC_REFLECT | MATC_VERTEX | (spirv ? 0 : MATC_FRAGMENT) | (located ? MATC_SPIRV : 0);
     snprintf(where, sizeof where, "%s, --target=%s --pass=%s --layout=%s --constants=%s --noise=%s",
-             document_name(document), way->target, way->pass, way->layout, way->constants, way->noise);
+             document_name(document), way->target, way->pass, way->layout, way->constants,
+             way->noise);
     MatcProgram *program = matc_compile(document->document, material, outputs, &options);
     if (!matc_ok(program))
         fail_msg("%s: %s", where, matc_program_diagnostics(program, MATC_TEXT));
-    assert_true(facts_of_reflection(matc_output(program, MATC_REFLECT, NULL), &t->told, &t->told_vertex));
+    assert_true(
+        facts_of_reflection(matc_output(program, MATC_REFLECT, NULL), &t->told, &t->told_vertex));
     t->programs++;
     if (located)
         check_spirv(t, where, program);
@@ -173,12 +188,18 @@ static void check(Test *t, const Document *document, int material, const Way *wa
 
 /* Every example comes in several ways, and every way to many of them. */
 static const Way ways[] = {
-    {"spirv", "gbuffer", "compact", "uniform", "lattice"},  {"spirv", "gbuffer", "integer", "baked", "groimp"},
-    {"spirv", "plane", "thesis", "uniform", "lattice"},     {"spirv", "sky", "compact", "baked", "lattice"},
-    {"spirv", "shadow", "compact", "uniform", "groimp"},    {"spirv", "depth", "compact", "baked", "lattice"},
-    {"glsl450", "gbuffer", "radix", "uniform", "groimp"},   {"glsl450", "plane", "compact", "baked", "lattice"},
-    {"glsl330", "gbuffer", "thesis", "uniform", "groimp"},  {"glsl330", "sky", "compact", "uniform", "lattice"},
-    {"glsl110", "gbuffer", "thin", "uniform", "groimp"},    {"glsl110", "plane", "thesis", "baked", "lattice"},
+    {"spirv", "gbuffer", "compact", "uniform", "lattice"},
+    {"spirv", "gbuffer", "integer", "baked", "groimp"},
+    {"spirv", "plane", "thesis", "uniform", "lattice"},
+    {"spirv", "sky", "compact", "baked", "lattice"},
+    {"spirv", "shadow", "compact", "uniform", "groimp"},
+    {"spirv", "depth", "compact", "baked", "lattice"},
+    {"glsl450", "gbuffer", "radix", "uniform", "groimp"},
+    {"glsl450", "plane", "compact", "baked", "lattice"},
+    {"glsl330", "gbuffer", "thesis", "uniform", "groimp"},
+    {"glsl330", "sky", "compact", "uniform", "lattice"},
+    {"glsl110", "gbuffer", "thin", "uniform", "groimp"},
+    {"glsl110", "plane", "thesis", "baked", "lattice"},
     {"essl300", "gbuffer", "compact", "uniform", "groimp"},
 };
 enum { WAYS = sizeof ways / sizeof *ways, EACH = 3 };
@@ -211,13 +232,15 @@ static void reflections_are_true(void **state)
         bool fine = document_open(&document, list.paths[i]);
         if (!fine && !document_is_library(&document))
             fail_msg("%s", document_fault(&document));
-        for (int material = 0; fine && material < matc_material_count(document.document); material++)
+        for (int material = 0; fine && material < matc_material_count(document.document);
+             material++)
             for (int k = 0; k < EACH; k++)
                 check(&test, &document, material, &ways[way++ % WAYS]);
         document_close(&document);
     }
     documents_free(&list);
-    print_message("%d programs, %d facts, %d dropped by the driver\n", test.programs, test.facts, test.dropped);
+    print_message("%d programs, %d facts, %d dropped by the driver\n", test.programs, test.facts,
+                  test.dropped);
     assert_int_equal(test.failures, 0);
 }
 
@@ -228,10 +251,12 @@ static void many_textures_are_apart(void **state)
     enum { RELIEFS = 24 };
     char text[RELIEFS * 64 + LONGEST];
     int size =
-        snprintf(text, sizeof text, "material: Phong\ndiffuse: { map: Blend, input: { map: Gradient }, blend: [\n");
+        snprintf(text, sizeof text,
+                 "material: Phong\ndiffuse: { map: Blend, input: { map: Gradient }, blend: [\n");
     for (int i = 0; i < RELIEFS; i++)
-        size += snprintf(text + size, sizeof text - (size_t)size,
-                         "  { value: %d, input: { map: Carpenter, width: 4, height: 4, seed: %d } },\n", i, i);
+        size += snprintf(
+            text + size, sizeof text - (size_t)size,
+            "  { value: %d, input: { map: Carpenter, width: 4, height: 4, seed: %d } },\n", i, i);
     snprintf(text + size, sizeof text - (size_t)size, "] }\n");
     Document document;
     if (!document_open_text(&document, text))

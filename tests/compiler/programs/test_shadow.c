@@ -1,4 +1,5 @@
-/* The passes shadow and depth, drawn with matc's own vertex program: what is transparent is discarded, and nothing else is read. */
+/* The passes shadow and depth, drawn with matc's own vertex program: what is transparent is
+ * discarded, and nothing else is read. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include <string.h>
@@ -16,7 +17,8 @@ static void find_holes(const Scene *scene, bool holes[8][8])
     }
 }
 
-/* A tilted plane. The pass `depth`, and `shadow` of what is opaque, read nothing and discard nothing. */
+/* A tilted plane. The pass `depth`, and `shadow` of what is opaque, read nothing and discard
+ * nothing. */
 static void compare_shadow(Rig *rig, const char *text, const char *pass, bool lets_light)
 {
     bool holes[8][8] = {0};
@@ -34,22 +36,25 @@ static void compare_shadow(Rig *rig, const char *text, const char *pass, bool le
         bool hole = holes[i / SIDE * 8 / SIDE][i % SIDE * 8 / SIDE];
         double depth = hole ? rig_cleared_depth : 0.5 + 0.15 * middle(i % SIDE);
         if (!(fabs(rig->z[i] - depth) < 1e-6))
-            fail_msg("%s, pixel %d, %d: depth %.9g, not %.9g", pass, i % SIDE, i / SIDE, rig->z[i], depth);
+            fail_msg("%s, pixel %d, %d: depth %.9g, not %.9g", pass, i % SIDE, i / SIDE, rig->z[i],
+                     depth);
     }
     scene_close(&scene);
 }
 
 static void only_what_is_transparent_is_discarded(void **state)
 {
-#define SQUARES(one, other)                                                                                            \
-    "{ map: Checker, color1: " one ", color2: " other ", input: { map: UVTransform, scaleU: 4, scaleV: 4 } }"
+#define SQUARES(one, other)                                                                        \
+    "{ map: Checker, color1: " one ", color2: " other                                              \
+    ", input: { map: UVTransform, scaleU: 4, scaleV: 4 } }"
     static const struct {
         bool lets_light;
         const char *text;
     } cases[] = {
         {true, "{ material: Phong, transparency: " SQUARES("1", "0") " }"},
         {true, "{ material: Phong, transparency: " SQUARES("[1, 1, 0]", "[1, 0.4, 0]") " }"},
-        {true, "{ material: Phong, diffuse: " SQUARES("\"#ffffff60\"", "\"#ffffffa0\"") ", transparency: 0 }"},
+        {true, "{ material: Phong, diffuse: " SQUARES("\"#ffffff60\"",
+                                                      "\"#ffffffa0\"") ", transparency: 0 }"},
         {true, "{ material: Phong, transparency: 0.6 }"},
         {true, "{ material: Phong, transparency: 0.5001 }"},
         {false, "{ material: Phong, transparency: 0.5 }"}, /* not more than half */
@@ -63,14 +68,16 @@ static void only_what_is_transparent_is_discarded(void **state)
     }
 }
 
-/* Half of a checker lets light through, 0.7 of it, and half does not, 0.1. On a map whose texels cover many of its squares each, half of
- * all texels have to be held, whatever the default of --aa: the mean, 0.4, would hold all. */
+/* Half of a checker lets light through, 0.7 of it, and half does not, 0.1. On a map whose texels
+ * cover many of its squares each, half of all texels have to be held, whatever the default of --aa:
+ * the mean, 0.4, would hold all. */
 static void holes_finer_than_a_texel_keep_their_share(void **state)
 {
-    Scene scene = open_scene(RIG,
-                             "{ material: Phong, transparency: { map: Checker, color1: 0.1, color2: 0.7, "
-                             "input: { map: UVTransform, scaleU: 1013.3, scaleV: 987.1 } } }",
-                             &(SceneOptions){.pass = "shadow", .aa = "auto"});
+    Scene scene =
+        open_scene(RIG,
+                   "{ material: Phong, transparency: { map: Checker, color1: 0.1, color2: 0.7, "
+                   "input: { map: UVTransform, scaleU: 1013.3, scaleV: 987.1 } } }",
+                   &(SceneOptions){.pass = "shadow", .aa = "auto"});
     Space space = space_flat();
     int held = 0;
     draw_scene(RIG, &scene, &space, &RIG->plane, &RIG->depth);

@@ -1,5 +1,7 @@
-/* SPIR-V of all stages: one entry point each, of the right kind; what a stage takes the one before it gives, at the same place and of the same type; bindings are of set 0, those of a
- * binding the same in all stages, and those that the reflection names. spirv-val judges them, where it is installed. */
+/* SPIR-V of all stages: one entry point each, of the right kind; what a stage takes the one before
+ * it gives, at the same place and of the same type; bindings are of set 0, those of a binding the
+ * same in all stages, and those that the reflection names. spirv-val judges them, where it is
+ * installed. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "compiler/matc.h"
@@ -21,13 +23,15 @@ typedef struct {
     MatcOutput output[MOST_STAGES];
     int model[MOST_STAGES], count;
 } Set;
-static const Set sets[] = {{{MATC_VERTEX, MATC_FRAGMENT}, {0, 4}, 2},
-                           {{MATC_TESSVERTEX, MATC_TESSCONTROL, MATC_TESSEVAL, MATC_FRAGMENT}, {0, 1, 2, 4}, 4},
-                           {{MATC_GEOMETRYVERTEX, MATC_GEOMETRY, MATC_FRAGMENT}, {0, 3, 4}, 3},
-                           {{MATC_COMPUTE}, {5}, 1}};
+static const Set sets[] = {
+    {{MATC_VERTEX, MATC_FRAGMENT}, {0, 4}, 2},
+    {{MATC_TESSVERTEX, MATC_TESSCONTROL, MATC_TESSEVAL, MATC_FRAGMENT}, {0, 1, 2, 4}, 4},
+    {{MATC_GEOMETRYVERTEX, MATC_GEOMETRY, MATC_FRAGMENT}, {0, 3, 4}, 3},
+    {{MATC_COMPUTE}, {5}, 1}};
 enum { SETS = sizeof sets / sizeof *sets };
-static const unsigned all_stages = MATC_FRAGMENT | MATC_VERTEX | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL |
-                                   MATC_GEOMETRYVERTEX | MATC_GEOMETRY | MATC_COMPUTE | MATC_SPIRV | MATC_REFLECT;
+static const unsigned all_stages = MATC_FRAGMENT | MATC_VERTEX | MATC_TESSVERTEX |
+                                   MATC_TESSCONTROL | MATC_TESSEVAL | MATC_GEOMETRYVERTEX |
+                                   MATC_GEOMETRY | MATC_COMPUTE | MATC_SPIRV | MATC_REFLECT;
 
 static int judged;
 
@@ -74,7 +78,8 @@ static void check_between(const char *what, const SpirvModule *before, const Spi
             continue;
         out = at_location(before, SPIRV_output, in->location);
         if (!out || strcmp(in->type, out->type) != 0)
-            fail_msg("%s: location %d is %s, and %s before", what, in->location, in->type, out ? out->type : "nothing");
+            fail_msg("%s: location %d is %s, and %s before", what, in->location, in->type,
+                     out ? out->type : "nothing");
         if (in->array != (after->model >= 1 && after->model <= 3))
             fail_msg("%s: location %d is not one for each vertex", what, in->location);
     }
@@ -92,14 +97,18 @@ static void check_bindings(const char *what, const SpirvModule *modules, int cou
                 fail_msg("%s: binding %d of set %d", what, own->binding, own->set);
             for (int other = 0; other < i; other++) {
                 const SpirvVariable *there = at_binding(&modules[other], own->binding);
-                if (there && (there->storage != own->storage || strcmp(there->type, own->type) != 0))
-                    fail_msg("%s: binding %d is %s, and %s in another stage", what, own->binding, own->type,
-                             there->type);
+                if (there &&
+                    (there->storage != own->storage || strcmp(there->type, own->type) != 0))
+                    fail_msg("%s: binding %d is %s, and %s in another stage", what, own->binding,
+                             own->type, there->type);
             }
         }
 }
 
-static int binding_of(const cJSON *object) { return cJSON_GetObjectItem(object, "binding")->valueint; }
+static int binding_of(const cJSON *object)
+{
+    return cJSON_GetObjectItem(object, "binding")->valueint;
+}
 
 static bool in_any(const SpirvModule *modules, int count, int binding)
 {
@@ -109,17 +118,22 @@ static bool in_any(const SpirvModule *modules, int count, int binding)
     return false;
 }
 
-/* Textures and the block of uniforms are where the reflection has them; so are a compute program's buffers. */
-static void check_reflection(const char *what, const cJSON *json, const SpirvModule *modules, const Set *set)
+/* Textures and the block of uniforms are where the reflection has them; so are a compute program's
+ * buffers. */
+static void check_reflection(const char *what, const cJSON *json, const SpirvModule *modules,
+                             const Set *set)
 {
-    const cJSON *texture, *block = cJSON_GetObjectItem(json, "block"), *compute = cJSON_GetObjectItem(json, "compute");
+    const cJSON *texture, *block = cJSON_GetObjectItem(json, "block"),
+                          *compute = cJSON_GetObjectItem(json, "compute");
     const bool draws = set->output[0] == MATC_VERTEX;
     cJSON_ArrayForEach(
-        texture, cJSON_GetObjectItem(json, "textures")) if (draws && !in_any(modules, set->count, binding_of(texture)))
+        texture, cJSON_GetObjectItem(json, "textures")) if (draws && !in_any(modules, set->count,
+                                                                             binding_of(texture)))
         fail_msg("%s: no texture is bound to %d", what, binding_of(texture));
     if (draws && block && !in_any(modules, set->count, binding_of(block)))
         fail_msg("%s: no block is bound to %d", what, binding_of(block));
-    if (set->output[0] != MATC_COMPUTE || strcmp(cJSON_GetObjectItem(json, "target")->valuestring, "spirv") != 0)
+    if (set->output[0] != MATC_COMPUTE ||
+        strcmp(cJSON_GetObjectItem(json, "target")->valuestring, "spirv") != 0)
         return; /* OpenGL counts storage buffers by themselves */
     static const char *const names[] = {"verticesBlock", "block", "read", "written"};
     for (int i = 0; i < 4; i++)
@@ -127,7 +141,8 @@ static void check_reflection(const char *what, const cJSON *json, const SpirvMod
     assert_int_equal(modules[0].local_size, cJSON_GetObjectItem(compute, "localSize")->valueint);
 }
 
-static void check_set(const char *what, const MatcProgram *program, const Set *set, const cJSON *json)
+static void check_set(const char *what, const MatcProgram *program, const Set *set,
+                      const cJSON *json)
 {
     static SpirvModule modules[MOST_STAGES];
     for (int i = 0; i < set->count; i++) {
@@ -135,7 +150,8 @@ static void check_set(const char *what, const MatcProgram *program, const Set *s
         const char *words = matc_spirv(program, set->output[i], &size);
         assert_non_null(words);
         if (!spirv_read(words, size, &modules[i]) || modules[i].model != set->model[i])
-            fail_msg("%s: stage %d of a set is of model %d, not %d", what, i, modules[i].model, set->model[i]);
+            fail_msg("%s: stage %d of a set is of model %d, not %d", what, i, modules[i].model,
+                     set->model[i]);
         if (!passes(words, size))
             fail_msg("%s: spirv-val refuses stage %d of a set", what, i);
         if (i)
@@ -154,11 +170,12 @@ static void check_document(const char *path, const MatcOptions *options)
     MatcDocument *document = matc_read(path, text, size, options);
     for (int material = 0; material < matc_material_count(document); material++) {
         MatcProgram *program = matc_compile(document, material, all_stages, options);
-        snprintf(what, sizeof what, "%s, material %d, target %s, pass %s", path, material, options->target,
-                 options->pass);
+        snprintf(what, sizeof what, "%s, material %d, target %s, pass %s", path, material,
+                 options->target, options->pass);
         if (!matc_ok(program))
             fail_msg("%s: %s", what, matc_program_diagnostics(program, MATC_TEXT));
-        assert_ptr_equal(matc_output(program, MATC_SPIRV, &size), matc_spirv(program, MATC_FRAGMENT, &words));
+        assert_ptr_equal(matc_output(program, MATC_SPIRV, &size),
+                         matc_spirv(program, MATC_FRAGMENT, &words));
         assert_int_equal(size, words);
         cJSON *json = cJSON_Parse(matc_output(program, MATC_REFLECT, NULL));
         for (int i = 0; i < SETS; i++)
@@ -185,7 +202,8 @@ static void stages_fit_together(void **state)
         char path[300];
         MatcOptions options;
         matc_options_init(&options);
-        options.target = i % 2 ? "glsl450" : "spirv"; /* from another target, by compiling once more */
+        /* from another target, by compiling once more */
+        options.target = i % 2 ? "glsl450" : "spirv";
         options.pass = triangle_passes[i % 3];
         options.noise = i % 4 ? "lattice" : "groimp"; /* whose tables are textures */
         options.constants = i % 5 ? "baked" : "uniform";
@@ -207,8 +225,10 @@ static void words_are_those_asked_for(void **state)
     MatcDocument *document = matc_read("rock.yaml", text, strlen(text), &options);
     MatcProgram *program = matc_compile(document, 0, MATC_SPIRV | MATC_GEOMETRY, &options);
     assert_true(matc_ok(program) && matc_spirv(program, MATC_GEOMETRY, NULL) &&
-                matc_spirv(program, MATC_GEOMETRYVERTEX, NULL) && matc_spirv(program, MATC_FRAGMENT, NULL));
-    assert_true(!matc_spirv(program, MATC_VERTEX, NULL) && !matc_spirv(program, MATC_COMPUTE, NULL) &&
+                matc_spirv(program, MATC_GEOMETRYVERTEX, NULL) &&
+                matc_spirv(program, MATC_FRAGMENT, NULL));
+    assert_true(!matc_spirv(program, MATC_VERTEX, NULL) &&
+                !matc_spirv(program, MATC_COMPUTE, NULL) &&
                 !matc_spirv(program, MATC_REFLECT, NULL));
     matc_program_free(program);
     matc_document_free(document);

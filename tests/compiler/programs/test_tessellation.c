@@ -1,19 +1,24 @@
-/* The programs that tessellate, drawn under OSMesa: triangles whose edges have other levels than their neighbours' leave no hole in what is closed, nor beside
- * the outline that a bound allows; attributes of a mesh come through; what has no such programs says so. */
+/* The programs that tessellate, drawn under OSMesa: triangles whose edges have other levels than
+ * their neighbours' leave no hole in what is closed, nor beside the outline that a bound allows;
+ * attributes of a mesh come through; what has no such programs says so. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, octaves: 2, noiseRatio: 0.3 }\n"
+static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, "
+                           "octaves: 2, noiseRatio: 0.3 }\n"
                            "displacementScale: 0.15\n";
 
-/* What a mesh has besides, where its vertices say the same as their positions: how far the two are apart, and what it says. */
-static const char with_attribute[] = "material: Phong\ndiffuse: \"= wet = attribute('wetness', float, 0); [abs(wet - x), wet, 1]\"\n"
-                                     "displacement: { map: Gradient }\ndisplacementScale: 0.2\n";
+/* What a mesh has besides, where its vertices say the same as their positions: how far the two are
+ * apart, and what it says. */
+static const char with_attribute[] =
+    "material: Phong\ndiffuse: \"= wet = attribute('wetness', float, 0); [abs(wet - x), wet, 1]\"\n"
+    "displacement: { map: Gradient }\ndisplacementScale: 0.2\n";
 
-static const char white[] = "#version 450 core\nlayout(location = 0) out vec4 fragment0;\nvoid main() {\n    fragment0 = vec4(1.0);\n}\n";
+static const char white[] = "#version 450 core\nlayout(location = 0) out vec4 fragment0;\nvoid "
+                            "main() {\n    fragment0 = vec4(1.0);\n}\n";
 
 typedef struct {
     MatcDocument *document;
@@ -21,7 +26,8 @@ typedef struct {
     Material material;
 } Drawn;
 
-/* `gap`: points of every other triangle stand a little aside, as they would if each triangle went by itself. */
+/* `gap`: points of every other triangle stand a little aside, as they would if each triangle went
+ * by itself. */
 static Drawn open_drawn(Rig *rig, bool gap)
 {
     static char evaluation[50000];
@@ -31,12 +37,15 @@ static Drawn open_drawn(Rig *rig, bool gap)
     options.target = "glsl450";
     options.pass = "depth";
     d.document = matc_read("rock.yaml", text, sizeof text - 1, &options);
-    d.program = matc_compile(d.document, 0, MATC_FRAGMENT | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL, &options);
+    d.program =
+        matc_compile(d.document, 0,
+                     MATC_FRAGMENT | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL, &options);
     if (!matc_ok(d.program))
         fail_msg("%s", matc_program_diagnostics(d.program, MATC_TEXT));
     const char *own = matc_output(d.program, MATC_TESSEVAL, NULL), *end = strrchr(own, '}');
     snprintf(evaluation, sizeof evaluation, "%.*s%s}\n", (int)(end - own), own,
-             gap ? "    gl_Position.xy += float(gl_PrimitiveID % 2) * 0.02 * gl_Position.w;\n" : "");
+             gap ? "    gl_Position.xy += float(gl_PrimitiveID % 2) * 0.02 * gl_Position.w;\n"
+                 : "");
     const ProgramText stages = {.vertex = {matc_output(d.program, MATC_TESSVERTEX, NULL)},
                                 .control = {matc_output(d.program, MATC_TESSCONTROL, NULL)},
                                 .evaluation = {evaluation},
@@ -59,7 +68,10 @@ static void set_uniform(Drawn *d, const char *name, int lanes, const float *valu
         fail_msg("no uniform is called %s", name);
 }
 
-static bool shown(const Rig *rig, int x, int y) { return rig->color[0][y * SIDE + x][0] != rig_cleared; }
+static bool shown(const Rig *rig, int x, int y)
+{
+    return rig->color[0][y * SIDE + x][0] != rig_cleared;
+}
 
 /* Pixels of the background all of whose neighbours show the body. */
 static int holes(const Rig *rig, int *within)
@@ -84,10 +96,13 @@ static int draw_views(Rig *rig, bool gap, int views, int *within)
     Mesh mesh;
     Drawn d = open_drawn(rig, gap);
     int count = 0;
-    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &shape) && mesh_make_of(rig->gl, &shape, &mesh));
+    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &shape) &&
+                mesh_make_of(rig->gl, &shape, &mesh));
     for (int view = 0; view < views; view++) {
-        const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view, r = sqrt(1 - z * z), far = view % 2 ? 1.9 : 4;
-        const float eye[3] = {(float)(far * r * cos(turn)), (float)(far * r * sin(turn)), (float)(far * z)};
+        const double z = 1 - (2 * view + 1.) / views, turn = 2.399963229728653 * view,
+                     r = sqrt(1 - z * z), far = view % 2 ? 1.9 : 4;
+        const float eye[3] = {(float)(far * r * cos(turn)), (float)(far * r * sin(turn)),
+                              (float)(far * z)};
         Space space = space_camera(eye, (float[3]){0, 0, 0}, 0.5f);
         space.world_from_local = mat4_identity();
         assert_true(rig_begin(rig, &rig->full));
@@ -112,7 +127,8 @@ static void edges_of_other_levels_leave_no_hole(void **state)
 {
     int within = 0, aside = 0;
     const int found = draw_views(RIG, false, 64, &within), torn = draw_views(RIG, true, 8, &aside);
-    print_message("64 views: %d pixels within, %d holes; torn apart on purpose %d in 8\n", within, found, torn);
+    print_message("64 views: %d pixels within, %d holes; torn apart on purpose %d in 8\n", within,
+                  found, torn);
     assert_int_equal(found, 0);
     assert_true(within > 64 * 400 && torn >= 10);
 }
@@ -132,7 +148,9 @@ static void attributes_are_handed_on(void **state)
     options.pass = "value";
     options.slot = "diffuse";
     d.document = matc_read("wet.yaml", with_attribute, sizeof with_attribute - 1, &options);
-    d.program = matc_compile(d.document, 0, MATC_FRAGMENT | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL, &options);
+    d.program =
+        matc_compile(d.document, 0,
+                     MATC_FRAGMENT | MATC_TESSVERTEX | MATC_TESSCONTROL | MATC_TESSEVAL, &options);
     if (!matc_ok(d.program))
         fail_msg("%s", matc_program_diagnostics(d.program, MATC_TEXT));
     const ProgramText stages = {.vertex = {matc_output(d.program, MATC_TESSVERTEX, NULL)},
@@ -141,7 +159,8 @@ static void attributes_are_handed_on(void **state)
                                 .fragment = {matc_output(d.program, MATC_FRAGMENT, NULL)}};
     if (!material_make(rig->store, d.program, &stages, &d.material))
         fail_msg("%s", rig->gl->error);
-    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) && mesh_make_of(rig->gl, &ball, &mesh));
+    assert_true(gl_use(rig->gl) && shape_make_detailed(SHAPE_sphere, (int[]){8, 4}, &ball) &&
+                mesh_make_of(rig->gl, &ball, &mesh));
     Space space = space_camera(eye, (float[3]){0, 0, 0}, 0.5f);
     space.world_from_local = mat4_identity();
     assert_true(rig_begin(rig, &rig->full));
@@ -160,7 +179,8 @@ static void attributes_are_handed_on(void **state)
             least = fmin(least, rig->color[0][i][1]);
             most = fmax(most, rig->color[0][i][1]);
         }
-    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most, worst);
+    print_message("wetness from %.2f to %.2f, %.1e from the position at most\n", least, most,
+                  worst);
     assert_true(worst < 1e-6 && least < -.5 && most > .5);
     mesh_delete(rig->gl, &mesh);
     shape_free(&ball);
@@ -170,8 +190,11 @@ static void attributes_are_handed_on(void **state)
 static void others_have_none(void **state)
 {
     (void)state;
-    static const char *const cases[][2] = {{"glsl330", "gbuffer"}, {"essl300", "depth"}, {"glsl110", "gbuffer"},
-                                           {"glsl450", "plane"},   {"glsl450", "sky"}};
+    static const char *const cases[][2] = {{"glsl330", "gbuffer"},
+                                           {"essl300", "depth"},
+                                           {"glsl110", "gbuffer"},
+                                           {"glsl450", "plane"},
+                                           {"glsl450", "sky"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcOptions options;
         matc_options_init(&options);
@@ -180,7 +203,8 @@ static void others_have_none(void **state)
         MatcDocument *document = matc_read("rock.yaml", text, sizeof text - 1, &options);
         MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_TESSEVAL, &options);
         assert_false(matc_ok(program));
-        assert_non_null(strstr(matc_program_diagnostics(program, MATC_TEXT), "no programs that tessellate"));
+        assert_non_null(
+            strstr(matc_program_diagnostics(program, MATC_TEXT), "no programs that tessellate"));
         matc_program_free(program);
         matc_document_free(document);
     }

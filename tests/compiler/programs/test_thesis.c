@@ -1,4 +1,5 @@
-/* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same four render targets. */
+/* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same
+ * four render targets. */
 #include "tests/test.h"
 #include "tests/value/documents.h"
 #include "tests/value/draw.h"
@@ -19,7 +20,8 @@ typedef struct {
 /* The listing's normal is the interpolated one in eye space, which matc calls eyeNormal. */
 static char *listing(void)
 {
-    static const char old[] = "varying vec3 normal;", new[] = "varying vec3 eyeNormal;\n#define normal eyeNormal";
+    static const char old[] = "varying vec3 normal;",
+                      new[] = "varying vec3 eyeNormal;\n#define normal eyeNormal";
     char *text = calloc(1, 8192), *whole = calloc(1, 8192);
     FILE *file = fopen(SOURCE_FOLDER "/tests/thesis/listing42.frag", "rb");
     assert_non_null(file);
@@ -36,12 +38,14 @@ static void draw(Drawer *drawer, const Shading *shading, bool front, Gbuffer *ma
 {
     float *rgba[TARGETS] = {made->texels[0], made->texels[1], made->texels[2], made->texels[3]};
     Material material;
-    if (!drawer_material(drawer, shading, &material) || !drawer_draw(drawer, &material, front, rgba, TARGETS))
+    if (!drawer_material(drawer, shading, &material) ||
+        !drawer_draw(drawer, &material, front, rgba, TARGETS))
         fail_msg("%s", drawer->error);
     material_delete(&material);
 }
 
-/* A sphere's worth of fragments: points of the value test whose coordinates are those of a texture, with their normals. */
+/* A sphere's worth of fragments: points of the value test whose coordinates are those of a texture,
+ * with their normals. */
 static void make_points(Point points[POINT_COUNT])
 {
     points_make(points);
@@ -60,7 +64,8 @@ static void make_points(Point points[POINT_COUNT])
 static void encode(const Point *point, bool front, double code[2])
 {
     const float *n = point->input[INPUT_eyeN];
-    double length = (front ? 1 : -1) * sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
+    double length =
+        (front ? 1 : -1) * sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
     double f = sqrt(8 * (n[2] / length) + 8);
     for (int lane = 0; lane < 2; lane++)
         code[lane] = n[lane] / length / f + 0.5;
@@ -69,25 +74,28 @@ static void encode(const Point *point, bool front, double code[2])
 static double eye_z(const Point *point, bool front)
 {
     const float *n = point->input[INPUT_eyeN];
-    return (front ? 1 : -1) * n[2] / sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
+    return (front ? 1 : -1) * n[2] /
+           sqrt((double)n[0] * n[0] + (double)n[1] * n[1] + (double)n[2] * n[2]);
 }
 
 static const double FLOAT_ERROR = 2e-7; /* of a sum with 1/2, below which a code near 0 may lie */
 
-/* The normal's lanes: both round a number that they compute in their own ways, so the halves may be neighbours; a driver may
- * cut as well as round. Near z = -1
+/* The normal's lanes: both round a number that they compute in their own ways, so the halves may be
+ * neighbours; a driver may cut as well as round. Near z = -1
  * the listing divides two small numbers that have lost their digits; matc does not. */
-static void compare_normal(const Point *point, bool front, const float *theirs, const float *ours, int *neighbours)
+static void compare_normal(const Point *point, bool front, const float *theirs, const float *ours,
+                           int *neighbours)
 {
     double truth[2];
     encode(point, front, truth);
     for (int lane = 0; lane < 2; lane++) {
         double step = half_step(truth[lane]) + FLOAT_ERROR;
         if (fabs(ours[lane] - truth[lane]) > step)
-            fail_msg("n.z %.9g: matc writes %.9g, the normal's code is %.9g", eye_z(point, front), ours[lane],
-                     truth[lane]);
+            fail_msg("n.z %.9g: matc writes %.9g, the normal's code is %.9g", eye_z(point, front),
+                     ours[lane], truth[lane]);
         if (eye_z(point, front) > -0.999 && fabs((double)ours[lane] - theirs[lane]) > step)
-            fail_msg("n.z %.9g: matc writes %.9g, the thesis %.9g", eye_z(point, front), ours[lane], theirs[lane]);
+            fail_msg("n.z %.9g: matc writes %.9g, the thesis %.9g", eye_z(point, front), ours[lane],
+                     theirs[lane]);
         *neighbours += ours[lane] != theirs[lane];
     }
 }
@@ -96,16 +104,20 @@ static void compare(const Point *points, bool front, const Gbuffer *theirs, cons
 {
     int neighbours = 0;
     for (int i = 0; i < POINT_COUNT; i++) {
-        compare_normal(&points[i], front, &theirs->texels[0][4 * i], &ours->texels[0][4 * i], &neighbours);
+        compare_normal(&points[i], front, &theirs->texels[0][4 * i], &ours->texels[0][4 * i],
+                       &neighbours);
         for (int lane = 2; lane < 4 * TARGETS; lane++) {
-            float their = theirs->texels[lane / 4][4 * i + lane % 4], our = ours->texels[lane / 4][4 * i + lane % 4];
+            float their = theirs->texels[lane / 4][4 * i + lane % 4],
+                  our = ours->texels[lane / 4][4 * i + lane % 4];
             if (memcmp(&their, &our, sizeof our) != 0)
-                fail_msg("target %d, lane %d, u %.9g, v %.9g: the thesis writes %.9g, matc %.9g", lane / 4, lane % 4,
-                         points[i].input[INPUT_U][0], points[i].input[INPUT_U][1], their, our);
+                fail_msg("target %d, lane %d, u %.9g, v %.9g: the thesis writes %.9g, matc %.9g",
+                         lane / 4, lane % 4, points[i].input[INPUT_U][0],
+                         points[i].input[INPUT_U][1], their, our);
             assert_true(half_is_plain(our));
         }
     }
-    print_message("%s: %d fragments; %d of %d normal lanes are neighbouring halves, all else is equal to the bit\n",
+    print_message("%s: %d fragments; %d of %d normal lanes are neighbouring halves, all else is "
+                  "equal to the bit\n",
                   front ? "front" : "back", POINT_COUNT, neighbours, 2 * POINT_COUNT);
 }
 
@@ -131,7 +143,9 @@ static void listing_and_matc_write_the_same(void **state)
         const char *fragment = matc_output(program, MATC_FRAGMENT, NULL);
         for (int front = 0; front < 2; front++) {
             draw(&drawer, &(Shading){.fragment = text, .target = TARGET_glsl110}, front, &theirs);
-            draw(&drawer, &(Shading){.fragment = fragment, .target = TARGET_glsl110, .program = program}, front, &ours);
+            draw(&drawer,
+                 &(Shading){.fragment = fragment, .target = TARGET_glsl110, .program = program},
+                 front, &ours);
             compare(points, front, &theirs, &ours);
         }
         matc_program_free(program);

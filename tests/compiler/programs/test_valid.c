@@ -1,5 +1,6 @@
-/* Every example, through every pass and target and with either noise, is a program that glslang parses and links. test_valid spirv:
- * its SPIR-V passes spirv-val; status 77 where that is not installed. */
+/* Every example, through every pass and target and with either noise, is a program that glslang
+ * parses and links. test_valid spirv: its SPIR-V passes spirv-val; status 77 where that is not
+ * installed. */
 /* ctest: seconds=80 */
 #include "tests/test.h"
 #include "compiler/choice.h"
@@ -42,7 +43,8 @@ static bool run_spirv_val(const char *argument)
     char *const arguments[] = {"spirv-val", (char *)(uintptr_t)argument, NULL};
     posix_spawn_file_actions_init(&actions);
     if (!strcmp(argument, "--version"))
-        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 0x1 /* O_WRONLY */, 0);
+        posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 0x1 /* O_WRONLY */,
+                                         0);
     if (posix_spawnp(&process, "spirv-val", &actions, NULL, arguments, environ) == 0)
         waitpid(process, &status, 0);
     posix_spawn_file_actions_destroy(&actions);
@@ -83,8 +85,8 @@ static bool passes_spirv_val(Run *run, const char *words, size_t size)
 static void check_program(Run *run, const Document *d, int material, const MatcOptions *options)
 {
     bool spirv = choice_target(options)->spirv;
-    MatcProgram *program =
-        matc_compile(d->document, material, MATC_FRAGMENT | MATC_VERTEX | (spirv ? MATC_SPIRV : 0), options);
+    MatcProgram *program = matc_compile(
+        d->document, material, MATC_FRAGMENT | MATC_VERTEX | (spirv ? MATC_SPIRV : 0), options);
     const char *what = NULL;
     size_t size = 0;
     const char *words = matc_output(program, MATC_SPIRV, &size);
@@ -98,13 +100,14 @@ static void check_program(Run *run, const Document *d, int material, const MatcO
     if (what) {
         atomic_fetch_add(&run->faults, 1);
         fprintf(stderr, "%s %s, %s, pass %s, noise %s, -O%d: %s\n", document_name(d),
-                matc_material_name(d->document, material), options->target, options->pass, options->noise,
-                options->optimize, what);
+                matc_material_name(d->document, material), options->target, options->pass,
+                options->noise, options->optimize, what);
     }
     matc_program_free(program);
 }
 
-/* As written only for one target: level 0 differs in its expressions, which are the same for all. */
+/* As written only for one target: level 0 differs in its expressions, which are the same for
+ * all. */
 static void check_material(Run *run, const Document *d, int material)
 {
     MatcOptions options = d->options;
@@ -114,7 +117,9 @@ static void check_material(Run *run, const Document *d, int material)
         int target = i % TARGET_COUNT, rest = i / TARGET_COUNT;
         options.target = target_table[target].name;
         options.pass = pass_table[rest % PASS_COUNT].name;
-        options.noise = choice_table[axis_table[AXIS_noise].first + rest / PASS_COUNT % axis_choices(AXIS_noise)].name;
+        options.noise = choice_table[axis_table[AXIS_noise].first +
+                                     rest / PASS_COUNT % axis_choices(AXIS_noise)]
+                            .name;
         options.optimize = rest / PASS_COUNT / axis_choices(AXIS_noise) ? 0 : 2;
         if ((target + rest) % SANITIZED_SHARE || !share_takes(target + rest, SHARES))
             continue;
@@ -127,7 +132,8 @@ static void check_material(Run *run, const Document *d, int material)
 static void *work(void *user)
 {
     Run *run = user;
-    MatcLinked *linked = matc_linked_new(); /* of noises that a material has none of, programs are the same */
+    /* of noises that a material has none of, programs are the same */
+    MatcLinked *linked = matc_linked_new();
     for (int i; (i = atomic_fetch_add(&run->next, 1)) < run->documents.count;) {
         Document document;
         const char *only = getenv("VALUE_ONLY");
@@ -139,7 +145,8 @@ static void *work(void *user)
             atomic_fetch_add(&run->faults, 1);
             fprintf(stderr, "%s: %s\n", run->documents.paths[i], document_fault(&document));
         }
-        for (int material = 0; good && material < matc_material_count(document.document); material++)
+        for (int material = 0; good && material < matc_material_count(document.document);
+             material++)
             check_material(run, &document, material);
         document_close(&document);
     }
@@ -176,9 +183,10 @@ static void spirv_passes_spirv_val(void **state)
 static void linked_programs_are_told_apart(void **state)
 {
     (void)state;
-    static const char head[] = "#version 330 core\nin vec3 p;\nlayout(location = 0) out vec4 color;\n";
-    static const char good[] =
-        "#version 330 core\nout vec3 p;\nvoid main() { p = vec3(1.0); gl_Position = vec4(p, 1.0); }\n";
+    static const char head[] =
+        "#version 330 core\nin vec3 p;\nlayout(location = 0) out vec4 color;\n";
+    static const char good[] = "#version 330 core\nout vec3 p;\nvoid main() { p = vec3(1.0); "
+                               "gl_Position = vec4(p, 1.0); }\n";
     static const char other[] =
         "#version 330 core\nout vec2 p;\nvoid main() { p = vec2(1.0); gl_Position = vec4(1.0); }\n";
     char fine[256], broken[256];
@@ -192,7 +200,8 @@ static void linked_programs_are_told_apart(void **state)
     snprintf(fine, sizeof fine, "%svoid main() { color = vec4(p, 1.0); } // comment\n", head);
     snprintf(broken, sizeof broken, "%svoid main() { color = vec4(q, 1.0); }\n", head);
     assert_false(
-        validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log)); /* and is not remembered */
+        /* and is not remembered */
+        validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log));
     assert_false(validate(&session, TARGET_glsl330, &(ProgramTexts){other, fine, size}, &log));
     assert_true(validate(&session, TARGET_glsl330, &(ProgramTexts){good, fine, size}, &log));
     assert_true(validate(&session, TARGET_glsl330, &(ProgramTexts){good, fine, size}, &log));

@@ -1,5 +1,7 @@
-/* Bisection by compute stages, under OSMesa: its triangles against those of the processor's bisection by the same error, in double; the same set however the camera came there;
- * each side of a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures against those of fine meshes, and shadows of what the camera does not see. */
+/* Bisection by compute stages, under OSMesa: its triangles against those of the processor's
+ * bisection by the same error, in double; the same set however the camera came there; each side of
+ * a triangle with another bit for bit, from 64 cameras; what is not enough room for; pictures
+ * against those of fine meshes, and shadows of what the camera does not see. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/bisection_body.h"
 #include "tests/frame/bisection_reference.h"
@@ -37,17 +39,19 @@ static void triangles_are_those_of_the_processor(void **state)
         bisection_body_look(&b.scene->camera, 1, 8, rows[i].distance);
         if (scene_vector_dot(rows[i].lamp, rows[i].lamp) > 0) {
             SceneLight *lamp = &b.scene->lights[0];
-            lamp->kind = scene_vector_dot(rows[i].edges[0], rows[i].edges[0]) > 0 ? SCENE_Area : SCENE_Point;
+            lamp->kind =
+                scene_vector_dot(rows[i].edges[0], rows[i].edges[0]) > 0 ? SCENE_Area : SCENE_Point;
             memcpy(lamp->position, rows[i].lamp, sizeof rows[i].lamp);
             memcpy(lamp->edges, rows[i].edges, sizeof rows[i].edges);
         }
         uint64_t *found = bisection_body_leaves(&b, &counts[0]),
                  *wanted = bisection_reference(
-                     &(BisectionReference){b.scene, &b.options, b.mesh.body != SHAPE_BODY_none}, &counts[1]);
+                     &(BisectionReference){b.scene, &b.options, b.mesh.body != SHAPE_BODY_none},
+                     &counts[1]);
         bisection_body_sort(wanted, counts[1]);
         const int apart = bisection_body_others(found, counts[0], wanted, counts[1]);
-        print_message("%zu: %d triangles, %d by the processor; %d in one of both alone\n", i, counts[0], counts[1],
-                      apart);
+        print_message("%zu: %d triangles, %d by the processor; %d in one of both alone\n", i,
+                      counts[0], counts[1], apart);
         assert_true(counts[0] > 200 && apart <= 2 + counts[0] / 100);
         assert_true(displaced_bisection_cost(&b.displaced).pixels == rows[i].pixels);
         free(found);
@@ -65,13 +69,15 @@ static void assert_whole(const uint64_t *leaves, int count, int bases)
     assert_true(area == bases);
 }
 
-/* From near to far and back, around, and where there are not enough: the same as of one who has seen nothing before. */
+/* From near to far and back, around, and where there are not enough: the same as of one who has
+ * seen nothing before. */
 static void the_way_does_not_matter(void **state)
 {
     static const double distances[] = {8, 1.4, 30, 1.1, 2, 1.2, 1.25, 1.3};
     for (int body = 0; body < BISECTION_BODIES; body += 2) {
         BisectionBody b = bisection_body_begin(
-            *state, body == 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000", bisection_bodies[body]);
+            *state, body == 2 ? "pixels: 0.5, triangles: 1500" : "pixels: 2, triangles: 4000",
+            bisection_bodies[body]);
         SceneCamera views[8];
         uint64_t *leaves[8];
         int counts[8], splits = 0, merges = 0, fewer = 0;
@@ -84,14 +90,16 @@ static void the_way_does_not_matter(void **state)
             merges += cost.merges;
             fewer += cost.pixels > b.displaced.patches->pixels;
             assert_int_equal(cost.leaves, counts[i]);
-            assert_true(b.mesh.index_count / 3 <= counts[i] + counts[i] / 32); /* few places are free */
+            /* few places are free */
+            assert_true(b.mesh.index_count / 3 <= counts[i] + counts[i] / 32);
             if (3 * counts[i] >= b.displaced.patches->triangles)
                 assert_true(cost.kept <= 8 * (size_t)counts[i]);
             assert_whole(leaves[i], counts[i], b.displaced.patches->count);
             assert_true(counts[i] <= b.displaced.patches->triangles);
         }
-        print_message("body %d: %d edges bisected, %d merged; %d views with more triangles than there may be\n", body,
-                      splits, merges, fewer);
+        print_message("body %d: %d edges bisected, %d merged; %d views with more triangles than "
+                      "there may be\n",
+                      body, splits, merges, fewer);
         assert_true(splits > 100 && merges > 100);
         for (int i = 0; i < 8; i++) {
             int count;
@@ -109,7 +117,8 @@ static void the_way_does_not_matter(void **state)
 /* Entries of the table are told from those of 255 looks ago. */
 static void old_looks_are_forgotten(void **state)
 {
-    BisectionBody b = bisection_body_begin(*state, "pixels: 12, triangles: 1500", bisection_bodies[2]);
+    BisectionBody b =
+        bisection_body_begin(*state, "pixels: 12, triangles: 1500", bisection_bodies[2]);
     int count = 0, fresh_count = 0;
     for (int view = 0; view < 260; view++) {
         bisection_body_look(&b.scene->camera, view % 7, 8, view % 2 ? 1.6 : 5);
@@ -123,13 +132,15 @@ static void old_looks_are_forgotten(void **state)
     bisection_body_end(&b);
 }
 
-/* 64 cameras, near and far, of bisection_bodies with hard edges, seams and poles, one after the other in place. */
+/* 64 cameras, near and far, of bisection_bodies with hard edges, seams and poles, one after the
+ * other in place. */
 static void each_side_has_another(void **state)
 {
     static const double distances[] = {1.1, 1.7, 2.2, 20};
     long triangles = 0;
     for (int body = 1; body < BISECTION_BODIES; body++) {
-        BisectionBody b = bisection_body_begin(*state, "pixels: 3, triangles: 2000", bisection_bodies[body]);
+        BisectionBody b =
+            bisection_body_begin(*state, "pixels: 3, triangles: 2000", bisection_bodies[body]);
         for (int view = 0; view < 16; view++) {
             Shape shape;
             int count;
@@ -157,23 +168,26 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-/* By the whole renderer, with exact shadows, which read the triangles back; the camera goes elsewhere, and back. */
+/* By the whole renderer, with exact shadows, which read the triangles back; the camera goes
+ * elsewhere, and back. */
 static void pictures_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
     const BisectionBodies *with = *state;
     char text[4000];
     float *light[4];
-    static const char *const how[] = {"method: mesh, level: 48", "method: bisection, pixels: 0.15, triangles: 60000",
+    static const char *const how[] = {"method: mesh, level: 48",
+                                      "method: bisection, pixels: 0.15, triangles: 60000",
                                       "method: mesh, level: 2", "method: mesh, level: 32"};
     for (int k = 0; k < 4; k++) {
         MatcDocument *document;
-        snprintf(
-            text, sizeof text,
-            "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n%s"
-            "displacement: { %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1], shadows: exact "
-            "}]\nobjects:\n%s",
-            EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[2]);
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, "
+                 "-3, 2], angle: 40 }\n%s"
+                 "displacement: { %s }\nlights: [{ light: Directional, direction: [1, 0.6, -1], "
+                 "shadows: exact "
+                 "}]\nobjects:\n%s",
+                 EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[2]);
         Scene *scene = frame_scene(text, &options, &document);
         const RenderOptions draw = {.compile = &options, .view = "light"};
         Render *render = render_open(with->gl, &draw);
@@ -192,32 +206,40 @@ static void pictures_are_those_of_meshes(void **state)
     }
     const int off = differing(light[0], light[1]), coarse = differing(light[0], light[2]),
               other = differing(light[0], light[3]);
-    print_message("%d of %d pixels differ; %d of a fine mesh, %d of a coarse one\n", off, PIXELS, other, coarse);
+    print_message("%d of %d pixels differ; %d of a fine mesh, %d of a coarse one\n", off, PIXELS,
+                  other, coarse);
     assert_true(off < 2 * other && coarse > 3 * off);
     for (int k = 0; k < 4; k++)
         free(light[k]);
 }
 
-/* The camera sees a floor, and of a body nothing but its shadow: that is the one which a fine mesh throws, though a triangle out of view counts as eight times as far; when the lamp comes near, too. */
+/* The camera sees a floor, and of a body nothing but its shadow: that is the one which a fine mesh
+ * throws, though a triangle out of view counts as eight times as far; when the lamp comes near,
+ * too. */
 static void shadows_are_those_of_meshes(void **state)
 {
     const MatcOptions options = frame_exact_options();
     const BisectionBodies *with = *state;
-    static const char *const how[] = {"method: mesh, level: 24", "method: bisection, pixels: 0.2, triangles: 30000",
+    static const char *const how[] = {"method: mesh, level: 24",
+                                      "method: bisection, pixels: 0.2, triangles: 30000",
                                       "method: bisection, pixels: 1.6, triangles: 30000"};
     float *light[6]; /* of three meshes, by a lamp that is far away and one that is near */
     for (int k = 0; k < 3; k++) {
         MatcDocument *document;
         char text[4000];
         snprintf(text, sizeof text,
-                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [4, -3, -1], target: [4, "
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [4, "
+                 "-3, -1], target: [4, "
                  "0, -4], angle: 30 }\n%s  floor: { material: Phong, diffuse: 1 }\n"
-                 "displacement: { %s }\nlights: [{ light: Point, position: [-40, 0, 40], intensity: 50000, shadows: "
-                 "exact }]\nobjects:\n%s- { object: Parallelogram, u: [20, 0, 0], v: [0, 20, 0], material: floor, "
+                 "displacement: { %s }\nlights: [{ light: Point, position: [-40, 0, 40], "
+                 "intensity: 50000, shadows: "
+                 "exact }]\nobjects:\n%s- { object: Parallelogram, u: [20, 0, 0], v: [0, 20, 0], "
+                 "material: floor, "
                  "transform: { translation: [-10, -10, -4] } }\n",
                  EDGE, EDGE, bisection_body_materials, how[k], bisection_bodies[1]);
         Scene *scene = frame_scene(text, &options, &document);
-        Render *render = render_open(with->gl, &(RenderOptions){.compile = &options, .view = "light"});
+        Render *render =
+            render_open(with->gl, &(RenderOptions){.compile = &options, .view = "light"});
         assert_true(render && render_scene(render, scene) && render_frame(render));
         for (int near = 0; near < 2; near++) {
             if (near) {
@@ -237,8 +259,9 @@ static void shadows_are_those_of_meshes(void **state)
             dark += light[3 * near][4 * i] < .02f;
         const int off = differing(light[3 * near], light[3 * near + 1]),
                   coarse = differing(light[3 * near], light[3 * near + 2]);
-        print_message("%d pixels of a shadow; %d differ, %d where triangles are an eighth as fine\n", dark, off,
-                      coarse);
+        print_message(
+            "%d pixels of a shadow; %d differ, %d where triangles are an eighth as fine\n", dark,
+            off, coarse);
         assert_true(dark > PIXELS / 16 && off < 10 && coarse > 2 * off);
     }
     for (int i = 0; i < 6; i++)
@@ -252,12 +275,14 @@ static void others_get_meshes(void **state)
     const BisectionBodies *with = *state;
     MatcDocument *document;
     PFNGLDISPATCHCOMPUTEINDIRECTPROC had = with->gl->DispatchComputeIndirect;
-    Scene *scene = bisection_body_scene("pixels: 1, triangles: 3000", bisection_bodies[2], &options, &document);
+    Scene *scene = bisection_body_scene("pixels: 1, triangles: 3000", bisection_bodies[2], &options,
+                                        &document);
     with->gl->DispatchComputeIndirect = NULL;
     free(frame_floats(with->gl, scene, &(RenderOptions){.compile = &options, .view = "light"}));
     const SceneMesh *mesh = &scene->meshes[scene->objects[0].mesh];
     with->gl->DispatchComputeIndirect = had;
-    assert_true(!mesh->patches && mesh->shape.index_count > 3 * 200 && shape_body(&mesh->shape) != SHAPE_BODY_none);
+    assert_true(!mesh->patches && mesh->shape.index_count > 3 * 200 &&
+                shape_body(&mesh->shape) != SHAPE_BODY_none);
     frame_forget(scene, document);
 }
 

@@ -1,4 +1,5 @@
-/* Bisection for the shadows of an Area, under OSMesa: nowhere coarser than for a lamp at any of its points, seldom finer than for all of these, and as for one lamp where it is small. */
+/* Bisection for the shadows of an Area, under OSMesa: nowhere coarser than for a lamp at any of its
+ * points, seldom finer than for all of these, and as for one lamp where it is small. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include "runtime/scene/scene_matrix.h"
@@ -13,11 +14,12 @@ typedef struct {
     double distance, pixels, corner[3], edges[2][3], box[2][3];
 } Row;
 
-static const Row rows[] = {{0, 3, 2, {2.5, 2, 1.7}, {{-1, .3, 0}, {.2, .7, .5}}, {{0}}},
-                           {1, 1.5, 1.5, {-2.2, 1.5, 1}, {{0, -2, .5}, {.3, 0, -1}}, {{0}}},
-                           {1, 3, 1.5, {4, -1, .5}, {{0, 2, 0}, {0, 0, 1}}, {{0}}},
-                           {2, 4, 2, {-2, -5, 3}, {{2, 0, 0}, {0, 0, -2}}, {{0}}},
-                           {0, 2, 2, {-3, 0, 1}, {{0, 2, 0}, {0, 0, 1}}, {{-4, -4, -1}, {4, 4, 1}}}};
+static const Row rows[] = {
+    {0, 3, 2, {2.5, 2, 1.7}, {{-1, .3, 0}, {.2, .7, .5}}, {{0}}},
+    {1, 1.5, 1.5, {-2.2, 1.5, 1}, {{0, -2, .5}, {.3, 0, -1}}, {{0}}},
+    {1, 3, 1.5, {4, -1, .5}, {{0, 2, 0}, {0, 0, 1}}, {{0}}},
+    {2, 4, 2, {-2, -5, 3}, {{2, 0, 0}, {0, 0, -2}}, {{0}}},
+    {0, 2, 2, {-3, 0, 1}, {{0, 2, 0}, {0, 0, 1}}, {{-4, -4, -1}, {4, 4, 1}}}};
 
 static BisectionBody begin(void **state, const Row *row)
 {
@@ -45,7 +47,8 @@ static bool is_there(const uint64_t *leaves, int count, uint64_t leaf)
     return low < count && leaves[low] == leaf;
 }
 
-/* How many of `fine` lie within a triangle of `coarse` that is not divided as far. Numbers of triangles: those it lies in are it without its last bits. */
+/* How many of `fine` lie within a triangle of `coarse` that is not divided as far. Numbers of
+ * triangles: those it lies in are it without its last bits. */
 static int finer(const uint64_t *fine, int fine_count, const uint64_t *coarse, int coarse_count)
 {
     int found = 0;
@@ -79,8 +82,9 @@ static void no_point_of_a_light_needs_more(void **state)
         assert_true(displaced_bisection_cost(&b.displaced).pixels == rows[i].pixels);
         for (int at = 0; at < POINTS * POINTS; at++) {
             int lamp_count;
-            uint64_t *lamp = of_lamp(&b, &rows[i], (double[]){at % POINTS / (POINTS - 1.), at / POINTS / (POINTS - 1.)},
-                                     &lamp_count);
+            uint64_t *lamp = of_lamp(
+                &b, &rows[i], (double[]){at % POINTS / (POINTS - 1.), at / POINTS / (POINTS - 1.)},
+                &lamp_count);
             assert_int_equal(finer(lamp, lamp_count, area, count), 0);
             most = lamp_count > most ? lamp_count : most;
             least = lamp_count < least ? lamp_count : least;

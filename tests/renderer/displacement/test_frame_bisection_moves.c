@@ -1,4 +1,5 @@
-/* Bisection by compute stages where the camera moves by little: triangles that cannot have changed are not looked at again, and what there is is what a mesh has that has seen nothing before. */
+/* Bisection by compute stages where the camera moves by little: triangles that cannot have changed
+ * are not looked at again, and what there is is what a mesh has that has seen nothing before. */
 /* ctest: unsanitized */
 #include "tests/frame/bisection_body.h"
 #include <stdio.h>
@@ -31,7 +32,9 @@ static void assert_fresh_has_them(BisectionBody *b, const uint64_t *leaves, int 
     free(fresh);
 }
 
-/* Many steps, so that what is left of a triangle's room after some of them counts; by moving, by turning alone, with rays from one point, and parallel ones; beside a sun, and a lamp that is near. */
+/* Many steps, so that what is left of a triangle's room after some of them counts; by moving, by
+ * turning alone, with rays from one point, and parallel ones; beside a sun, and a lamp that is
+ * near. */
 static void little_moves_do_not_matter(void **state)
 {
     static const struct {
@@ -45,16 +48,19 @@ static void little_moves_do_not_matter(void **state)
                 {4, false, .01, 0, {0}}};
     enum { VIEWS = 30 };
     const GlContext *gl = ((const BisectionBodies *)*state)->gl;
-    const double most = gl->hardware ? 0.9 : 0.6; /* a device looks at sixteen where one is due, a processor at four */
+    /* a device looks at sixteen where one is due, a processor at four */
+    const double most = gl->hardware ? 0.9 : 0.6;
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-        BisectionBody b = bisection_body_begin(*state, "pixels: 0.8, triangles: 9000", bisection_bodies[rows[i].body]);
+        BisectionBody b = bisection_body_begin(*state, "pixels: 0.8, triangles: 9000",
+                                               bisection_bodies[rows[i].body]);
         uint32_t random = 1;
         uint64_t *leaves[VIEWS];
         SceneCamera views[VIEWS];
         int counts[VIEWS], looked = 0, changed = 0;
         b.scene->lights[0].kind = rows[i].lamp[0] != 0 ? SCENE_Point : SCENE_Directional;
         memcpy(b.scene->lights[0].position, rows[i].lamp, sizeof rows[i].lamp);
-        bisection_body_look(&b.scene->camera, 1, 8, 1.3); /* from nearer: what merges then leaves places free */
+        /* from nearer: what merges then leaves places free */
+        bisection_body_look(&b.scene->camera, 1, 8, 1.3);
         free(bisection_body_leaves(&b, &counts[0]));
         bisection_body_look(&b.scene->camera, 1, 8, 2.4);
         if (rows[i].parallel) {
@@ -69,8 +75,9 @@ static void little_moves_do_not_matter(void **state)
             looked += view ? cost.looked : 0;
             changed += view ? cost.splits + cost.merges : 0;
         }
-        print_message("%zu: %d triangles; in %d views %d bisected or merged, one in %.1f looked at\n", i, counts[0],
-                      VIEWS - 1, changed, (VIEWS - 1.) * counts[0] / looked);
+        print_message(
+            "%zu: %d triangles; in %d views %d bisected or merged, one in %.1f looked at\n", i,
+            counts[0], VIEWS - 1, changed, (VIEWS - 1.) * counts[0] / looked);
         assert_true(counts[0] > 1000 && changed > 20 && looked < most * (VIEWS - 1) * counts[0]);
         for (int view = 0; view < VIEWS; view++) {
             b.scene->camera = views[view];
@@ -84,7 +91,8 @@ static void little_moves_do_not_matter(void **state)
 /* What a view depends on but the camera's place makes all anew. */
 static void what_else_changes_counts(void **state)
 {
-    BisectionBody b = bisection_body_begin(*state, "pixels: 1.5, triangles: 9000", bisection_bodies[1]);
+    BisectionBody b =
+        bisection_body_begin(*state, "pixels: 1.5, triangles: 9000", bisection_bodies[1]);
     int count;
     bisection_body_look(&b.scene->camera, 1, 8, 2.4);
     free(bisection_body_leaves(&b, &count));
@@ -104,7 +112,8 @@ static void what_else_changes_counts(void **state)
     bisection_body_end(&b);
 }
 
-/* Where a driver has more threads than a processor has, nine of them have a height each, and groups go on to what is left: what they find is the same. */
+/* Where a driver has more threads than a processor has, nine of them have a height each, and groups
+ * go on to what is left: what they find is the same. */
 static void threads_beside_each_other_find_the_same(void **state)
 {
     GlContext *gl = ((const BisectionBodies *)*state)->gl;

@@ -1,5 +1,7 @@
-/* Displaced surfaces against Cycles, which divides and displaces them by nodes of its own: tests/reference/README.md. What each method's triangles may be off is said by their size and by
- * the second derivative of the surface; of what is traced nothing is, but what Cycles' own parts are. */
+/* Displaced surfaces against Cycles, which divides and displaces them by nodes of its own:
+ * tests/reference/README.md. What each method's triangles may be off is said by their size and by
+ * the second derivative of the surface; of what is traced nothing is, but what Cycles' own parts
+ * are. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -11,11 +13,13 @@
 enum { EDGE = 160, PIXELS = EDGE * EDGE, TEXT = 4000 };
 #define DOCUMENT SOURCE_FOLDER "/tests/reference/cycles/displaced.yaml"
 
-/* Of the sheet, then of the box: the longest edge of the two triangles of a face, and the greatest second derivative of the height by length: the sum over both sines of amplitude times the square of the wave's number. So much, at
- * most, a unit normal turns by a length of the face. */
+/* Of the sheet, then of the box: the longest edge of the two triangles of a face, and the greatest
+ * second derivative of the height by length: the sum over both sines of amplitude times the square
+ * of the wave's number. So much, at most, a unit normal turns by a length of the face. */
 static const struct {
     double edge, bent;
-} bodies[2] = {{3 * 1.41421356, .08 * (144 + 25) / 9 + .05 * (49 + 256) / 9}, {1.6 * 1.41421356, .06 * 34 + .042 * 52}};
+} bodies[2] = {{3 * 1.41421356, .08 * (144 + 25) / 9 + .05 * (49 + 256) / 9},
+               {1.6 * 1.41421356, .06 * 34 + .042 * 52}};
 
 /* `parts` of an edge; or triangles that are off by `pixels`; neither: the surface itself. */
 typedef struct {
@@ -47,8 +51,10 @@ typedef struct {
     ReferencePicture wanted[2];
 } Pictures;
 
-/* The document, its line `displacement:` replaced; and its scales, the box's in proportion, by one that is wrong. */
-static Scene *open_scene(const char *how, const char *scale, const MatcOptions *options, MatcDocument **document)
+/* The document, its line `displacement:` replaced; and its scales, the box's in proportion, by one
+ * that is wrong. */
+static Scene *open_scene(const char *how, const char *scale, const MatcOptions *options,
+                         MatcDocument **document)
 {
     char text[TEXT] = "", line[TEXT / 4];
     Scene *scene = NULL;
@@ -59,7 +65,8 @@ static Scene *open_scene(const char *how, const char *scale, const MatcOptions *
             snprintf(line, sizeof line, "displacement: { %s }\n", how);
         double was;
         if (scale && sscanf(line, " displacementScale: %lf", &was) == 1)
-            snprintf(line, sizeof line, "    displacementScale: %g\n", was * strtod(scale, NULL) / .2);
+            snprintf(line, sizeof line, "    displacementScale: %g\n",
+                     was * strtod(scale, NULL) / .2);
         strncat(text, line, TEXT - 1 - strlen(text));
     }
     fclose(file);
@@ -77,7 +84,8 @@ typedef struct {
 
 static double length_of(const double a[3]) { return sqrt(reference_dot(a, a)); }
 
-/* On a face of the box, away from its edges by more than a part of them: there a body without gaps is between its faces, by rules that Cycles need not have. */
+/* On a face of the box, away from its edges by more than a part of them: there a body without gaps
+ * is between its faces, by rules that Cycles need not have. */
 static bool is_within(const double p[3])
 {
     double sizes[3] = {fabs(p[0]), fabs(p[1]), fabs(p[2])};
@@ -91,9 +99,12 @@ static void note(Judged *judged, int body, int what, double off, double bound)
     judged->share[body][what][judged->count[body]] = off / bound;
 }
 
-/* A point in front of the camera, and a normal, beside Cycles' own of the same pixel. Points are judged across Cycles' tangent plane, from which the surface bends away; normals by how far from there they are. Cycles' parts are half a pixel wide; where it looks along the
- * surface, longer: taken for one. */
-static void judge(const Scene *scene, const Way *way, double shown[2][3], double wanted[2][3], Judged *judged)
+/* A point in front of the camera, and a normal, beside Cycles' own of the same pixel. Points are
+ * judged across Cycles' tangent plane, from which the surface bends away; normals by how far from
+ * there they are. Cycles' parts are half a pixel wide; where it looks along the surface, longer:
+ * taken for one. */
+static void judge(const Scene *scene, const Way *way, double shown[2][3], double wanted[2][3],
+                  Judged *judged)
 {
     double apart[3], turned[3], from[3];
     for (int k = 0; k < 3; k++) {
@@ -104,15 +115,19 @@ static void judge(const Scene *scene, const Way *way, double shown[2][3], double
     const int body = wanted[0][2] > -1.05;
     if (body && !is_within(wanted[0]))
         return;
-    const double pixel = 2 * length_of(from) * tan(21 * acos(-1) / 180) / EDGE, far = length_of(apart);
+    const double pixel = 2 * length_of(from) * tan(21 * acos(-1) / 180) / EDGE,
+                 far = length_of(apart);
     const double bent = bodies[body].bent, parts = way->parts ? bodies[body].edge / way->parts : 0;
-    const double triangles = bent * parts * parts / 8 + way->pixels * pixel, theirs = bent * pixel * pixel / 8;
-    note(judged, body, 0, fabs(reference_dot(apart, wanted[1])), triangles + theirs + bent * far * far / 2 + ROUNDED);
+    const double triangles = bent * parts * parts / 8 + way->pixels * pixel,
+                 theirs = bent * pixel * pixel / 8;
+    note(judged, body, 0, fabs(reference_dot(apart, wanted[1])),
+         triangles + theirs + bent * far * far / 2 + ROUNDED);
     note(judged, body, 1, length_of(turned), bent * (far + pixel / 2) + ROUNDED);
     judged->count[body]++;
 }
 
-static void judge_pixel(const Scene *scene, const Way *way, const Pictures *is, int i, Judged *judged)
+static void judge_pixel(const Scene *scene, const Way *way, const Pictures *is, int i,
+                        Judged *judged)
 {
     double shown[2][3], wanted[2][3];
     const Ray ray = reference_ray(scene, i % EDGE + .5, i / EDGE + .5);
@@ -125,7 +140,8 @@ static void judge_pixel(const Scene *scene, const Way *way, const Pictures *is, 
     const float *normal = is->normal + 4 * i;
     for (int k = 0; k < 3; k++) {
         shown[0][k] = ray.at[k] + scene->camera.near / (double)is->depth[4 * i] * ray.way[k];
-        shown[1][k] = (double)normal[0] * scene->camera.right[k] + (double)normal[1] * scene->camera.up[k] +
+        shown[1][k] = (double)normal[0] * scene->camera.right[k] +
+                      (double)normal[1] * scene->camera.up[k] +
                       (double)normal[2] * scene->camera.back[k];
         wanted[0][k] = (double)is->wanted[0].rgba[4 * i + k];
         wanted[1][k] = (double)is->wanted[1].rgba[4 * i + k];
@@ -159,7 +175,8 @@ static void draw(const World *world, const Way *way, const char *scale, Judged *
 /* All pixels but one in a thousand, which an outline that triangles move may cross. */
 static void each_method_is_as_near_as_its_triangles(void **state)
 {
-    static const char *const names[] = {"sheet, points", "sheet, normals", "box, points", "box, normals"};
+    static const char *const names[] = {"sheet, points", "sheet, normals", "box, points",
+                                        "box, normals"};
     const World *world = *state;
     static Judged judged;
     for (int i = 0; i < WAYS; i++) {
@@ -168,16 +185,18 @@ static void each_method_is_as_near_as_its_triangles(void **state)
         for (int k = 0; k < 4; k++) {
             const int body = k / 2, what = k % 2, count = judged.count[body];
             const double *off = judged.off[body][what], *share = judged.share[body][what];
-            print_message("  %s: half within %.2g, 99.9 %% %.2g; of what may be %.2g, %.2g; %d pixels\n", names[k],
-                          quantile(off, count, .5), quantile(off, count, .999), quantile(share, count, .5),
-                          quantile(share, count, .999), count);
+            print_message(
+                "  %s: half within %.2g, 99.9 %% %.2g; of what may be %.2g, %.2g; %d pixels\n",
+                names[k], quantile(off, count, .5), quantile(off, count, .999),
+                quantile(share, count, .5), quantile(share, count, .999), count);
             assert_true(count > 2500 && quantile(share, count, .999) < 1);
         }
         assert_int_equal(judged.missing, 0);
     }
 }
 
-/* Heights that are a hundredth too large are seen where the surface itself is drawn; and normals of a fifth less. */
+/* Heights that are a hundredth too large are seen where the surface itself is drawn; and normals of
+ * a fifth less. */
 static void other_heights_are_seen(void **state)
 {
     const World *world = *state;
@@ -199,7 +218,8 @@ static int begin(void **state)
     world.depth = render_open(world.gl, &(RenderOptions){.compile = &options, .view = "depth"});
     world.normal = render_open(world.gl, &(RenderOptions){.compile = &options, .view = "normal"});
     *state = &world;
-    return !(world.depth && world.normal && reference_picture_read("cycles/displaced_points", &world.wanted[0]) &&
+    return !(world.depth && world.normal &&
+             reference_picture_read("cycles/displaced_points", &world.wanted[0]) &&
              reference_picture_read("cycles/displaced_normals", &world.wanted[1]));
 }
 

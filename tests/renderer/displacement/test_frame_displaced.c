@@ -1,5 +1,6 @@
-/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference's, by which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard
- * or texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
+/* Meshes that the driver displaces, drawn under OSMesa: their points against the C reference's, by
+ * which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard or
+ * texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
 /* ctest: unsanitized */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -9,25 +10,35 @@
 
 enum { EDGE = 64, PIXELS = EDGE * EDGE, VIEWS = 8, LEVEL = 6 };
 
-#define MATERIALS                                                                                                      \
-    "materials:\n"                                                                                                     \
-    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: { param: height, default: 0.2 },\n"    \
-    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, noiseRatio: 0.5 } }\n"    \
-    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: 0.1,\n"                   \
-    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } }\n"                    \
-    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: Blend, input: { map: "      \
-    "Gradient, direction: "                                                                                            \
-    "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, input: [-0.1, 0.1, 0.2] "   \
-    "}] } }\n"                                                                                                         \
-    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, displacementScale: 0.25,\n"            \
-    "    displacement: { map: Gradient, direction: [3, 5, 2], waveForm: Sin } }\n"                                     \
+#define MATERIALS                                                                                  \
+    "materials:\n"                                                                                 \
+    "  rock: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: { param: height, " \
+    "default: 0.2 },\n"                                                                            \
+    "    displacementBound: 0.3, displacement: { map: VolumeTurbulence, size: 2, octaves: 3, "     \
+    "noiseRatio: 0.5 } }\n"                                                                        \
+    "  tiles: { material: Phong, diffuse: [0.7, 0.4, 0.2], emissive: 0.2, displacementScale: "     \
+    "0.1,\n"                                                                                       \
+    "    displacement: { map: Checker, input: { map: UVTransform, scaleU: 5.3, scaleV: 4.1 } } "   \
+    "}\n"                                                                                          \
+    "  leaning: { material: Phong, diffuse: 0.8, emissive: 0.2, displacementVector: { map: "       \
+    "Blend, input: { map: "                                                                        \
+    "Gradient, direction: "                                                                        \
+    "[2, 3, 1], waveForm: Sin }, blend: [{ value: -1, input: [0.1, 0, -0.1] }, { value: 1, "       \
+    "input: [-0.1, 0.1, 0.2] "                                                                     \
+    "}] } }\n"                                                                                     \
+    "  pane: { material: Phong, diffuse: 0.3, emissive: 0.2, transparency: 0.5, "                  \
+    "displacementScale: 0.25,\n"                                                                   \
+    "    displacement: { map: Gradient, direction: [3, 5, 2], waveForm: Sin } }\n"                 \
     "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n"
 static const char *const bodies[] = {
-    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, 0.1] } }\n",
+    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, "
+    "0.1] } }\n",
     "- { object: Sphere, radius: 0.9, material: tiles, detail: 12 }\n",
-    "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { translation: [0, 0, "
+    "- { object: Cylinder, radius: 0.6, height: 1.2, detail: 12, material: leaning, transform: { "
+    "translation: [0, 0, "
     "-0.6] } }\n",
-    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { translation: [0, 0, -0.5], "
+    "- { object: Cone, radius: 0.8, height: 1.5, detail: 12, material: rock, transform: { "
+    "translation: [0, 0, -0.5], "
     "rotation: [2, 0, 0], scale: [1, 1.2, 0.8] } }\n",
 };
 static const char *const methods[] = {"grid", "tessellation"};
@@ -40,11 +51,10 @@ typedef struct {
 static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocument **document)
 {
     char text[4000];
-    snprintf(
-        text, sizeof text,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n" MATERIALS
-        "displacement: { %s }\nlights:\n%s\nobjects:\n%s",
-        EDGE, EDGE, of->how, of->lights, of->objects);
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [1, -3, "
+             "2], angle: 40 }\n" MATERIALS "displacement: { %s }\nlights:\n%s\nobjects:\n%s",
+             EDGE, EDGE, of->how, of->lights, of->objects);
     return frame_scene(text, options, document);
 }
 
@@ -54,7 +64,10 @@ static RenderOptions with_triangles(const MatcOptions *options)
     return (RenderOptions){.compile = options, .view = "light", .edges = RENDER_EDGES_coverage};
 }
 
-static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
+static const Shape *shape_of(const Scene *scene)
+{
+    return &scene->meshes[scene->objects[0].mesh].shape;
+}
 
 static double apart(const float a[3], const float b[3])
 {
@@ -74,7 +87,8 @@ static double nearest(const Shape *shape, const float position[3], const float b
     return least;
 }
 
-/* The grid has the points of a mesh of its level; what moves a point of a rim is mixed before it has unit length, not afterwards. */
+/* The grid has the points of a mesh of its level; what moves a point of a rim is mixed before it
+ * has unit length, not afterwards. */
 static void points_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -94,9 +108,11 @@ static void points_are_those_of_the_reference(void **state)
         }
         const Shape *shape = shape_of(scenes[1]);
         assert_true(shape->base &&
-                    shape->index_count > shape_of(scenes[0])->index_count / 2); /* without those at poles */
+                    /* without those at poles */
+                    shape->index_count > shape_of(scenes[0])->index_count / 2);
         for (int i = 0; i < shape->vertex_count; i++)
-            worst = fmax(worst, nearest(shape_of(scenes[0]), shape->vertices[i].position, shape->base[i]));
+            worst = fmax(worst,
+                         nearest(shape_of(scenes[0]), shape->vertices[i].position, shape->base[i]));
         print_message("body %d: %d points, off by %.2g\n", body, shape->vertex_count, worst);
         assert_true(worst < bounds[body]);
         for (int i = 0; i < 2; i++)
@@ -107,8 +123,8 @@ static void points_are_those_of_the_reference(void **state)
 
 static void look_from(Scene *scene, int view, double distance)
 {
-    const double z = 1 - (2 * view + 1.) / VIEWS, turn = 2.399963229728653 * view, r = sqrt(1 - z * z),
-                 way[3] = {r * cos(turn), r * sin(turn), z};
+    const double z = 1 - (2 * view + 1.) / VIEWS, turn = 2.399963229728653 * view,
+                 r = sqrt(1 - z * z), way[3] = {r * cos(turn), r * sin(turn), z};
     for (int i = 0; i < 3; i++)
         scene->camera.position[i] = distance * way[i];
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine);
@@ -142,7 +158,8 @@ static void mark_pairs(const Scene *scene, bool met[7][7])
     free(parts);
 }
 
-/* 64 views of four bodies: near ones, where an edge has many times the parts of its neighbour, and far ones. Bit for bit each side of a triangle has another. */
+/* 64 views of four bodies: near ones, where an edge has many times the parts of its neighbour, and
+ * far ones. Bit for bit each side of a triangle has another. */
 static void no_hole_is_where_levels_meet(void **state)
 {
     (void)state;
@@ -156,17 +173,20 @@ static void no_hole_is_where_levels_meet(void **state)
     GlContext *gl = frame_context();
     for (int i = 0; i < BODIES * METHODS; i++) {
         MatcDocument *document;
-        Scene *scene = open_scene(&(Text){how[i % METHODS], " []", bodies[i / METHODS]}, &options, &document);
+        Scene *scene =
+            open_scene(&(Text){how[i % METHODS], " []", bodies[i / METHODS]}, &options, &document);
         Render *render = render_open(gl, &draw);
         float light[4 * PIXELS];
         assert_true(render && render_scene(render, scene));
         for (int view = 0; view < VIEWS; view++) {
             look_from(scene, view, distances[view % 4]);
             scene->camera.half = view % 4 == 2 ? .115 : .36; /* a tangent */
-            assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) && render_read(render, light));
+            assert_true(render_changed(render, RENDER_CAMERA) && render_frame(render) &&
+                        render_read(render, light));
             const int found = holes(light, &within);
             if (found || shape_body(shape_of(scene)) == SHAPE_BODY_none)
-                fail_msg("%s, body %d, view %d: %d holes, or open edges", how[i % METHODS], i / METHODS, view, found);
+                fail_msg("%s, body %d, view %d: %d holes, or open edges", how[i % METHODS],
+                         i / METHODS, view, found);
             mark_pairs(scene, met);
         }
         render_close(render);
@@ -198,40 +218,48 @@ static float *picture(GlContext *gl, const Text *of, const MatcOptions *options)
     return light;
 }
 
-/* Light, shadows of each method, what is transparent, light from around that voxels dim: as of meshes that the C reference displaced. */
+/* Light, shadows of each method, what is transparent, light from around that voxels dim: as of
+ * meshes that the C reference displaced. */
 static void pictures_are_those_of_meshes(void **state)
 {
     (void)state;
-    static const char floor[] = "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
-                                "translation: [-4, -4, -1] } }\n";
+    static const char floor[] =
+        "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
+        "translation: [-4, -4, -1] } }\n";
     static const char *const shadows[] = {"map", "hybrid", "silhouette", "exact", "none"};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     for (int i = 0; i < 7; i++) {
         char objects[800], lights[200], how[120];
-        static const char *const finer[] = {"mesh, level: 12", "grid, level: 12", "tessellation, level: 12",
-                                            "mesh, level: 11", "mesh, level: 1"};
+        static const char *const finer[] = {"mesh, level: 12", "grid, level: 12",
+                                            "tessellation, level: 12", "mesh, level: 11",
+                                            "mesh, level: 1"};
         enum { PICTURES = sizeof finer / sizeof *finer };
         float *light[PICTURES];
         const bool glass = i == 4, around = i == 5, spot = i == 6;
         snprintf(objects, sizeof objects, "%s%s",
-                 glass ? "- { object: Sphere, radius: 0.9, material: pane, detail: 12 }\n" : bodies[i % 4], floor);
+                 glass ? "- { object: Sphere, radius: 0.9, material: pane, detail: 12 }\n"
+                       : bodies[i % 4],
+                 floor);
         if (around)
             snprintf(lights, sizeof lights,
-                     "- { light: Hemisphere, intensity: 1 }\nindirect: { method: voxels, bounces: 0, rays: 4, filter: "
+                     "- { light: Hemisphere, intensity: 1 }\nindirect: { method: voxels, bounces: "
+                     "0, rays: 4, filter: "
                      "none, jitter: false }");
         else
             snprintf(lights, sizeof lights, "- { light: %s, shadows: %s, intensity: %d }",
-                     spot ? "Point, position: [2, -2, 3]" : "Directional, direction: [1, 0.6, -1]", shadows[i % 5],
-                     spot ? 12 : 1);
+                     spot ? "Point, position: [2, -2, 3]" : "Directional, direction: [1, 0.6, -1]",
+                     shadows[i % 5], spot ? 12 : 1);
         for (int k = 0; k < PICTURES; k++) {
             snprintf(how, sizeof how, "method: %s", finer[k]);
             light[k] = picture(gl, &(Text){how, lights, objects}, &options);
         }
-        const int by_grid = differing(light[0], light[1]), by_tessellation = differing(light[0], light[2]),
+        const int by_grid = differing(light[0], light[1]),
+                  by_tessellation = differing(light[0], light[2]),
                   other = differing(light[0], light[3]), coarse = differing(light[0], light[4]);
-        print_message("%d: %d and %d of %d pixels differ; %d of a mesh of another level, %d of a coarse one\n", i,
-                      by_grid, by_tessellation, PIXELS, other, coarse);
+        print_message("%d: %d and %d of %d pixels differ; %d of a mesh of another level, %d of a "
+                      "coarse one\n",
+                      i, by_grid, by_tessellation, PIXELS, other, coarse);
         assert_true(by_grid <= PIXELS / 512 + other / 4 && by_tessellation <= 16 + 2 * other &&
                     coarse > 4 * by_grid + PIXELS / 60);
         for (int k = 0; k < PICTURES; k++)
@@ -240,7 +268,8 @@ static void pictures_are_those_of_meshes(void **state)
     gl_close(gl);
 }
 
-static void assert_same(Render *render, GlContext *gl, const Scene *scene, const RenderOptions *draw)
+static void assert_same(Render *render, GlContext *gl, const Scene *scene,
+                        const RenderOptions *draw)
 {
     float light[4 * PIXELS];
     assert_true(render_frame(render) && render_read(render, light));
@@ -253,8 +282,9 @@ static void assert_same(Render *render, GlContext *gl, const Scene *scene, const
 static void changes_are_what_a_new_renderer_draws(void **state)
 {
     (void)state;
-    static const char *const shadows[] = {"- { light: Directional, direction: [1, 0.6, -1] }",
-                                          "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }"};
+    static const char *const shadows[] = {
+        "- { light: Directional, direction: [1, 0.6, -1] }",
+        "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }"};
     const MatcOptions options = frame_exact_options();
     const RenderOptions draw = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
@@ -281,12 +311,14 @@ static void changes_are_what_a_new_renderer_draws(void **state)
     gl_close(gl);
 }
 
-/* A driver that cannot gets meshes, of the same level: bit for bit. So does a height without a bound. */
+/* A driver that cannot gets meshes, of the same level: bit for bit. So does a height without a
+ * bound. */
 static void others_get_meshes(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const Text mesh = {"method: mesh, level: 8", "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }",
+    const Text mesh = {"method: mesh, level: 8",
+                       "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }",
                        bodies[0]};
     Text grid = mesh;
     GlContext *gl = frame_context();
@@ -304,7 +336,8 @@ static void others_get_meshes(void **state)
 static void a_context_may_lack_a_framebuffer(void **state)
 {
     (void)state;
-    static const char *const methods[] = {"method: grid, level: 6", "method: tessellation, level: 6"};
+    static const char *const methods[] = {"method: grid, level: 6",
+                                          "method: tessellation, level: 6"};
     const MatcOptions options = frame_exact_options();
     char error[512];
     GlContext *gl = gl_open(GL_KIND_egl, true, error, sizeof error);

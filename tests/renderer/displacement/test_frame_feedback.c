@@ -1,4 +1,5 @@
-/* Meshes that are divided by feedback, drawn under OSMesa: as many triangles as the criterion has in double; the points of an even division where nothing is too far; gaps, which each kind of
+/* Meshes that are divided by feedback, drawn under OSMesa: as many triangles as the criterion has
+ * in double; the points of an even division where nothing is too far; gaps, which each kind of
  * skirts hides; fewer triangles of skirts a step before the last. */
 /* ctest: seconds=10 */
 #include "tests/frame/frame_compare.h"
@@ -10,10 +11,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef enum { SKIRTS_none, SKIRTS_copy, SKIRTS_all, SKIRTS_borders, SKIRTS_early, SKIRTS_COUNT } Skirts;
+typedef enum {
+    SKIRTS_none,
+    SKIRTS_copy,
+    SKIRTS_all,
+    SKIRTS_borders,
+    SKIRTS_early,
+    SKIRTS_COUNT
+} Skirts;
 static const char *const names[SKIRTS_COUNT] = {"none", "copy", "all", "borders", "early"};
 
-static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
+static const Shape *shape_of(const Scene *scene)
+{
+    return &scene->meshes[scene->objects[0].mesh].shape;
+}
 
 /* -- the criterion in double */
 
@@ -25,7 +36,8 @@ typedef struct {
 
 static double length_of(const double a[3], const double b[3])
 {
-    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) + (a[2] - b[2]) * (a[2] - b[2]));
+    return sqrt((a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]) +
+                (a[2] - b[2]) * (a[2] - b[2]));
 }
 
 /* Triangles that one becomes, with its skirts; it has been divided so often. */
@@ -37,11 +49,14 @@ static long divided(const Criterion *c, double (*p)[3], int step)
     for (int i = 0; i < 3; i++)
         middle[i] = (p[0][i] + p[1][i] + p[2][i]) / 3;
     const double ab = length_of(p[0], p[1]), bc = length_of(p[1], p[2]), ca = length_of(p[2], p[0]),
-                 s = (ab + bc + ca) / 2, area = sqrt(s * (s - ab) * (s - bc) * (s - ca)), d = length_of(middle, c->eye);
-    const bool early = c->skirts == SKIRTS_early && d - c->near >= c->detail * area / 4 && step + 1 < c->steps;
+                 s = (ab + bc + ca) / 2, area = sqrt(s * (s - ab) * (s - bc) * (s - ca)),
+                 d = length_of(middle, c->eye);
+    const bool early =
+        c->skirts == SKIRTS_early && d - c->near >= c->detail * area / 4 && step + 1 < c->steps;
     if (d - c->near >= c->detail * area)
         return c->skirts == SKIRTS_all ||
-                       (c->skirts >= SKIRTS_borders && fabs(d - c->near - c->detail * area) < area / 2 + c->near)
+                       (c->skirts >= SKIRTS_borders &&
+                        fabs(d - c->near - c->detail * area) < area / 2 + c->near)
                    ? 7
                    : 1;
     if (early)
@@ -84,21 +99,28 @@ static void triangles_are_those_of_the_criterion(void **state)
     for (int i = 0; i < 2 * SKIRTS_COUNT; i++) {
         char how[160];
         MatcDocument *document;
-        /* The camera of displaced_body, which is 2.4 to 4.9 away: borders at 2.6, 2.9 and 4.1, all of which are near each other; and one at 4.02. */
+        /* The camera of displaced_body, which is 2.4 to 4.9 away: borders at 2.6, 2.9 and 4.1, all
+         * of which are near each other; and one at 4.02. */
         const bool first = i < SKIRTS_COUNT;
-        const Criterion c = {
-            {1, -3, 2}, first ? 2.5 : .5, first ? 200.31 : 450.31, first ? 7 : 6, (Skirts)(i % SKIRTS_COUNT)};
-        snprintf(how, sizeof how, "method: feedback, near: %g, detail: %g, steps: %d, skirts: %s", c.near, c.detail,
-                 c.steps, names[c.skirts]);
+        const Criterion c = {{1, -3, 2},
+                             first ? 2.5 : .5,
+                             first ? 200.31 : 450.31,
+                             first ? 7 : 6,
+                             (Skirts)(i % SKIRTS_COUNT)};
+        snprintf(how, sizeof how, "method: feedback, near: %g, detail: %g, steps: %d, skirts: %s",
+                 c.near, c.detail, c.steps, names[c.skirts]);
         Scene *scene = displaced_drawn(gl, 3, how, &document);
         const long wanted = divided_square(&c);
         of[i / SKIRTS_COUNT][c.skirts] = shape_of(scene)->index_count / 3;
-        print_message("%s: %ld triangles, %ld by the criterion\n", how, of[i / SKIRTS_COUNT][c.skirts], wanted);
+        print_message("%s: %ld triangles, %ld by the criterion\n", how,
+                      of[i / SKIRTS_COUNT][c.skirts], wanted);
         assert_int_equal(of[i / SKIRTS_COUNT][c.skirts], wanted);
         frame_forget(scene, document);
     }
-    assert_true(of[1][SKIRTS_none] < of[1][SKIRTS_borders] && of[1][SKIRTS_borders] < of[1][SKIRTS_all]);
-    assert_true(of[0][SKIRTS_early] < .6 * of[0][SKIRTS_borders] && of[1][SKIRTS_early] < .9 * of[1][SKIRTS_borders]);
+    assert_true(of[1][SKIRTS_none] < of[1][SKIRTS_borders] &&
+                of[1][SKIRTS_borders] < of[1][SKIRTS_all]);
+    assert_true(of[0][SKIRTS_early] < .6 * of[0][SKIRTS_borders] &&
+                of[1][SKIRTS_early] < .9 * of[1][SKIRTS_borders]);
     gl_close(gl);
 }
 
@@ -108,14 +130,17 @@ static void all_near_is_an_even_division(void **state)
     (void)state;
     GlContext *gl = frame_context();
     MatcDocument *documents[2];
-    Scene *scenes[2] = {displaced_drawn(gl, 0, "method: mesh, level: 8", &documents[0]),
-                        displaced_drawn(gl, 0, "method: feedback, near: 1e9, steps: 3", &documents[1])};
+    Scene *scenes[2] = {
+        displaced_drawn(gl, 0, "method: mesh, level: 8", &documents[0]),
+        displaced_drawn(gl, 0, "method: feedback, near: 1e9, steps: 3", &documents[1])};
     const Shape *shape = shape_of(scenes[1]);
     double worst = 0;
     for (int i = 0; i < shape->vertex_count; i++)
-        worst = fmax(worst, displaced_nearest(shape_of(scenes[0]), shape->vertices[i].position, shape->base[i]));
+        worst = fmax(worst, displaced_nearest(shape_of(scenes[0]), shape->vertices[i].position,
+                                              shape->base[i]));
     print_message("%d triangles, off by %.2g\n", shape->index_count / 3, worst);
-    assert_true(shape->index_count == 3 * 12 * 64 && worst < 1e-6 && shape_body(shape) != SHAPE_BODY_none);
+    assert_true(shape->index_count == 3 * 12 * 64 && worst < 1e-6 &&
+                shape_body(shape) != SHAPE_BODY_none);
     for (int i = 0; i < 2; i++)
         frame_forget(scenes[i], documents[i]);
     gl_close(gl);
@@ -130,10 +155,13 @@ static void skirts_hide_gaps(void **state)
     for (int i = 0; i < SKIRTS_COUNT; i++) {
         long within = 0;
         char how[120];
-        snprintf(how, sizeof how, "method: feedback, near: 0.8, detail: 60, steps: 5, skirts: %s", names[i]);
+        snprintf(how, sizeof how, "method: feedback, near: 0.8, detail: 60, steps: 5, skirts: %s",
+                 names[i]);
         const int count = displaced_holes_of(gl, shown, how, &within);
         print_message("skirts: %s: %d holes in %ld pixels\n", names[i], count, within);
-        assert_true(within > 9000 && (i == SKIRTS_none ? count > 3 : i == SKIRTS_copy ? count < 5 : count == 0));
+        assert_true(within > 9000 && (i == SKIRTS_none   ? count > 3
+                                      : i == SKIRTS_copy ? count < 5
+                                                         : count == 0));
     }
     gl_close(gl);
 }
@@ -142,12 +170,13 @@ static int triangles_from(Render *render, Scene *scene, const double eye[3], con
 {
     memcpy(scene->camera.position, eye, sizeof scene->camera.position);
     memcpy(scene->camera.target, target, sizeof scene->camera.target);
-    assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine && render_changed(render, RENDER_CAMERA) &&
-                render_frame(render));
+    assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
+                render_changed(render, RENDER_CAMERA) && render_frame(render));
     return (int)render->cache.triangles;
 }
 
-/* Wherever a camera looks from one place, there are as many; from another place there are as many as the criterion has there. */
+/* Wherever a camera looks from one place, there are as many; from another place there are as many
+ * as the criterion has there. */
 static void a_turn_leaves_triangles_alone(void **state)
 {
     (void)state;
@@ -157,7 +186,8 @@ static void a_turn_leaves_triangles_alone(void **state)
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene =
-        displaced_body(3, "method: feedback, near: 0.5, detail: 450.31, steps: 6, skirts: none", &options, &document);
+        displaced_body(3, "method: feedback, near: 0.5, detail: 450.31, steps: 6, skirts: none",
+                       &options, &document);
     Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
     long wanted[2];
     assert_true(render && render_scene(render, scene));
@@ -167,7 +197,8 @@ static void a_turn_leaves_triangles_alone(void **state)
         wanted[i / 3] = divided_square(&c);
         assert_int_equal(triangles_from(render, scene, eyes[i / 3], targets[i % 3]), wanted[i / 3]);
     }
-    print_message("%ld triangles, and %ld from nearer, however the camera is turned\n", wanted[0], wanted[1]);
+    print_message("%ld triangles, and %ld from nearer, however the camera is turned\n", wanted[0],
+                  wanted[1]);
     assert_true(wanted[0] < wanted[1]);
     render_close(render);
     frame_forget(scene, document);

@@ -1,5 +1,7 @@
-/* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that the C reference displaced, within and beyond what one call writes; where patches
- * are divided each for itself there are gaps, and skirts of each kind hide them; what stands for points stands where the grid has them. */
+/* Meshes that geometry programs displace, drawn under OSMesa: their points are those of meshes that
+ * the C reference displaced, within and beyond what one call writes; where patches are divided each
+ * for itself there are gaps, and skirts of each kind hide them; what stands for points stands where
+ * the grid has them. */
 /* ctest: seconds=43 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/displaced_bodies.h"
@@ -9,15 +11,20 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const Shape *shape_of(const Scene *scene) { return &scene->meshes[scene->objects[0].mesh].shape; }
+static const Shape *shape_of(const Scene *scene)
+{
+    return &scene->meshes[scene->objects[0].mesh].shape;
+}
 
-static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument **document, Scene **scene)
+static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument **document,
+                        Scene **scene)
 {
     *scene = displaced_drawn(gl, body, how, document);
     return shape_of(*scene)->index_count / 3;
 }
 
-/* Of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose edges are hard, which mix the sum of two normals. */
+/* Of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose edges are
+ * hard, which mix the sum of two normals. */
 static void points_are_those_of_the_reference(void **state)
 {
     (void)state;
@@ -35,9 +42,11 @@ static void points_are_those_of_the_reference(void **state)
         }
         const Shape *shape = shape_of(scenes[1]);
         for (int k = 0; k < shape->vertex_count; k++)
-            worst = fmax(worst, displaced_nearest(shape_of(scenes[0]), shape->vertices[k].position, shape->base[k]));
+            worst = fmax(worst, displaced_nearest(shape_of(scenes[0]), shape->vertices[k].position,
+                                                  shape->base[k]));
         print_message("%d parts: %d triangles, off by %.2g\n", levels[i], counts[1], worst);
-        assert_true(counts[0] == 12 * levels[i] * levels[i] && counts[1] == counts[0] && worst < 1e-6);
+        assert_true(counts[0] == 12 * levels[i] * levels[i] && counts[1] == counts[0] &&
+                    worst < 1e-6);
         assert_true(shape_body(shape) != SHAPE_BODY_none);
         for (int k = 0; k < 2; k++)
             frame_forget(scenes[k], documents[k]);
@@ -67,7 +76,8 @@ static void skirts_have_their_triangles(void **state)
     gl_close(gl);
 }
 
-/* Edges of other numbers of parts agree with their neighbours', or they gape. A copy below is not behind all gaps that are seen at a slant, at the rim of the square. */
+/* Edges of other numbers of parts agree with their neighbours', or they gape. A copy below is not
+ * behind all gaps that are seen at a slant, at the rim of the square. */
 static void skirts_hide_gaps(void **state)
 {
     (void)state;
@@ -77,7 +87,8 @@ static void skirts_hide_gaps(void **state)
     for (int i = 0; i < 5; i++) {
         long within = 0;
         char how[120];
-        snprintf(how, sizeof how, "method: geometry, pixels: 5, triangles: 9000, skirts: %s", skirts[i]);
+        snprintf(how, sizeof how, "method: geometry, pixels: 5, triangles: 9000, skirts: %s",
+                 skirts[i]);
         const int count = displaced_holes_of(gl, shown, how, &within);
         print_message("skirts: %s: %d holes in %ld pixels\n", skirts[i], count, within);
         assert_true(within > 9000 && (i == 0 ? count > 5 : i == 2 ? count < 3 : count == 0));
@@ -85,7 +96,8 @@ static void skirts_hide_gaps(void **state)
     gl_close(gl);
 }
 
-/* Four corners of each square lie around the grid's point, in the plane across its normal; a ball's points are as far from it as each other. */
+/* Four corners of each square lie around the grid's point, in the plane across its normal; a ball's
+ * points are as far from it as each other. */
 static void symbols_stand_around_points(void **state)
 {
     (void)state;
@@ -103,7 +115,8 @@ static void symbols_stand_around_points(void **state)
         char how[80];
         double most = 0;
         snprintf(how, sizeof how, "method: points, level: 3, symbol: %s", symbols[i].name);
-        assert_int_equal(triangles_of(gl, 0, how, &documents[1], &scenes[1]), 12 * POINTS * symbols[i].triangles);
+        assert_int_equal(triangles_of(gl, 0, how, &documents[1], &scenes[1]),
+                         12 * POINTS * symbols[i].triangles);
         const Shape *shape = shape_of(scenes[1]);
         for (int first = 0; first < shape->vertex_count; first += 3 * symbols[i].triangles) {
             float low[3], high[3], middle[3];
@@ -118,20 +131,24 @@ static void symbols_stand_around_points(void **state)
             most = fmax(most, displaced_nearest(grid, middle, shape->base[first]));
         }
         print_message("%s: the middle is off by %.2g\n", symbols[i].name, most);
-        assert_true(most < (i == 3 ? .06 : 1e-5)); /* six sides and three bands do not reach as far to all sides */
+        /* six sides and three bands do not reach as far to all sides */
+        assert_true(most < (i == 3 ? .06 : 1e-5));
         frame_forget(scenes[1], documents[1]);
     }
     frame_forget(scenes[0], documents[0]);
     gl_close(gl);
 }
 
-/* Four heights over a square. The upper pair fills half of it: each height has a square of its own, turned away from what is solid. The heights' planes lean by known slopes. */
+/* Four heights over a square. The upper pair fills half of it: each height has a square of its own,
+ * turned away from what is solid. The heights' planes lean by known slopes. */
 static void volumes_have_points_for_each_height(void **state)
 {
     (void)state;
     static const char text[] =
-        "image: { width: 32, height: 32 }\ncamera: { camera: Perspective, position: [1, -3, 2], angle: 40 }\n"
-        "materials: { m: { material: Phong, emissive: 1, displacementVolume: \"= [.1 * u, .3, .5 + .2 * v, v > .45 ? "
+        "image: { width: 32, height: 32 }\ncamera: { camera: Perspective, position: [1, -3, 2], "
+        "angle: 40 }\n"
+        "materials: { m: { material: Phong, emissive: 1, displacementVolume: \"= [.1 * u, .3, .5 + "
+        ".2 * v, v > .45 ? "
         ".9 : .2]\", displacementBound: 1 } }\n"
         "displacement: { method: points, level: 6 }\nlights: []\nobjects:\n"
         "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m }\n";
@@ -142,8 +159,9 @@ static void volumes_have_points_for_each_height(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     double worst = 0, turned = 0;
     int of_height[4] = {0};
-    free(frame_floats(gl, scene,
-                      &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
+    free(frame_floats(
+        gl, scene,
+        &(RenderOptions){.compile = &options, .view = "light", .edges = RENDER_EDGES_coverage}));
     const Shape *shape = shape_of(scene);
     for (int first = 0; first + 6 <= shape->index_count; first += 6) {
         const ShapeVertex *v = &shape->vertices[shape->indices[first]],
@@ -162,26 +180,31 @@ static void volumes_have_points_for_each_height(void **state)
         for (int k = 0; k < 3; k++)
             turned = fmax(turned, fabs((double)v->normal[k] - slope[k] / size));
     }
-    print_message("%d, %d, %d and %d points, off by %.2g, normals by %.2g\n", of_height[0], of_height[1], of_height[2],
-                  of_height[3], worst, turned);
-    assert_true(of_height[0] == POINTS && of_height[1] == POINTS && of_height[2] == UPPER && of_height[3] == UPPER);
+    print_message("%d, %d, %d and %d points, off by %.2g, normals by %.2g\n", of_height[0],
+                  of_height[1], of_height[2], of_height[3], worst, turned);
+    assert_true(of_height[0] == POINTS && of_height[1] == POINTS && of_height[2] == UPPER &&
+                of_height[3] == UPPER);
     assert_true(worst < 1e-5 && turned < 1e-3);
     frame_forget(scene, document);
     gl_close(gl);
 }
 
-/* Three points for each small triangle, none where another is; halfway to its middle they are at 2/3 and 1/6 of it. */
+/* Three points for each small triangle, none where another is; halfway to its middle they are at
+ * 2/3 and 1/6 of it. */
 static void points_spread_into_gaps(void **state)
 {
     (void)state;
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene;
-    assert_int_equal(triangles_of(gl, 3, "method: points, level: 4, spread: 0.5", &document, &scene), 2 * 3 * 16 * 2);
+    assert_int_equal(
+        triangles_of(gl, 3, "method: points, level: 4, spread: 0.5", &document, &scene),
+        2 * 3 * 16 * 2);
     const Shape *shape = shape_of(scene);
     for (int i = 0; i < shape->vertex_count; i += 6)
         for (int lane = 0; lane < 2; lane++) {
-            const double sixths = 3 * ((double)shape->base[i][lane] + 0) * 4; /* steps of 1/2, in sixths */
+            /* steps of 1/2, in sixths */
+            const double sixths = 3 * ((double)shape->base[i][lane] + 0) * 4;
             assert_true(fabs(sixths - rint(sixths)) < 1e-4);
             for (int k = 0; k < i; k += 6)
                 assert_true(memcmp(shape->base[i], shape->base[k], sizeof shape->base[i]) != 0);
@@ -190,20 +213,23 @@ static void points_spread_into_gaps(void **state)
     gl_close(gl);
 }
 
-/* A cube whose faces are pushed by the radius of the ball through its corners is that ball. Where planes through corners have the middle of a face is 1 + 2 / 3 from the cube's: that point lies
+/* A cube whose faces are pushed by the radius of the ball through its corners is that ball. Where
+ * planes through corners have the middle of a face is 1 + 2 / 3 from the cube's: that point lies
  * between two opposite corners, whose planes it is 2 / sqrt(3) below. */
 static void a_cube_becomes_a_ball(void **state)
 {
     (void)state;
-    static const char *const methods[] = {"grid, level: 8", "tessellation, level: 8", "geometry, level: 8",
-                                          "feedback, near: 1e9, steps: 3", "bisection, pixels: 0.5, triangles: 2000"};
+    static const char *const methods[] = {"grid, level: 8", "tessellation, level: 8",
+                                          "geometry, level: 8", "feedback, near: 1e9, steps: 3",
+                                          "bisection, pixels: 0.5, triangles: 2000"};
     GlContext *gl = frame_context();
     for (int i = 0; i < 2 * (int)(sizeof methods / sizeof *methods); i++) {
         char how[80];
         MatcDocument *document;
         Scene *scene;
         double worst = 0, middle = 0;
-        snprintf(how, sizeof how, "method: %s, %s", methods[i / 2], i % 2 ? "bulge: 0.5" : "push: 1.7320508");
+        snprintf(how, sizeof how, "method: %s, %s", methods[i / 2],
+                 i % 2 ? "bulge: 0.5" : "push: 1.7320508");
         triangles_of(gl, 4, how, &document, &scene);
         const Shape *shape = shape_of(scene);
         for (int k = 0; k < shape->vertex_count; k++) {
@@ -215,7 +241,8 @@ static void a_cube_becomes_a_ball(void **state)
         }
         print_message("%s: off a ball by %.2g, the middle of a face at %.6f\n", how, worst, middle);
         assert_true(i % 2 ? worst > .1 && fabs(middle - 4. / 3) < 1e-5 : worst < 1e-5);
-        assert_true(i / 2 < 4 || (shape->index_count > 3 * 100 && shape->index_count <= 3 * 2000)); /* it refined */
+        /* it refined */
+        assert_true(i / 2 < 4 || (shape->index_count > 3 * 100 && shape->index_count <= 3 * 2000));
         assert_true(i / 2 == 3 || shape_body(shape) != SHAPE_BODY_none);
         frame_forget(scene, document);
     }
@@ -226,8 +253,8 @@ static void others_have_no_skirts(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    static const char text[] =
-        "camera: { camera: Perspective }\ndisplacement: { method: grid, skirts: all }\nlights: []\nobjects: []\n";
+    static const char text[] = "camera: { camera: Perspective }\ndisplacement: { method: grid, "
+                               "skirts: all }\nlights: []\nobjects: []\n";
     Scene *scene;
     MatcDocument *document = scene_read("scene.yaml", text, sizeof text - 1, &options, &scene);
     assert_null(scene);

@@ -1,4 +1,5 @@
-/* Transparent fragments and layers are counted again where the scene changes: a list that was made for few would lose what is too many. */
+/* Transparent fragments and layers are counted again where the scene changes: a list that was made
+ * for few would lose what is too many. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -7,14 +8,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { WIDTH = 32, HEIGHT = 24, FAR_FRAGMENTS = 400, ROOM = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS) };
+enum {
+    WIDTH = 32,
+    HEIGHT = 24,
+    FAR_FRAGMENTS = 400,
+    ROOM = 4 * (4 + WIDTH * HEIGHT + 6 * FAR_FRAGMENTS)
+};
 
 /* Two boxes of glass, far away: some hundred fragments; from near by each fills the picture. */
 static const char far_away[] =
-    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -40, 0], angle: 20 }\n"
+    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -40, 0], "
+    "angle: 20 }\n"
     "lights: [{ light: Ambient }]\nsky: { material: RGBA, g: .5 }\nobjects:\n"
     "- { object: Box, material: { material: Phong, ambient: [.5, .1, .1], transparency: .5 } }\n"
-    "- { object: Box, material: { material: Phong, ambient: [.1, .1, .5], transparency: [.5, .9, .3] }, transform: { "
+    "- { object: Box, material: { material: Phong, ambient: [.1, .1, .5], transparency: [.5, .9, "
+    ".3] }, transform: { "
     "translation: [.2, 4, 0] } }\n";
 
 typedef enum { MOVE_objects, MOVE_camera } Move;
@@ -41,12 +49,14 @@ static float *draw_moved(GlContext *gl, Scene *scene, const RenderOptions *optio
     return rgba;
 }
 
-/* As a new renderer draws it, bit for bit: by lists, by peeling, and where the lists do so long no more. */
+/* As a new renderer draws it, bit for bit: by lists, by peeling, and where the lists do so long no
+ * more. */
 static void more_are_counted(void **state)
 {
     (void)state;
-    static const RenderOptions ways[] = {
-        {.transparency = "lists"}, {.transparency = "peeling"}, {.transparency = NULL, .list_bytes = ROOM}};
+    static const RenderOptions ways[] = {{.transparency = "lists"},
+                                         {.transparency = "peeling"},
+                                         {.transparency = NULL, .list_bytes = ROOM}};
     const MatcOptions compile = frame_exact_options();
     for (int i = 0; i < 6; i++) {
         MatcDocument *document;
@@ -58,7 +68,8 @@ static void more_are_counted(void **state)
         float *moved = draw_moved(gl, scene, &options, (Move)(i % 2));
         float *new = frame_floats(gl, scene, &options);
         assert_memory_equal(moved, new, (size_t)WIDTH * HEIGHT * 4 * sizeof *new);
-        assert_true(new[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2)] > .1f); /* there is glass before the sky */
+        /* there is glass before the sky */
+        assert_true(new[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2)] > .1f);
         free(moved);
         free(new);
         gl_close(gl);
@@ -101,31 +112,39 @@ static void lists_that_are_too_long(void **state)
     }
 }
 
-/* A pane edge-on to the light has no fragment in its map of 16 x 16; once it is turned it has some 25, of 16 bytes beside 32 and 1024 of heads. */
+/* A pane edge-on to the light has no fragment in its map of 16 x 16; once it is turned it has some
+ * 25, of 16 bytes beside 32 and 1024 of heads. */
 static void shadows_that_are_too_long(void **state)
 {
     (void)state;
-    static const char pane[] =
-        "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -4, 3], angle: 40 }\n"
-        "shadowMaps: { size: 16 }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\nobjects:\n"
-        "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: { material: Phong, diffuse: 0, transparency: "
-        "[.5, .9, .3] }, transform: { rotation: [1.5707963267948966, 0, 0], translation: [-1, 0, 1] } }\n"
-        "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { material: Phong, diffuse: .5 }, "
-        "transform: { translation: [-2, -2, 0] } }\n";
+    static const char pane[] = "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, "
+                               "position: [0, -4, 3], angle: 40 }\n"
+                               "shadowMaps: { size: 16 }\nlights: [{ light: Directional, "
+                               "direction: [0, 0, -1] }]\nobjects:\n"
+                               "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: { "
+                               "material: Phong, diffuse: 0, transparency: "
+                               "[.5, .9, .3] }, transform: { rotation: [1.5707963267948966, 0, 0], "
+                               "translation: [-1, 0, 1] } }\n"
+                               "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { "
+                               "material: Phong, diffuse: .5 }, "
+                               "transform: { translation: [-2, -2, 0] } }\n";
     MatcLayout *layout;
     const MatcOptions compile = frame_float_options(&layout);
     MatcDocument *document;
     Scene *scene = frame_scene(pane, &compile, &document);
     GlContext *gl = frame_context();
-    const RenderOptions options = {
-        .compile = &compile, .view = "light", .transparency = "peeling", .list_bytes = 32 + 4 * 256 + 16 * 10};
+    const RenderOptions options = {.compile = &compile,
+                                   .view = "light",
+                                   .transparency = "peeling",
+                                   .list_bytes = 32 + 4 * 256 + 16 * 10};
     float *moved = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *moved);
     Render *render = render_open(gl, &options);
     assert_true(render && render_scene(render, scene) && render_frame(render));
     assert_false(runs(render, "parts"));
     static const double flat[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -1, -1, 1, 1};
     memcpy(scene->objects[0].world_from_local.m, flat, sizeof flat);
-    assert_true(render_changed_objects(render, 0, 1) && render_frame(render) && render_read(render, moved));
+    assert_true(render_changed_objects(render, 0, 1) && render_frame(render) &&
+                render_read(render, moved));
     assert_true(runs(render, "parts, drawn again"));
     assert_true(render_frame(render)); /* and once more */
     float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
@@ -143,16 +162,21 @@ static void shadows_that_are_too_long(void **state)
     matc_layout_free(layout);
 }
 
-/* A pane that lets all through has no fragment in a light's lists; a number makes it dark glass, which has, as a scene with that number. */
+/* A pane that lets all through has no fragment in a light's lists; a number makes it dark glass,
+ * which has, as a scene with that number. */
 static void params_are_counted(void **state)
 {
     (void)state;
     static const char pane[] =
-        "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -4, 3], angle: 40 }\n"
-        "shadowMaps: { size: 64 }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\nobjects:\n"
-        "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { material: Phong, diffuse: .5 }, "
+        "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -4, 3], "
+        "angle: 40 }\n"
+        "shadowMaps: { size: 64 }\nlights: [{ light: Directional, direction: [0, 0, -1] "
+        "}]\nobjects:\n"
+        "- { object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], material: { material: Phong, "
+        "diffuse: .5 }, "
         "transform: { translation: [-2, -2, 0] } }\n"
-        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: { material: Phong, diffuse: 0, transparency: "
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: { material: Phong, "
+        "diffuse: 0, transparency: "
         "{ param: clear, default: %s } }, transform: { translation: [-.5, -.5, 1] } }\n";
     static float changed[4 * WIDTH * HEIGHT];
     const MatcOptions compile = frame_exact_options();
@@ -170,7 +194,8 @@ static void params_are_counted(void **state)
     const int glass = scenes[0]->objects[1].material;
     assert_true(render_param(render, glass, "clear", &(float){.25f}, 1));
     assert_true(render_frame(render) && render_read(render, changed));
-    float *new = frame_floats(gl, scenes[1], &options), *before = frame_floats(gl, scenes[0], &options);
+    float *new = frame_floats(gl, scenes[1], &options),
+          *before = frame_floats(gl, scenes[0], &options);
     assert_memory_equal(changed, new, sizeof changed);
     assert_memory_not_equal(changed, before, sizeof changed);
     free(new);
@@ -183,8 +208,8 @@ static void params_are_counted(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long),
-                                       cmocka_unit_test(shadows_that_are_too_long),
-                                       cmocka_unit_test(params_are_counted)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(more_are_counted), cmocka_unit_test(lists_that_are_too_long),
+        cmocka_unit_test(shadows_that_are_too_long), cmocka_unit_test(params_are_counted)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

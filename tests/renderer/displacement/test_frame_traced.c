@@ -1,5 +1,6 @@
-/* Surfaces that are traced, drawn under OSMesa: a wave against its closed form, which is marched through in double; a ball and a box of rock against Embree's rays through meshes that the C reference displaced
- * finely; shadow maps; exact shadows, which get the grid instead. */
+/* Surfaces that are traced, drawn under OSMesa: a wave against its closed form, which is marched
+ * through in double; a ball and a box of rock against Embree's rays through meshes that the C
+ * reference displaced finely; shadow maps; exact shadows, which get the grid instead. */
 /* ctest: seconds=20 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -10,25 +11,30 @@
 enum { EDGE = 64, PIXELS = EDGE * EDGE };
 
 #define WAVE "0.15"
-static const char materials[] = "materials:\n"
-                                "  wave: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: " WAVE
-                                ", displacement: { map: Gradient, direction: [7, 3, 0], waveForm: Sin } }\n"
-                                "  rock: { material: Phong, diffuse: { map: Checker, input: { map: UVTransform, "
-                                "scaleU: 9, scaleV: 7 } }, emissive: 0.2, displacementScale: 0.2,\n"
-                                "    displacement: { map: VolumeTurbulence, size: 2, octaves: 2, noiseRatio: 0.5 } }\n"
-                                "  leaning: { material: Phong, diffuse: 0.6, displacementVector: "
-                                "'= [.15 * sin(5 * x), .15 * cos(4 * y), .12 * sin(3 * x + 4 * y)]' }\n"
-                                "  slab: { material: Phong, displacementVolume: '= [0, .4, 0, 0]' }\n"
-                                "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n";
-static const char square[] = "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: wave, transform: { "
-                             "translation: [-1, -1, 0] } }\n";
+static const char materials[] =
+    "materials:\n"
+    "  wave: { material: Phong, diffuse: 0.6, emissive: 0.2, displacementScale: " WAVE
+    ", displacement: { map: Gradient, direction: [7, 3, 0], waveForm: Sin } }\n"
+    "  rock: { material: Phong, diffuse: { map: Checker, input: { map: UVTransform, "
+    "scaleU: 9, scaleV: 7 } }, emissive: 0.2, displacementScale: 0.2,\n"
+    "    displacement: { map: VolumeTurbulence, size: 2, octaves: 2, noiseRatio: 0.5 } }\n"
+    "  leaning: { material: Phong, diffuse: 0.6, displacementVector: "
+    "'= [.15 * sin(5 * x), .15 * cos(4 * y), .12 * sin(3 * x + 4 * y)]' }\n"
+    "  slab: { material: Phong, displacementVolume: '= [0, .4, 0, 0]' }\n"
+    "  floor: { material: Phong, diffuse: 0.6, emissive: 0.2 }\n";
+static const char square[] =
+    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: wave, transform: { "
+    "translation: [-1, -1, 0] } }\n";
 #define BALL "- { object: Sphere, radius: 0.9, material: rock, detail: 12"
 static const char ball[] = BALL " }\n";
-static const char box[] = "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, "
-                          "0.1], scale: [1, 1, -1] } }\n";
-static const char slab[] = "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: slab }\n";
-static const char ground[] = "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
-                             "translation: [-4, -4, -1] } }\n";
+static const char box[] =
+    "- { object: Box, size: [1.4, 1.4, 1.4], material: rock, transform: { rotation: [0.3, 0.5, "
+    "0.1], scale: [1, 1, -1] } }\n";
+static const char slab[] =
+    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: slab }\n";
+static const char ground[] =
+    "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: floor, transform: { "
+    "translation: [-4, -4, -1] } }\n";
 
 typedef struct {
     const char *how, *camera, *lights, *objects, *more;
@@ -38,9 +44,11 @@ static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocumen
 {
     char text[4000];
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { %s }\nshadowMaps: { size: 256 }\n%sdisplacement: { %s "
+             "image: { width: %d, height: %d }\ncamera: { %s }\nshadowMaps: { size: 256 "
+             "}\n%sdisplacement: { %s "
              "}\nlights: [%s]\nobjects:\n%s%s",
-             EDGE, EDGE, of->camera, materials, of->how, of->lights, of->objects, of->more ? of->more : "");
+             EDGE, EDGE, of->camera, materials, of->how, of->lights, of->objects,
+             of->more ? of->more : "");
     return frame_scene(text, options, document);
 }
 
@@ -62,7 +70,8 @@ static float *picture(GlContext *gl, Render *render, const Text *of)
     return made;
 }
 
-/* What a picture is off the truth: distances where both meet the body; and pixels in which one of them does alone. */
+/* What a picture is off the truth: distances where both meet the body; and pixels in which one of
+ * them does alone. */
 typedef struct {
     double off[PIXELS];
     int count, disagree;
@@ -96,7 +105,8 @@ static double march(const Ray *ray)
     enum { STEPS = 400, HALVES = 50 };
     const double begin = (.16 - ray->at[2]) / ray->way[2], end = (-.16 - ray->at[2]) / ray->way[2];
     for (int i = 0; i < STEPS; i++) {
-        double low = begin + (end - begin) * i / STEPS, high = begin + (end - begin) * (i + 1) / STEPS;
+        double low = begin + (end - begin) * i / STEPS,
+               high = begin + (end - begin) * (i + 1) / STEPS;
         if (above(ray, low) < 0 || above(ray, high) >= 0)
             continue;
         for (int k = 0; k < HALVES; k++)
@@ -113,7 +123,8 @@ static double find_truth(const Scene *scene, int k)
     const Ray middle = reference_ray(scene, k % EDGE + .5, k / EDGE + .5);
     const double truth = march(&middle);
     for (int i = 0; i < 4; i++) {
-        const Ray ray = reference_ray(scene, k % EDGE + .5 + (i & 1 ? .3 : -.3), k / EDGE + .5 + (i & 2 ? .3 : -.3));
+        const Ray ray = reference_ray(scene, k % EDGE + .5 + (i & 1 ? .3 : -.3),
+                                      k / EDGE + .5 + (i & 2 ? .3 : -.3));
         const double other = march(&ray);
         if (isfinite(other) != isfinite(truth) || (isfinite(truth) && fabs(other - truth) > .1))
             return NAN;
@@ -121,7 +132,8 @@ static double find_truth(const Scene *scene, int k)
     return truth;
 }
 
-/* From the side, so that crests hide what is behind them. A grid of 32 parts is off by what its triangles are; traced, it is off by what floats are. */
+/* From the side, so that crests hide what is behind them. A grid of 32 parts is off by what its
+ * triangles are; traced, it is off by what floats are. */
 static void a_wave_is_that_of_its_closed_form(void **state)
 {
     (void)state;
@@ -129,7 +141,8 @@ static void a_wave_is_that_of_its_closed_form(void **state)
                                       "method: parallax, level: 32"};
     static Judged judged[3];
     static double truths[PIXELS]; /* NAN: beside an outline */
-    const char camera[] = "camera: Perspective, position: [0.4, -2.6, 0.8], target: [0, 0, 0], angle: 45";
+    const char camera[] =
+        "camera: Perspective, position: [0.4, -2.6, 0.8], target: [0, 0, 0], angle: 45";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     Render *render = renderer(gl, &options, "depth");
@@ -146,13 +159,15 @@ static void a_wave_is_that_of_its_closed_form(void **state)
         }
         free(depth);
         frame_forget(scene, document);
-        print_message("%-26s %d pixels, half within %.2g, 99 %% within %.2g; %d at outlines\n", how[i], judged[i].count,
-                      quantile(&judged[i], .5), quantile(&judged[i], .99), judged[i].disagree);
+        print_message("%-26s %d pixels, half within %.2g, 99 %% within %.2g; %d at outlines\n",
+                      how[i], judged[i].count, quantile(&judged[i], .5), quantile(&judged[i], .99),
+                      judged[i].disagree);
     }
     render_close(render);
     gl_close(gl);
     assert_true(judged[0].count > PIXELS / 5);
-    assert_true(quantile(&judged[0], .5) < 1e-6 && quantile(&judged[0], .99) < 1e-5 && judged[0].disagree <= 2);
+    assert_true(quantile(&judged[0], .5) < 1e-6 && quantile(&judged[0], .99) < 1e-5 &&
+                judged[0].disagree <= 2);
     assert_true(quantile(&judged[1], .5) > 1e-4);
     assert_true(quantile(&judged[2], .5) < 1e-5);
 }
@@ -170,7 +185,8 @@ static void judge_body(const Scene *scene, const Tracer *tracer, const float *de
     for (int k = 0; k < PIXELS; k++) {
         const Ray ray = reference_ray(scene, k % EDGE + .5, k / EDGE + .5);
         const Hit hit = reference_hit(tracer, &ray, 0);
-        judge(judged, scene->camera.near / (double)depth[4 * k], hit.object < 0 ? INFINITY : hit.distance);
+        judge(judged, scene->camera.near / (double)depth[4 * k],
+              hit.object < 0 ? INFINITY : hit.distance);
     }
 }
 
@@ -185,13 +201,15 @@ static void judge_normals(const float *normal, const float *wanted, Judged *judg
     }
 }
 
-/* Distances by Embree's rays, and normals, of a body whose base is curved, and of one with hard edges that is mirrored: what they are off is what the reference's own triangles are. */
+/* Distances by Embree's rays, and normals, of a body whose base is curved, and of one with hard
+ * edges that is mirrored: what they are off is what the reference's own triangles are. */
 static void bodies_are_those_of_fine_meshes(void **state)
 {
     (void)state;
     static const Body bodies[] = {
         {ball, "method: mesh, level: 16", "method: traced, level: 4", "method: grid, level: 4", 12},
-        {box, "method: mesh, level: 64", "method: traced, level: 16", "method: grid, level: 16", 40}};
+        {box, "method: mesh, level: 64", "method: traced, level: 16", "method: grid, level: 16",
+         40}};
     const char camera[] = "camera: Perspective, position: [1, -3, 2], angle: 40";
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
@@ -204,17 +222,19 @@ static void bodies_are_those_of_fine_meshes(void **state)
         MatcDocument *document;
         Scene *scene = open_scene(&fine, &options, &document);
         Tracer tracer = reference_open(scene);
-        float *of_fine = picture(gl, normals_of, &fine), *normal = picture(gl, normals_of, &by_rays),
+        float *of_fine = picture(gl, normals_of, &fine),
+              *normal = picture(gl, normals_of, &by_rays),
               *depths[2] = {picture(gl, depth, &by_rays), picture(gl, depth, &by_grid)};
         traced.count = grid.count = normals.count = traced.disagree = 0;
         judge_body(scene, &tracer, depths[0], &traced);
         judge_body(scene, &tracer, depths[1], &grid);
         judge_normals(normal, of_fine, &normals);
-        print_message("%s: half within %.2g, 95 %% within %.2g; the grid %.2g, %.2g; normals %.2g, %.2g; of %d pixels "
+        print_message("%s: half within %.2g, 95 %% within %.2g; the grid %.2g, %.2g; normals %.2g, "
+                      "%.2g; of %d pixels "
                       "%d at outlines\n",
-                      bodies[i].traced, quantile(&traced, .5), quantile(&traced, .95), quantile(&grid, .5),
-                      quantile(&grid, .95), quantile(&normals, .5), quantile(&normals, .95), traced.count,
-                      traced.disagree);
+                      bodies[i].traced, quantile(&traced, .5), quantile(&traced, .95),
+                      quantile(&grid, .5), quantile(&grid, .95), quantile(&normals, .5),
+                      quantile(&normals, .95), traced.count, traced.disagree);
         reference_close(&tracer);
         free(depths[0]);
         free(depths[1]);
@@ -228,21 +248,26 @@ static void bodies_are_those_of_fine_meshes(void **state)
     render_close(depth), render_close(normals_of), gl_close(gl);
 }
 
-/* What else a scene may say: vectors, corners that are pushed out, parallel rays, instances that are smaller or mirrored. A grid as fine as its edges allow is the truth. */
+/* What else a scene may say: vectors, corners that are pushed out, parallel rays, instances that
+ * are smaller or mirrored. A grid as fine as its edges allow is the truth. */
 static const struct {
     const char *name, *fine, *coarse, *camera, *objects;
 } ways[] = {{"vectors", "level: 64", "level: 16",
              "camera: Perspective, position: [0.4, -2.6, 1.4], target: [0, 0, 0], angle: 45",
-             "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: leaning, transform: { translation: [-1, "
+             "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: leaning, transform: "
+             "{ translation: [-1, "
              "-1, 0] } }\n"},
             {"push", "level: 64, push: 0.4", "level: 16, push: 0.4",
              "camera: Perspective, position: [1, -3, 2], angle: 50", box},
             {"bulge", "level: 64, bulge: 0.75", "level: 16, bulge: 0.75",
              "camera: Perspective, position: [1, -3, 2], angle: 50", box},
-            {"parallel rays", "level: 32", "level: 4", "camera: Orthographic, position: [1, -3, 2], size: 2.6", ball},
-            {"instances", "level: 32", "level: 4", "camera: Perspective, position: [1, -3, 2], angle: 50",
+            {"parallel rays", "level: 32", "level: 4",
+             "camera: Orthographic, position: [1, -3, 2], size: 2.6", ball},
+            {"instances", "level: 32", "level: 4",
+             "camera: Perspective, position: [1, -3, 2], angle: 50",
              BALL ", transform: { scale: 0.6, translation: [-0.8, 0, 0] } }\n" BALL
-                  ", transform: { scale: [0.5, -0.7, 0.6], translation: [0.7, 0, 0.2], rotation: [0.4, 1, 2] } }\n"}};
+                  ", transform: { scale: [0.5, -0.7, 0.6], translation: [0.7, 0, 0.2], rotation: "
+                  "[0.4, 1, 2] } }\n"}};
 
 /* Distances relative to themselves; of parallel rays, depths. */
 static void judge_depths(const float *depth, const float *wanted, Judged *judged)
@@ -266,13 +291,16 @@ static void all_ways_are_traced(void **state)
         float *depths[3];
         for (int k = 0; k < 3; k++) {
             char how[100];
-            snprintf(how, sizeof how, "method: %s, %s", methods[k], k ? ways[i].coarse : ways[i].fine);
-            depths[k] = picture(gl, render, &(Text){how, ways[i].camera, "", ways[i].objects, NULL});
+            snprintf(how, sizeof how, "method: %s, %s", methods[k],
+                     k ? ways[i].coarse : ways[i].fine);
+            depths[k] =
+                picture(gl, render, &(Text){how, ways[i].camera, "", ways[i].objects, NULL});
         }
         judge_depths(depths[1], depths[0], &grid);
         judge_depths(depths[2], depths[0], &traced);
-        print_message("%-14s half within %.2g, the grid %.2g; of %d pixels %d at outlines\n", ways[i].name,
-                      quantile(&traced, .5), quantile(&grid, .5), traced.count, traced.disagree);
+        print_message("%-14s half within %.2g, the grid %.2g; of %d pixels %d at outlines\n",
+                      ways[i].name, quantile(&traced, .5), quantile(&grid, .5), traced.count,
+                      traced.disagree);
         for (int k = 0; k < 3; k++)
             free(depths[k]);
         assert_true(traced.count > 400 && traced.disagree <= 20);
@@ -287,8 +315,8 @@ static void tiles_are_traced(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const Text text = {"method: traced, level: 4", "camera: Perspective, position: [1, -3, 2], angle: 45", "", ball,
-                       NULL};
+    const Text text = {"method: traced, level: 4",
+                       "camera: Perspective, position: [1, -3, 2], angle: 45", "", ball, NULL};
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene = open_scene(&text, &options, &document);
@@ -299,7 +327,8 @@ static void tiles_are_traced(void **state)
     float *parts = frame_tiles(gl, scene, &render);
     static Judged judged;
     judge_depths(parts, whole, &judged);
-    assert_true(judged.count > 500 && judged.disagree <= PIXELS / 400 && quantile(&judged, .99) < 1e-5);
+    assert_true(judged.count > 500 && judged.disagree <= PIXELS / 400 &&
+                quantile(&judged, .99) < 1e-5);
     free(whole);
     free(parts);
     frame_forget(scene, document);
@@ -316,7 +345,8 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-/* Sun, lamp and area light over a body and the ground below it: as of a fine mesh, and nearer to it than a grid's. */
+/* Sun, lamp and area light over a body and the ground below it: as of a fine mesh, and nearer to it
+ * than a grid's. */
 static void shadow_maps_see_what_is_traced(void **state)
 {
     (void)state;
@@ -335,7 +365,8 @@ static void shadow_maps_see_what_is_traced(void **state)
         for (int k = 0; k < 3; k++)
             light[k] = picture(gl, render, &(Text){how[k], camera, lights[i], ball, ground});
         const int traced = differing(light[0], light[1]), grid = differing(light[0], light[2]);
-        print_message("%s: %d of %d pixels differ; of a grid %d\n", lights[i], traced, PIXELS, grid);
+        print_message("%s: %d of %d pixels differ; of a grid %d\n", lights[i], traced, PIXELS,
+                      grid);
         assert_true(2 * traced < grid && traced < PIXELS / 50);
         for (int k = 0; k < 3; k++)
             free(light[k]);
@@ -350,7 +381,8 @@ static void says(GlContext *gl, const Text *of, const char *line, bool wanted)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = open_scene(of, &options, &document);
-    char *graph = frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+    char *graph =
+        frame_graph_or_fault(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
     const char *at = strstr(graph, wanted ? line : "\ntraced the");
     if ((at != NULL) != wanted)
         fail_msg("'%s' in %s", line, graph);
@@ -374,12 +406,14 @@ static void exact_shadows_have_the_grid(void **state)
     assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
     says(gl, &(Text){how[0], camera, exact, ball, ground}, "", false);
     says(gl, &(Text){how[1], camera, exact, ball, ground},
-         "traced none, triangles are drawn: exact shadows and silhouettes go by the triangle that a pixel sees\n",
+         "traced none, triangles are drawn: exact shadows and silhouettes go by the triangle that "
+         "a pixel sees\n",
          true);
     says(gl, &(Text){how[1], camera, "{ light: Directional, shadows: hybrid }", ball, ground},
          "traced the surface of 1 mesh; not so, but its grid's triangles: hybrid shadows\n", true);
     says(gl, &(Text){"method: traced, level: 20", camera, "", slab, NULL},
-         "volume slab: what is thinner than 0.11 across, or 0.1 along the normal, may be missed\n", true);
+         "volume slab: what is thinner than 0.11 across, or 0.1 along the normal, may be missed\n",
+         true);
     free(light[0]);
     free(light[1]);
     render_close(render);

@@ -1,4 +1,5 @@
-/* What frames need: a second one only draws, materials share programs, views leave out what nobody reads. */
+/* What frames need: a second one only draws, materials share programs, views leave out what nobody
+ * reads. */
 /* ctest: seconds=41 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -7,23 +8,26 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define CAMERA                                                                                                         \
-    "image: { width: 480, height: 320 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], " \
+#define CAMERA                                                                                     \
+    "image: { width: 480, height: 320 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], " \
+    "target: [0, 0, .5], "                                                                         \
     "angle: 40 }\n"
-#define POINT "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }]\n"
+#define POINT                                                                                      \
+    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }]\n"
 
 /* -- calls */
 
 static int calls, draws;
-#define COUNTED(kind, result, name, parameters, arguments)                                                             \
-    static result(*original_##name) parameters;                                                                        \
-    static result count_##name parameters                                                                              \
-    {                                                                                                                  \
-        kind++;                                                                                                        \
-        original_##name arguments;                                                                                     \
+#define COUNTED(kind, result, name, parameters, arguments)                                         \
+    static result(*original_##name) parameters;                                                    \
+    static result count_##name parameters                                                          \
+    {                                                                                              \
+        kind++;                                                                                    \
+        original_##name arguments;                                                                 \
     }
 COUNTED(calls, void, BufferData, (GLenum a, GLsizeiptr b, const void *c, GLenum d), (a, b, c, d))
-COUNTED(calls, void, BufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, const void *d), (a, b, c, d))
+COUNTED(calls, void, BufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, const void *d),
+        (a, b, c, d))
 COUNTED(calls, void, GetBufferSubData, (GLenum a, GLintptr b, GLsizeiptr c, void *d), (a, b, c, d))
 COUNTED(calls, void, GetQueryObjectuiv, (GLuint a, GLenum b, GLuint *c), (a, b, c))
 COUNTED(calls, void, GenBuffers, (GLsizei a, GLuint *b), (a, b))
@@ -34,15 +38,19 @@ COUNTED(calls, void, LinkProgram, (GLuint a), (a))
 COUNTED(calls, void, GetIntegerv, (GLenum a, GLint *b), (a, b))
 COUNTED(calls, void, GetProgramiv, (GLuint a, GLenum b, GLint *c), (a, b, c))
 COUNTED(calls, void, TexParameteri, (GLenum a, GLenum b, GLint c), (a, b, c))
-COUNTED(calls, void, FramebufferTexture2D, (GLenum a, GLenum b, GLenum c, GLuint d, GLint e), (a, b, c, d, e))
-COUNTED(calls, void, FramebufferTextureLayer, (GLenum a, GLenum b, GLuint c, GLint d, GLint e), (a, b, c, d, e))
+COUNTED(calls, void, FramebufferTexture2D, (GLenum a, GLenum b, GLenum c, GLuint d, GLint e),
+        (a, b, c, d, e))
+COUNTED(calls, void, FramebufferTextureLayer, (GLenum a, GLenum b, GLuint c, GLint d, GLint e),
+        (a, b, c, d, e))
 COUNTED(calls, void, Uniform1fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform2fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform3fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform4fv, (GLint a, GLsizei b, const GLfloat *c), (a, b, c))
 COUNTED(calls, void, Uniform1iv, (GLint a, GLsizei b, const GLint *c), (a, b, c))
-COUNTED(calls, void, UniformMatrix3fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d), (a, b, c, d))
-COUNTED(calls, void, UniformMatrix4fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d), (a, b, c, d))
+COUNTED(calls, void, UniformMatrix3fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d),
+        (a, b, c, d))
+COUNTED(calls, void, UniformMatrix4fv, (GLint a, GLsizei b, GLboolean c, const GLfloat *d),
+        (a, b, c, d))
 COUNTED(draws, void, DrawElements, (GLenum a, GLsizei b, GLenum c, const void *d), (a, b, c, d))
 COUNTED(draws, void, DrawElementsInstancedBaseInstance,
         (GLenum a, GLsizei b, GLenum c, const void *d, GLsizei e, GLuint f), (a, b, c, d, e, f))
@@ -72,21 +80,23 @@ static void count_calls(GlContext *gl)
     COUNT(Uniform3fv)
     COUNT(Uniform4fv)
     COUNT(Uniform1iv)
-    COUNT(UniformMatrix3fv) COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls =
+    COUNT(UniformMatrix3fv)
+    COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls =
         draws = 0;
 }
 
-/* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a plane of glass. */
-static const char busy[] =
-    CAMERA POINT "materials: { a: { material: Phong, diffuse: .2 }, b: { material: Phong, diffuse: .4 }, "
-                 "c: { material: Phong, diffuse: { map: Wood } }, glass: { material: RGBA, a: .5 } }\n"
-                 "objects:\n- { object: Sphere, material: a }\n"
-                 "- { object: Sphere, material: b, transform: { translation: [1, 0, 0] } }\n"
-                 "- { object: Box, material: c }\n- { object: Box, material: a, transform: { scale: -2 } }\n"
-                 "- { object: Plane, material: b }\n"
-                 "- { object: Box, material: glass, transform: { translation: [0, 0, 1.5] } }\n"
-                 "- { object: Plane, material: glass, transform: { translation: [0, 0, .1] } }\n"
-                 "sky: { material: RGBA, b: .5 }\n";
+/* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a
+ * plane of glass. */
+static const char busy[] = CAMERA POINT
+    "materials: { a: { material: Phong, diffuse: .2 }, b: { material: Phong, diffuse: .4 }, "
+    "c: { material: Phong, diffuse: { map: Wood } }, glass: { material: RGBA, a: .5 } }\n"
+    "objects:\n- { object: Sphere, material: a }\n"
+    "- { object: Sphere, material: b, transform: { translation: [1, 0, 0] } }\n"
+    "- { object: Box, material: c }\n- { object: Box, material: a, transform: { scale: -2 } }\n"
+    "- { object: Plane, material: b }\n"
+    "- { object: Box, material: glass, transform: { translation: [0, 0, 1.5] } }\n"
+    "- { object: Plane, material: glass, transform: { translation: [0, 0, .1] } }\n"
+    "sky: { material: RGBA, b: .5 }\n";
 
 /* A frame of it, in so many draws, without another call. */
 static void draw_again(Render *render, int expected)
@@ -97,7 +107,8 @@ static void draw_again(Render *render, int expected)
     assert_int_equal(draws, expected);
 }
 
-/* Frames but the first, of a scene drawn with such options, take so many draws each, 0: the second's; and nothing else. */
+/* Frames but the first, of a scene drawn with such options, take so many draws each, 0: the
+ * second's; and nothing else. */
 static void expect_draws_only(const Scene *scene, RenderOptions options, int expected)
 {
     GlContext *gl = frame_context();
@@ -120,21 +131,27 @@ static void expect_draws_only(const Scene *scene, RenderOptions options, int exp
 static void a_second_frame_only_draws(void **state)
 {
     (void)state;
-    enum { OPAQUE = 3 + 1 + 1 + 2 /* surfaces, the spheres at once; the plane, the sky, light and tone */, LAYERS = 3 };
+    enum {
+        OPAQUE =
+            3 + 1 + 1 + 2 /* surfaces, the spheres at once; the plane, the sky, light and tone */,
+        LAYERS = 3
+    };
     static const struct {
         const char *transparency, *lights;
         int draws;
     } cases[] = {{"lists", "all", OPAQUE + 2 + 1},
                  {"peeling", "all", OPAQUE + LAYERS * (2 + 1)},
-                 {"lists", "bounded", OPAQUE + 2 + 1 + 3 /* groups of pixels, what is near them, and the rest */}};
+                 {"lists", "bounded",
+                  OPAQUE + 2 + 1 + 3 /* groups of pixels, what is near them, and the rest */}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(busy, &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        expect_draws_only(
-            scene,
-            (RenderOptions){.compile = &options, .transparency = cases[i].transparency, .lights = cases[i].lights},
-            cases[i].draws);
+        expect_draws_only(scene,
+                          (RenderOptions){.compile = &options,
+                                          .transparency = cases[i].transparency,
+                                          .lights = cases[i].lights},
+                          cases[i].draws);
     frame_forget(scene, document);
 }
 
@@ -150,7 +167,10 @@ static void tones_and_edges_only_draw(void **state)
         snprintf(text, sizeof text, "%stoneMapping: { toneMapping: %s }\n", busy, tones[i]);
         Scene *scene = frame_scene(text, &options, &document);
         expect_draws_only(
-            scene, (RenderOptions){.compile = &options, .width = 96, .height = 64, .edges = RENDER_EDGES_coverage}, 0);
+            scene,
+            (RenderOptions){
+                .compile = &options, .width = 96, .height = 64, .edges = RENDER_EDGES_coverage},
+            0);
         frame_forget(scene, document);
     }
 }
@@ -163,22 +183,27 @@ static void programs_are_shared(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = frame_scene(
-        "image: { width: 90, height: 30 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
-        "lights: [{ light: Ambient }]\nobjects:\n"
-        "- { object: Box, material: { material: Phong, ambient: [.1, .2, .3] }, transform: { translation: "
-        "[-1, 0, 0] } }\n"
-        "- { object: Box, material: { material: Phong, ambient: [.4, .5, .6] } }\n"
-        "- { object: Box, material: { material: Phong, ambient: [.7, .8, .9] }, transform: { translation: "
-        "[1, 0, 0] } }\n",
-        &options, &document);
+    Scene *scene =
+        frame_scene("image: { width: 90, height: 30 }\ncamera: { camera: Orthographic, position: "
+                    "[0, -5, 0], size: 1 }\n"
+                    "lights: [{ light: Ambient }]\nobjects:\n"
+                    "- { object: Box, material: { material: Phong, ambient: [.1, .2, .3] }, "
+                    "transform: { translation: "
+                    "[-1, 0, 0] } }\n"
+                    "- { object: Box, material: { material: Phong, ambient: [.4, .5, .6] } }\n"
+                    "- { object: Box, material: { material: Phong, ambient: [.7, .8, .9] }, "
+                    "transform: { translation: "
+                    "[1, 0, 0] } }\n",
+                    &options, &document);
     GlContext *gl = frame_context();
     Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light"});
     float *rgba = calloc(90 * 30, 4 * sizeof *rgba);
     assert_non_null(rgba);
-    assert_true(render && render_scene(render, scene) && render_frame(render) && render_read(render, rgba));
+    assert_true(render && render_scene(render, scene) && render_frame(render) &&
+                render_read(render, rgba));
     for (int i = 0; i < 9; i++)
-        assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4); /* 10 bits */
+        /* 10 bits */
+        assert_true(fabs(rgba[4 * (15 * 90 + 15 + 30 * (i / 3)) + i % 3] - .1 * (i + 1)) < 5e-4);
     char *stats = render_stats(render);
     assert_non_null(strstr(stats, "3 materials, 3 programs of 1 texts"));
     assert_non_null(strstr(stats, "in 1 meshes"));
@@ -202,17 +227,23 @@ static void views_need_less(void **state)
                  {NULL, "gather depth, gbuffer far not run: lights are few", "auto"},
                  {"depth", "far two buffers not there", "auto"},
                  {NULL, "gather depth, gbuffer far not run: all lights are asked for", "all"},
-                 {NULL, "gather depth, gbuffer far lights are many, and far ones are taken together", "bounded"},
+                 {NULL,
+                  "gather depth, gbuffer far lights are many, and far ones are taken together",
+                  "bounded"},
                  {NULL, "light depth, gbuffer, shadow, far light always", "bounded"},
                  {"light", "far two buffers 4: 3536 bytes for blocks of 32 x 32", "bounded"}};
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene =
-        frame_scene(CAMERA POINT "objects: [{ object: Sphere, material: { material: Phong } }]\n", &options, &document);
+        frame_scene(CAMERA POINT "objects: [{ object: Sphere, material: { material: Phong } }]\n",
+                    &options, &document);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        const RenderOptions drawn = {
-            .compile = &options, .view = cases[i].view, .lights = cases[i].lights, .width = 30, .height = 20};
+        const RenderOptions drawn = {.compile = &options,
+                                     .view = cases[i].view,
+                                     .lights = cases[i].lights,
+                                     .width = 30,
+                                     .height = 20};
         Render *render = render_open(gl, &drawn);
         assert_true(render && render_scene(render, scene));
         char *graph = frame_graph(render);
@@ -222,8 +253,9 @@ static void views_need_less(void **state)
         render_close(render);
     }
     assert_null(render_open(gl, &(RenderOptions){.compile = &options, .view = "deep"}));
-    assert_string_equal(gl->error, "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
-                                   "positions, voxels, open, indirect, bent, visibility, or a slot");
+    assert_string_equal(gl->error,
+                        "there is no view 'deep': shown, wireframe, volume, light, depth, shadow, "
+                        "positions, voxels, open, indirect, bent, visibility, or a slot");
     gl_close(gl);
     frame_forget(scene, document);
 }

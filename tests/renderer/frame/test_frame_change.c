@@ -49,7 +49,8 @@ static float *read_frame(const Changing *c)
     return rgba;
 }
 
-/* Nothing was made for the change, so many bytes were written, and the picture is that of a renderer that sees the scene for the first time. */
+/* Nothing was made for the change, so many bytes were written, and the picture is that of a
+ * renderer that sees the scene for the first time. */
 static void assert_as_new(const Changing *c, long most)
 {
     assert_int_equal(frame_calls.made, 0);
@@ -57,7 +58,8 @@ static void assert_as_new(const Changing *c, long most)
         fail_msg("%ld bytes in %d calls", frame_calls.bytes, frame_calls.written);
     float *changed = read_frame(c);
     GlContext *gl = frame_context();
-    float *new = frame_floats(gl, c->scene, &(RenderOptions){.compile = &c->options, .view = "light"});
+    float *new =
+        frame_floats(gl, c->scene, &(RenderOptions){.compile = &c->options, .view = "light"});
     assert_true(same(changed, new, c->scene));
     gl_close(gl);
     assert_true(gl_use(c->gl));
@@ -102,14 +104,16 @@ static void others_in_view(void **unused)
 {
     (void)unused;
     char text[1024];
-    size_t size = (size_t)snprintf(text, sizeof text,
-                                   "image: { width: 24, height: 16 }\ncamera: { camera: Perspective, position: [0, -5, "
-                                   "0], angle: 20 }\nlights: [{ light: Ambient }]\nobjects:\n");
+    size_t size = (size_t)snprintf(
+        text, sizeof text,
+        "image: { width: 24, height: 16 }\ncamera: { camera: Perspective, position: [0, -5, "
+        "0], angle: 20 }\nlights: [{ light: Ambient }]\nobjects:\n");
     for (int i = 0; i < 3; i++)
-        size += (size_t)snprintf(text + size, sizeof text - size,
-                                 "- { object: Box, transform: { translation: [%d, 0, 0] }, material: { material: "
-                                 "Phong, ambient: [.5, %g, .1] } }\n",
-                                 4 * i, .2 + .3 * i);
+        size += (size_t)snprintf(
+            text + size, sizeof text - size,
+            "- { object: Box, transform: { translation: [%d, 0, 0] }, material: { material: "
+            "Phong, ambient: [.5, %g, .1] } }\n",
+            4 * i, .2 + .3 * i);
     Changing c = open_changing(text);
     for (int i = 1; i < 3; i++) {
         c.scene->camera.position[0] += 4;
@@ -130,18 +134,21 @@ static void others_in_view(void **unused)
 static void params(void **unused)
 {
     (void)unused;
-    Changing c = open_changing(
-        "image: { width: 20, height: 10 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 1 }\n"
-        "lights: [{ light: Ambient }]\nobjects:\n"
-        "- { object: Box, material: { material: Phong, ambient: { param: shine, default: .2 } }, transform: { "
-        "translation: [-.5, 0, 0] } }\n"
-        "- { object: Box, material: { material: Phong, ambient: { param: shine, default: .2 } }, transform: { "
-        "translation: [.5, 0, 0] } }\n");
+    Changing c = open_changing("image: { width: 20, height: 10 }\ncamera: { camera: Orthographic, "
+                               "position: [0, -5, 0], size: 1 }\n"
+                               "lights: [{ light: Ambient }]\nobjects:\n"
+                               "- { object: Box, material: { material: Phong, ambient: { param: "
+                               "shine, default: .2 } }, transform: { "
+                               "translation: [-.5, 0, 0] } }\n"
+                               "- { object: Box, material: { material: Phong, ambient: { param: "
+                               "shine, default: .2 } }, transform: { "
+                               "translation: [.5, 0, 0] } }\n");
     const int second = c.scene->objects[1].material;
     assert_true(render_param(c.render, second, "shine", &(float){.8f}, 1));
     assert_int_equal(frame_calls.made, 0);
     float *rgba = read_frame(&c);
-    assert_true(fabsf(rgba[4 * 105] - .2f) < 1e-3f && fabsf(rgba[4 * 115] - .8f) < 1e-3f); /* 10 bits */
+    /* 10 bits */
+    assert_true(fabsf(rgba[4 * 105] - .2f) < 1e-3f && fabsf(rgba[4 * 115] - .8f) < 1e-3f);
     assert_false(render_param(c.render, second, "shin", &(float){.8f}, 1));
     assert_string_equal(c.gl->error, "no program of the material has a param 'shin' of 1 lanes");
     assert_false(render_param(c.render, second, "shine", (float[3]){0}, 3));
@@ -153,11 +160,12 @@ static void params(void **unused)
 static void the_next_scene(void **unused)
 {
     (void)unused;
-    static const char text[] =
-        "image: { width: 32, height: 32 }\nlights: [{ light: Point, position: [3, -3, 3], intensity: 9 }]\nobjects:\n"
-        "- { object: Sphere, material: { material: Phong, diffuse: .5 } }\n"
-        "- { object: Box, material: { material: Phong, diffuse: { map: Checker } }, transform: { translation: [%d, 0, "
-        "0] } }\n";
+    static const char text[] = "image: { width: 32, height: 32 }\nlights: [{ light: Point, "
+                               "position: [3, -3, 3], intensity: 9 }]\nobjects:\n"
+                               "- { object: Sphere, material: { material: Phong, diffuse: .5 } }\n"
+                               "- { object: Box, material: { material: Phong, diffuse: { map: "
+                               "Checker } }, transform: { translation: [%d, 0, "
+                               "0] } }\n";
     char first[1024], next[1024];
     snprintf(first, sizeof first, text, 1);
     snprintf(next, sizeof next, text, -1);
@@ -182,11 +190,14 @@ static void cascades(void **state)
 {
     (void)state;
     Changing c = open_changing(
-        "image: { width: 64, height: 48 }\ncamera: { camera: Perspective, position: [1, -7, 3] }\nshadowMaps: { size: "
+        "image: { width: 64, height: 48 }\ncamera: { camera: Perspective, position: [1, -7, 3] "
+        "}\nshadowMaps: { size: "
         "64, cascades: 3 }\nlights: [{ light: Directional, direction: [1, 2, -3] }]\nobjects:\n"
-        "- { object: Parallelogram, u: [90, 0, 0], v: [0, 90, 0], material: { material: Phong, diffuse: .5 }, "
+        "- { object: Parallelogram, u: [90, 0, 0], v: [0, 90, 0], material: { material: Phong, "
+        "diffuse: .5 }, "
         "transform: { translation: [-45, -45, 0] } }\n"
-        "- { object: Box, material: { material: Phong, diffuse: .5 }, transform: { translation: [0, 0, .5] } }\n");
+        "- { object: Box, material: { material: Phong, diffuse: .5 }, transform: { translation: "
+        "[0, 0, .5] } }\n");
     c.scene->camera.position[0] += 2;
     assert_true(render_changed(c.render, RENDER_CAMERA));
     assert_as_new(&c, 112 + 4 * 2);
@@ -196,6 +207,7 @@ static void cascades(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(others_in_view),
-                                       cmocka_unit_test(params), cmocka_unit_test(cascades), cmocka_unit_test(the_next_scene)};
+                                       cmocka_unit_test(params), cmocka_unit_test(cascades),
+                                       cmocka_unit_test(the_next_scene)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* What a driver, or the set of all materials, refuses: the material is named, and where it stands; the format of a target; a mesh that is too large. */
+/* What a driver, or the set of all materials, refuses: the material is named, and where it stands;
+ * the format of a target; a mesh that is too large. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
@@ -10,21 +11,23 @@
 static char *read_picture(void *user, const char *path, size_t *size, const char **why)
 {
     static const unsigned char picture[] = {
-        0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48, 0x44, 0x52, 0x00,
-        0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00, 0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00,
-        0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78, 0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00,
-        0x1C, 0xB0, 0x8C, 0x99, 0x00, 0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
+        0x89, 0x50, 0x4E, 0x47, 0x0D, 0x0A, 0x1A, 0x0A, 0x00, 0x00, 0x00, 0x0D, 0x49, 0x48,
+        0x44, 0x52, 0x00, 0x00, 0x00, 0x01, 0x00, 0x00, 0x00, 0x01, 0x08, 0x00, 0x00, 0x00,
+        0x00, 0x3A, 0x7E, 0x9B, 0x55, 0x00, 0x00, 0x00, 0x0A, 0x49, 0x44, 0x41, 0x54, 0x78,
+        0xDA, 0x63, 0xF8, 0x0F, 0x00, 0x01, 0x01, 0x01, 0x00, 0x1C, 0xB0, 0x8C, 0x99, 0x00,
+        0x00, 0x00, 0x00, 0x49, 0x45, 0x4E, 0x44, 0xAE, 0x42, 0x60, 0x82};
     (void)user, (void)path, (void)why;
     char *bytes = malloc(sizeof picture);
     *size = sizeof picture;
     return bytes ? memcpy(bytes, picture, sizeof picture) : NULL;
 }
 
-static const char text[] = "materials:\n"
-                           "  plain: { material: Phong }\n"
-                           "  busy: { material: Phong, diffuse: { map: ImageMap, image: a.png }, specular: { map: "
-                           "ImageMap, image: b.png, bilinearFiltering: false } }\n"
-                           "objects: [{ object: Box, material: plain }, { object: Sphere, material: busy }]\n";
+static const char text[] =
+    "materials:\n"
+    "  plain: { material: Phong }\n"
+    "  busy: { material: Phong, diffuse: { map: ImageMap, image: a.png }, specular: { map: "
+    "ImageMap, image: b.png, bilinearFiltering: false } }\n"
+    "objects: [{ object: Box, material: plain }, { object: Sphere, material: busy }]\n";
 
 /* What is said where `units` textures have room, with that layout. */
 static void assert_refused(int units, const char *layout, const char *said)
@@ -50,7 +53,9 @@ static void assert_refused(int units, const char *layout, const char *said)
 static void materials_are_named(void **state)
 {
     (void)state;
-    assert_refused(1, NULL, "scene.yaml:3:21: the material 'busy': it has 2 textures, and the driver room for 1");
+    assert_refused(
+        1, NULL,
+        "scene.yaml:3:21: the material 'busy': it has 2 textures, and the driver room for 1");
     assert_refused(32, "none", "scene.yaml:2:22: the material 'plain': ");
 }
 
@@ -71,14 +76,16 @@ static void bind_texture(GLenum target, GLuint name)
     fake.driver.BindTexture(target, name);
 }
 
-static void store_texture(GLenum target, GLsizei levels, GLenum format, GLsizei width, GLsizei height)
+static void store_texture(GLenum target, GLsizei levels, GLenum format, GLsizei width,
+                          GLsizei height)
 {
     assert_true(fake.bound < TEXTURES);
     fake.formats[fake.bound] = format;
     fake.driver.TexStorage2D(target, levels, format, width, height);
 }
 
-static void attach_texture(GLenum target, GLenum attachment, GLenum kind, GLuint texture, GLint level)
+static void attach_texture(GLenum target, GLenum attachment, GLenum kind, GLuint texture,
+                           GLint level)
 {
     if (attachment == GL_COLOR_ATTACHMENT0)
         fake.drawn = fake.formats[texture];
@@ -87,15 +94,16 @@ static void attach_texture(GLenum target, GLenum attachment, GLenum kind, GLuint
 
 static GLenum refuse_halves(GLenum target)
 {
-    return fake.drawn == HALVES ? GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT : fake.driver.CheckFramebufferStatus(target);
+    return fake.drawn == HALVES ? GL_FRAMEBUFFER_INCOMPLETE_ATTACHMENT
+                                : fake.driver.CheckFramebufferStatus(target);
 }
 
 /* The format is named, and nothing is left: the next renderer, on a driver that can, draws. */
 static void targets_are_named(void **state)
 {
     (void)state;
-    static const char box[] =
-        "image: { width: 8, height: 8 }\nobjects: [{ object: Box, material: { material: Phong } }]\n";
+    static const char box[] = "image: { width: 8, height: 8 }\nobjects: [{ object: Box, material: "
+                              "{ material: Phong } }]\n";
     MatcOptions compile;
     MatcDocument *document;
     GlContext *gl = frame_context();
@@ -107,10 +115,12 @@ static void targets_are_named(void **state)
     gl->FramebufferTexture2D = attach_texture;
     gl->CheckFramebufferStatus = refuse_halves;
     Render *render =
-        render_open(gl, &(RenderOptions){.compile = &compile, .fragment = true}); /* light lies by itself */
+        /* light lies by itself */
+        render_open(gl, &(RenderOptions){.compile = &compile, .fragment = true});
     assert_non_null(render);
     assert_false(render_scene(render, scene));
-    assert_string_equal(gl->error, "the driver cannot draw to one of these formats: RGBA16F, and depth DEPTH32F");
+    assert_string_equal(
+        gl->error, "the driver cannot draw to one of these formats: RGBA16F, and depth DEPTH32F");
     assert_false(render_frame(render));
     gl->CheckFramebufferStatus = fake.driver.CheckFramebufferStatus;
     assert_true(render_scene(render, scene) && render_frame(render));
@@ -124,7 +134,8 @@ static void targets_are_named(void **state)
 static void meshes_too_large(void **state)
 {
     (void)state;
-    static const char large[] = "objects:\n- { object: Mesh, file: large.obj, material: { material: Phong } }\n";
+    static const char large[] =
+        "objects:\n- { object: Mesh, file: large.obj, material: { material: Phong } }\n";
     char folder[] = "/tmp/matc_large_XXXXXX", path[64], scene_path[64];
     MatcOptions options;
     Scene *scene = NULL;
@@ -150,23 +161,26 @@ static void shadow_maps(void **state)
     static const struct {
         int lights, size;
         const char *said; /* NULL: nothing */
-    } cases[] = {{2, 16, NULL},
-                 {350, 16, "2100 shadow maps of 16 x 16 are asked for, the driver has 2048 of 16384 x 16384"},
-                 {3, 8192, "18 shadow maps of 8192 x 8192 take 4608 MiB; at most 4096 are made"},
-                 {171, 1024, "1026 shadow maps of 1024 x 1024 take 4104 MiB; at most 4096 are made"}};
+    } cases[] = {
+        {2, 16, NULL},
+        {350, 16,
+         "2100 shadow maps of 16 x 16 are asked for, the driver has 2048 of 16384 x 16384"},
+        {3, 8192, "18 shadow maps of 8192 x 8192 take 4608 MiB; at most 4096 are made"},
+        {171, 1024, "1026 shadow maps of 1024 x 1024 take 4104 MiB; at most 4096 are made"}};
     MatcOptions options;
     matc_options_init(&options);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         static char scene_text[1 << 14];
         MatcDocument *document;
-        size_t size =
-            (size_t)snprintf(scene_text, sizeof scene_text,
-                             "shadowMaps: { size: %d }\nobjects: [{ object: Box, material: { material: Phong } "
-                             "}]\nlights:\n",
-                             cases[i].size);
+        size_t size = (size_t)snprintf(
+            scene_text, sizeof scene_text,
+            "shadowMaps: { size: %d }\nobjects: [{ object: Box, material: { material: Phong } "
+            "}]\nlights:\n",
+            cases[i].size);
         for (int k = 0; k < cases[i].lights; k++)
-            size += (size_t)snprintf(scene_text + size, sizeof scene_text - size, "- { light: Point }\n");
+            size += (size_t)snprintf(scene_text + size, sizeof scene_text - size,
+                                     "- { light: Point }\n");
         Scene *scene = frame_scene(scene_text, &options, &document);
         Render *render = render_open(gl, &(RenderOptions){.compile = &options});
         assert_non_null(render);
@@ -179,7 +193,8 @@ static void shadow_maps(void **state)
     gl_close(gl);
 }
 
-/* A host may begin with an empty scene: of no method of indirect light is there a program that asks materials which there are not. */
+/* A host may begin with an empty scene: of no method of indirect light is there a program that asks
+ * materials which there are not. */
 static void nothing_stands_there(void **state)
 {
     (void)state;
@@ -191,12 +206,14 @@ static void nothing_stands_there(void **state)
         char scene_text[512];
         MatcDocument *document;
         snprintf(scene_text, sizeof scene_text,
-                 "image: { width: %d, height: %d }\nlights: [{ light: Point, position: [0, -2, 3] }]\nindirect: { "
+                 "image: { width: %d, height: %d }\nlights: [{ light: Point, position: [0, -2, 3] "
+                 "}]\nindirect: { "
                  "method: %s }\n"
                  "objects: []\n",
                  EDGE, EDGE, ways[i]);
         Scene *scene = frame_scene(scene_text, &options, &document);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        float *rgba =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
         for (int k = 0; k < LANES * EDGE * EDGE; k++)
             assert_true(k % LANES == 3 || rgba[k] == 0);
         free(rgba);
@@ -207,8 +224,9 @@ static void nothing_stands_there(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_named), cmocka_unit_test(targets_are_named),
-                                       cmocka_unit_test(meshes_too_large), cmocka_unit_test(shadow_maps),
-                                       cmocka_unit_test(nothing_stands_there)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(materials_are_named), cmocka_unit_test(targets_are_named),
+        cmocka_unit_test(meshes_too_large), cmocka_unit_test(shadow_maps),
+        cmocka_unit_test(nothing_stands_there)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

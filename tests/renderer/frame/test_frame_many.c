@@ -1,4 +1,5 @@
-/* Many objects: instances against objects drawn one by one, and against what is not culled; how many calls it takes. */
+/* Many objects: instances against objects drawn one by one, and against what is not culled; how
+ * many calls it takes. */
 /* ctest: unsanitized seconds=16 */
 #include "tests/test.h"
 #include "runtime/cache/cull.h"
@@ -29,9 +30,10 @@ static void nothing_in_view_is_left_out(void **unused)
         MatcDocument *document;
         char *text = frame_random_text((uint64_t)round + 1, 150, round % 3 == 2);
         Scene *scene = frame_scene(text, &options, &document);
-        float *culled = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
-        float *whole =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = true});
+        float *culled =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+        float *whole = frame_floats(
+            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .unculled = true});
         assert_true(same(culled, whole, scene));
         free(culled);
         free(whole);
@@ -48,7 +50,8 @@ static int count_turned(const float *normals, int width, int height)
     for (int i = width; i < width * (height - 1); i++)
         for (int side = 0; side < 4 && normals[4 * i + 3] > 0; side++) {
             const float *n = normals + 4 * i, *beside = n + 4 * (int[]){1, -1, width, -width}[side];
-            turned += beside[3] > 0 && n[0] * beside[0] + n[1] * beside[1] + n[2] * beside[2] < -.5f;
+            turned +=
+                beside[3] > 0 && n[0] * beside[0] + n[1] * beside[1] + n[2] * beside[2] < -.5f;
         }
     return turned;
 }
@@ -67,9 +70,11 @@ static void write_ball(const char *path)
     fprintf(file, "v 0 0 -1\nv 0 0 1\n");
     for (int i = 0; i < UP; i++)
         for (int k = 1; k <= AROUND; k++) {
-            const int next = k % AROUND + 1, south = (UP - 1) * AROUND + 1, below = (i - 1) * AROUND, above = i * AROUND;
+            const int next = k % AROUND + 1, south = (UP - 1) * AROUND + 1,
+                      below = (i - 1) * AROUND, above = i * AROUND;
             const int a = i ? below + k : south, b = i ? below + next : south;
-            const int c = i < UP - 1 ? above + next : south + 1, d = i < UP - 1 ? above + k : south + 1;
+            const int c = i < UP - 1 ? above + next : south + 1,
+                      d = i < UP - 1 ? above + k : south + 1;
             if (i)
                 fprintf(file, "f %d %d %d\n", a, b, c);
             if (i < UP - 1)
@@ -78,8 +83,9 @@ static void write_ball(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* A sphere, the renderer's and a file's, from four places. A rasteriser, which rounds corners, shows its inside at a pixel of its rim now and then; the
- * first place is one of these, of the mesh the second. */
+/* A sphere, the renderer's and a file's, from four places. A rasteriser, which rounds corners,
+ * shows its inside at a pixel of its rim now and then; the first place is one of these, of the mesh
+ * the second. */
 static void no_inside_at_a_rim(void **unused)
 {
     (void)unused;
@@ -98,13 +104,15 @@ static void no_inside_at_a_rim(void **unused)
         MatcDocument *document;
         char text[512];
         snprintf(text, sizeof text,
-                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, %g, %g], target: [0, "
+                 "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [%g, "
+                 "%g, %g], target: [0, "
                  "0, .6] }\n"
                  "materials: { m: { material: Phong } }\nobjects:\n"
                  "- { object: %s, material: m, transform: { translation: [0, 0, 1] } }\n",
                  WIDTH, HEIGHT, from[0], from[1], from[2], solids[i % 2]);
         Scene *scene = frame_scene(text, &options, &document);
-        float *normals = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
+        float *normals =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "normal"});
         assert_true(normals[4 * (HEIGHT / 2 * WIDTH + WIDTH / 2) + 3] > 0);
         assert_int_equal(count_turned(normals, WIDTH, HEIGHT), 0);
         free(normals);
@@ -114,28 +122,33 @@ static void no_inside_at_a_rim(void **unused)
     gl_close(gl);
 }
 
-/* From within a body, and where the nearest that is seen cuts into one, insides are there; from outside all is as without culling. */
+/* From within a body, and where the nearest that is seen cuts into one, insides are there; from
+ * outside all is as without culling. */
 static void insides_are_seen_from_within(void **unused)
 {
     (void)unused;
     static const struct {
         const char *camera;
         bool all; /* pixels show something */
-    } cases[] = {{"camera: Perspective, position: [.2, .1, .3], target: [1, 0, 0], near: .01", true},
-                 {"camera: Perspective, position: [0, -1.2, 0], target: [0, 0, 0], near: .5, angle: 30", true},
-                 {"camera: Orthographic, position: [0, -.2, 0], target: [0, 1, 0], size: 1, depth: 9", true},
-                 {"camera: Perspective, position: [0, -5, 1], target: [0, 0, 0]", false}};
+    } cases[] = {
+        {"camera: Perspective, position: [.2, .1, .3], target: [1, 0, 0], near: .01", true},
+        {"camera: Perspective, position: [0, -1.2, 0], target: [0, 0, 0], near: .5, angle: 30",
+         true},
+        {"camera: Orthographic, position: [0, -.2, 0], target: [0, 1, 0], size: 1, depth: 9", true},
+        {"camera: Perspective, position: [0, -5, 1], target: [0, 0, 0]", false}};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         char text[512];
         snprintf(text, sizeof text,
-                 "image: { width: 48, height: 36 }\ncamera: { %s }\nmaterials: { m: { material: Phong } }\nobjects:\n"
+                 "image: { width: 48, height: 36 }\ncamera: { %s }\nmaterials: { m: { material: "
+                 "Phong } }\nobjects:\n"
                  "- { object: Sphere, material: m, transform: { scale: [-1, 1, 1] } }\n",
                  cases[i].camera);
         Scene *scene = frame_scene(text, &options, &document);
-        float *depth = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+        float *depth =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
         int seen = 0;
         for (int k = 0; k < 48 * 36; k++)
             seen += depth[4 * k + 3] > 0;
@@ -161,11 +174,13 @@ static void boxes_at_the_planes(void **unused)
     static const struct {
         double x, y, z; /* of the centre, from the eye: to the right, ahead, up */
         bool seen;
-    } cases[] = {{0, 10, 0, true},      {0, -10, 0, false},   {0, .99, 0, false},     {0, 1.01, 0, true},
-                 {23.01, 10, 0, false}, {22.99, 10, 0, true}, {-23.01, 10, 0, false}, {-22.99, 10, 0, true},
-                 {0, 10, 12.01, false}, {0, 10, 11.99, true}, {0, 10, -12.01, false}, {0, 10, -11.99, true}};
+    } cases[] = {{0, 10, 0, true},       {0, -10, 0, false},     {0, .99, 0, false},
+                 {0, 1.01, 0, true},     {23.01, 10, 0, false},  {22.99, 10, 0, true},
+                 {-23.01, 10, 0, false}, {-22.99, 10, 0, true},  {0, 10, 12.01, false},
+                 {0, 10, 11.99, true},   {0, 10, -12.01, false}, {0, 10, -11.99, true}};
     CullVolume volume;
-    cull_volume(&camera, (const int[]){200, 100}, &volume); /* twice as wide as high: tangents 2 and 1 */
+    /* twice as wide as high: tangents 2 and 1 */
+    cull_volume(&camera, (const int[]){200, 100}, &volume);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         SceneMatrix matrix = scene_matrix_identity();
         matrix.m[12] = 10 + cases[i].x;
@@ -179,7 +194,8 @@ static void boxes_at_the_planes(void **unused)
 static void boxes_around_meshes(void **unused)
 {
     (void)unused;
-    ShapeVertex vertices[] = {{.position = {-1, 2, 3}}, {.position = {4, -5, 3}}, {.position = {0, 0, 7}}};
+    ShapeVertex vertices[] = {
+        {.position = {-1, 2, 3}}, {.position = {4, -5, 3}}, {.position = {0, 0, 7}}};
     const CullBox box = cull_box(&(Shape){.vertices = vertices, .vertex_count = 3});
     const CullBox wanted = {{-1, -5, 3}, {4, 2, 7}};
     assert_memory_equal(&box, &wanted, sizeof box);
@@ -187,7 +203,8 @@ static void boxes_around_meshes(void **unused)
 
 /* -- instances */
 
-/* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a normal's code. */
+/* By uniforms, object by object, the same is drawn: depth bit for bit, light but for a step of a
+ * normal's code. */
 static void instances_or_not(void **unused)
 {
     (void)unused;
@@ -200,13 +217,16 @@ static void instances_or_not(void **unused)
         for (int way = 0; way < 2; way++) {
             GlContext *gl = frame_context();
             gl->VertexAttribDivisor = way ? NULL : gl->VertexAttribDivisor;
-            pictures[0][way] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
-            pictures[1][way] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            pictures[0][way] =
+                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "depth"});
+            pictures[1][way] =
+                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
             gl_close(gl);
         }
         assert_true(same(pictures[0][0], pictures[0][1], scene));
         for (int i = 0; i < scene->width * scene->height * 4; i++)
-            assert_true(fabsf(pictures[1][0][i] - pictures[1][1][i]) <= 1e-3f * (1 + pictures[1][0][i]));
+            assert_true(fabsf(pictures[1][0][i] - pictures[1][1][i]) <=
+                        1e-3f * (1 + pictures[1][0][i]));
         for (int i = 0; i < 4; i++)
             free(pictures[i / 2][i % 2]);
         free(text);
@@ -219,9 +239,11 @@ static void instances_are_valid(void **unused)
 {
     (void)unused;
     static const char *const materials[] = {
-        "material: Phong\ndiffuse: { map: Blend, input: { map: Wood }, blend: [{ value: 0, input: .2 }, { value: 2, "
+        "material: Phong\ndiffuse: { map: Blend, input: { map: Wood }, blend: [{ value: 0, input: "
+        ".2 }, { value: 2, "
         "input: .3 }] }\n",
-        "material: Phong\ndiffuse: { map: Checker, color1: .3, input: { map: BumpMap, displacement: { map: Wood } } "
+        "material: Phong\ndiffuse: { map: Checker, color1: .3, input: { map: BumpMap, "
+        "displacement: { map: Wood } } "
         "}\n",
         "material: RGBA\nr: .4\na: { param: alpha, default: .5 }\n",
     };
@@ -233,12 +255,15 @@ static void instances_are_valid(void **unused)
         options.constants = "uniform";
         options.instances = true;
         options.pass = passes[i % 6];
-        MatcDocument *document = matc_read("m.yaml", materials[i / 6], strlen(materials[i / 6]), &options);
-        MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_REFLECT, &options);
+        MatcDocument *document =
+            matc_read("m.yaml", materials[i / 6], strlen(materials[i / 6]), &options);
+        MatcProgram *program =
+            matc_compile(document, 0, MATC_FRAGMENT | MATC_VERTEX | MATC_REFLECT, &options);
         if (!matc_ok(program))
             fail_msg("%s", matc_program_diagnostics(program, MATC_TEXT));
         const bool drawn = i % 6 < 4;
-        assert_int_equal(drawn, strstr(matc_output(program, MATC_VERTEX, NULL), "matc_instance;") != NULL);
+        assert_int_equal(drawn,
+                         strstr(matc_output(program, MATC_VERTEX, NULL), "matc_instance;") != NULL);
         assert_int_equal(drawn, matc_output(program, MATC_REFLECT, NULL) == NULL);
         matc_program_free(program);
         matc_document_free(document);
@@ -253,18 +278,19 @@ enum { TEXT = 1 << 17 };
 static char *rows_text(int count)
 {
     char *text = malloc(TEXT);
-    size_t size =
-        (size_t)snprintf(text, TEXT, "image: { width: 16, height: 16 }\nlights: [{ light: Ambient }]\nobjects:\n");
+    size_t size = (size_t)snprintf(
+        text, TEXT, "image: { width: 16, height: 16 }\nlights: [{ light: Ambient }]\nobjects:\n");
     for (int i = 0; i < count; i++)
-        size += (size_t)snprintf(
-            text + size, TEXT - size,
-            "- { object: Box, transform: { translation: [%g, 0, 0] }, material: { material: Phong, ambient: "
-            "[%g, .5, .2] } }\n",
-            i * .01, (i + 1.) / (count + 1));
+        size += (size_t)snprintf(text + size, TEXT - size,
+                                 "- { object: Box, transform: { translation: [%g, 0, 0] }, "
+                                 "material: { material: Phong, ambient: "
+                                 "[%g, .5, .2] } }\n",
+                                 i * .01, (i + 1.) / (count + 1));
     return text;
 }
 
-/* Eight times the objects and materials are as many calls of every kind, and eight times the bytes. */
+/* Eight times the objects and materials are as many calls of every kind, and eight times the
+ * bytes. */
 static void calls_do_not_grow(void **unused)
 {
     (void)unused;

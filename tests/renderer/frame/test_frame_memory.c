@@ -1,4 +1,5 @@
-/* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that targets of their own give, bit for bit. */
+/* Targets that lie in each other's memory: bytes a pixel, counted by hand, and the picture that
+ * targets of their own give, bit for bit. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -9,18 +10,22 @@ enum { WIDTH = 96, HEIGHT = 64, LANES = WIDTH * HEIGHT * 4 };
 
 /* Matt and glossy solids, a pane before them, a plane to the horizon. */
 static const char scene_text[] =
-    "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], "
+    "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], "
+    "target: [0, 0, .5], "
     "angle: 40 }\n"
     "sky: { material: RGBA, r: .1, g: .2, b: .5 }\n"
     "lights: [{ light: Point, position: [1, -4, 4], intensity: 40 }]\n"
     "objects:\n- { object: Plane, material: { material: Phong, diffuse: [.8, .6, .4] } }\n"
-    "- { object: Sphere, material: { material: Phong, diffuse: [.2, .4, .6], specular: 1, shininess: .8 } }\n";
-static const char pane_text[] =
-    "- { object: Parallelogram, u: [1, 0, 0], v: [0, 0, 1], material: { material: Phong, transparency: [.5, .7, .9] }, "
-    "transform: { translation: [-.5, -2, .5] } }\n";
+    "- { object: Sphere, material: { material: Phong, diffuse: [.2, .4, .6], specular: 1, "
+    "shininess: .8 } }\n";
+static const char pane_text[] = "- { object: Parallelogram, u: [1, 0, 0], v: [0, 0, 1], material: "
+                                "{ material: Phong, transparency: [.5, .7, .9] }, "
+                                "transform: { translation: [-.5, -2, .5] } }\n";
 
-/* Bytes a pixel where targets share memory; where those of one format alone do, as there are no views of one as another; and where nothing is
- * computed, so that no pixel is replaced where it is read; 0: there are no edges then. The layout's, of depth, of light, of edges, of what is shown. */
+/* Bytes a pixel where targets share memory; where those of one format alone do, as there are no
+ * views of one as another; and where nothing is computed, so that no pixel is replaced where it is
+ * read; 0: there are no edges then. The layout's, of depth, of light, of edges, of what is
+ * shown. */
 static const struct {
     const char *layout;
     bool pane, edges, linear, peeled;
@@ -32,7 +37,12 @@ static const struct {
     /* four targets of halves, as light is, and the picture */
     {"thesis", false, false, true, false, {32 + 4, 32 + 4, 32 + 4 + 8}},
     /* a layer's textures are the G-buffer's; it has a depth and two keys */
-    {"compact", true, false, false, true, {16 + 4 + 8 + 4 + 20, 16 + 4 + 8 + 4 + 20, 16 + 4 + 8 + 4 + 20}},
+    {"compact",
+     true,
+     false,
+     false,
+     true,
+     {16 + 4 + 8 + 4 + 20, 16 + 4 + 8 + 4 + 20, 16 + 4 + 8 + 4 + 20}},
 };
 enum { CASES = sizeof cases / sizeof *cases, SHARED = 0, SEPARATE, FRAGMENTS };
 
@@ -44,12 +54,14 @@ static void draw(const Scene *scene, const MatcOptions *options, int number, int
         gl->TextureView = NULL;
     Render *render =
         render_open(gl, &(RenderOptions){.compile = options,
-                                         .edges = cases[number].edges ? RENDER_EDGES_coverage : RENDER_EDGES_none,
+                                         .edges = cases[number].edges ? RENDER_EDGES_coverage
+                                                                      : RENDER_EDGES_none,
                                          .linear = cases[number].linear,
                                          .transparency = cases[number].peeled ? "peeling" : NULL,
                                          .fragment = way == FRAGMENTS});
     assert_non_null(render);
-    if (!render_scene(render, scene) || !render_frame(render) || !render_frame(render) || !render_read(render, rgba))
+    if (!render_scene(render, scene) || !render_frame(render) || !render_frame(render) ||
+        !render_read(render, rgba))
         fail_msg("%s", gl->error);
     if (render_pixel_bytes(render) != cases[number].bytes[way])
         fail_msg("case %d, way %d: %d bytes a pixel", number, way, render_pixel_bytes(render));
@@ -97,7 +109,8 @@ static void views_stay(void **state)
         for (int way = 0; way < 2; way++) {
             GlContext *gl = frame_context();
             gl->TextureView = way ? NULL : gl->TextureView;
-            pictures[way] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = views[i]});
+            pictures[way] =
+                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = views[i]});
             gl_close(gl);
         }
         assert_memory_equal(pictures[0], pictures[1], sizeof shared);
@@ -109,6 +122,7 @@ static void views_stay(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_the_same), cmocka_unit_test(views_stay)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pictures_are_the_same),
+                                       cmocka_unit_test(views_stay)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,6 +1,6 @@
-/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's radius have the
- * pictures that they have where they are, and turned with their cameras nearly so; cameras that go far; what
- * reads the position in the world. */
+/* Scenes far from the world's origin, under OSMesa: examples moved by 1e6 and by the earth's radius
+ * have the pictures that they have where they are, and turned with their cameras nearly so; cameras
+ * that go far; what reads the position in the world. */
 /* ctest: unsanitized seconds=130 */
 #include "tests/test.h"
 #include "runtime/render/matc_render.h"
@@ -49,9 +49,11 @@ static Difference compare(const float *a, const float *b, int pixels)
     return d;
 }
 
-/* A line of the world's axes or grid stays where it is, and so does the end of an arrow along which a directional
- * light shines: the tools of the example `tools` are left out. No example reads the position in the world. */
-static float *draw_text(Render *render, GlContext *gl, const char *name, const char *text, int *pixels)
+/* A line of the world's axes or grid stays where it is, and so does the end of an arrow along which
+ * a directional light shines: the tools of the example `tools` are left out. No example reads the
+ * position in the world. */
+static float *draw_text(Render *render, GlContext *gl, const char *name, const char *text,
+                        int *pixels)
 {
     const MatcOptions options = options_of();
     MatcDocument *document;
@@ -65,7 +67,8 @@ static float *draw_text(Render *render, GlContext *gl, const char *name, const c
 
 static Render *open_render(GlContext *gl, const MatcOptions *options)
 {
-    Render *render = render_open(gl, &(RenderOptions){.compile = options, .edges = RENDER_EDGES_coverage});
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = options, .edges = RENDER_EDGES_coverage});
     if (!render)
         fail_msg("%s", gl->error);
     return render;
@@ -94,7 +97,8 @@ enum { SHARES = 4 /* tests/value/share.h: of the examples, under CI */ };
 
 static void assert_moved(GlContext *gl, const char *name)
 {
-    static const FrameMove moves[] = {{.translation = {1e6, 0, 0}}, {.translation = {6378137, -6378137, 6378137}}};
+    static const FrameMove moves[] = {{.translation = {1e6, 0, 0}},
+                                      {.translation = {6378137, -6378137, 6378137}}};
     const MatcOptions options = options_of();
     Render *render = open_render(gl, &options);
     int pixels;
@@ -105,8 +109,8 @@ static void assert_moved(GlContext *gl, const char *name)
         float *there = draw_text(render, gl, name, moved, &pixels);
         const Difference d = compare(here, there, pixels);
         if (d.off)
-            fail_msg("%s, moved by %g: %d of %d pixels are off, at most by %.1f of 255", name, moves[i].translation[0],
-                     d.off, d.pixels, d.most);
+            fail_msg("%s, moved by %g: %d of %d pixels are off, at most by %.1f of 255", name,
+                     moves[i].translation[0], d.off, d.pixels, d.most);
         free(there);
         free(moved);
     }
@@ -128,11 +132,13 @@ static void examples_are_moved(void **state)
     gl_close(gl);
 }
 
-#define PAIR                                                                                                           \
-    "image: { width: 96, height: 64 }\n"                                                                               \
-    "camera: { camera: Perspective, position: [%.17g, -6, 2], target: [%.17g, 0, .5], angle: 30 }\n"                   \
-    "lights: [{ light: Directional, direction: [.5, .6, -1] }, { light: Point, position: [%.17g, -3, 4] }]\n"          \
-    "objects:\n- { object: Sphere, transform: { translation: [%.17g, 0, 0] }, material: %s }\n"                        \
+#define PAIR                                                                                       \
+    "image: { width: 96, height: 64 }\n"                                                           \
+    "camera: { camera: Perspective, position: [%.17g, -6, 2], target: [%.17g, 0, .5], angle: 30 "  \
+    "}\n"                                                                                          \
+    "lights: [{ light: Directional, direction: [.5, .6, -1] }, { light: Point, position: [%.17g, " \
+    "-3, 4] }]\n"                                                                                  \
+    "objects:\n- { object: Sphere, transform: { translation: [%.17g, 0, 0] }, material: %s }\n"    \
     "- { object: Box, transform: { translation: [%.17g, 0, 1] }, material: %s }\n"
 
 static void put_pair(char *text, size_t room, double x, const char *material)
@@ -174,11 +180,13 @@ static void distances(void **state)
 
 /* -- turned */
 
-/* Parts of a scene that do not turn with the objects: a sky that is no plain color, light that knows up from down, and what is
- * sampled along the world's axes or a light's: voxels and shadow maps. */
+/* Parts of a scene that do not turn with the objects: a sky that is no plain color, light that
+ * knows up from down, and what is sampled along the world's axes or a light's: voxels and shadow
+ * maps. */
 static bool may_turn(Scene *scene)
 {
-    bool may = scene->sky_light[0] + scene->sky_light[1] + scene->sky_light[2] <= 0 && !scene_indirect_is(scene);
+    bool may = scene->sky_light[0] + scene->sky_light[1] + scene->sky_light[2] <= 0 &&
+               !scene_indirect_is(scene);
     for (int i = 0; i < scene->light_count; i++) {
         may = may && scene->lights[i].kind != SCENE_Hemisphere;
         scene->lights[i].shadows = WORD_Shadows_none;
@@ -195,7 +203,8 @@ static float *draw_turned(GlContext *gl, const char *name, const char *text, int
     Scene *scene = frame_example_of(name, text, &(FrameExample){TURNED_WIDTH, &options}, &document);
     *pixels = scene->width * scene->height;
     if (may_turn(scene))
-        rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+        rgba = frame_floats(gl, scene,
+                            &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
     frame_forget(scene, document);
     return rgba;
 }
@@ -249,15 +258,18 @@ static void the_origin_follows(void **state)
     MatcDocument *document;
     put_pair(text, sizeof text, 0, "{ material: Phong, diffuse: .5 }");
     snprintf(more, sizeof more,
-             "- { object: Sphere, transform: { translation: [%.17g, 0, 0] }, material: { material: Phong, diffuse: .5 } }\n"
-             "- { object: Box, transform: { translation: [%.17g, 0, 1] }, material: { material: Phong, diffuse: .5 } }\n",
+             "- { object: Sphere, transform: { translation: [%.17g, 0, 0] }, material: { material: "
+             "Phong, diffuse: .5 } }\n"
+             "- { object: Box, transform: { translation: [%.17g, 0, 1] }, material: { material: "
+             "Phong, diffuse: .5 } }\n",
              far, far + 1.5);
     strcat(text, more);
     Scene *scene = frame_scene(text, &options, &document);
     assert_false(scene_origin_used(scene));
     scene->light_count = 1; /* the directional one */
     Render *render = open_render(gl, &options);
-    float *here = frame_floats_by(gl, render, scene), *there = calloc(PAIR_PIXELS, 4 * sizeof *there);
+    float *here = frame_floats_by(gl, render, scene),
+          *there = calloc(PAIR_PIXELS, 4 * sizeof *there);
     scene->camera.position[0] += 100;
     scene->camera.target[0] += 100;
     assert_false(scene_origin_follow(scene, &scene->camera)); /* near enough */
@@ -265,7 +277,8 @@ static void the_origin_follows(void **state)
     scene->camera.target[0] += far - 100;
     assert_true(scene_origin_follow(scene, &scene->camera));
     assert_true(fabs(scene->camera.position[0]) < 10 && fabs(scene->origin[0] - far) < 10);
-    if (!render_changed(render, RENDER_CAMERA) || !render_frame(render) || !render_read(render, there))
+    if (!render_changed(render, RENDER_CAMERA) || !render_frame(render) ||
+        !render_read(render, there))
         fail_msg("%s", gl->error);
     const Difference d = compare(here, there, PAIR_PIXELS);
     print_message("after a way of %g: %d pixels off\n", far, d.off);
@@ -295,7 +308,8 @@ static void a_host_speaks_of_the_world(void **state)
 
 /* -- the position in the world */
 
-/* Draws the pair at 0, where a formula reads P.x + by, and at `by`, where it reads P.x: both are the same value. */
+/* Draws the pair at 0, where a formula reads P.x + by, and at `by`, where it reads P.x: both are
+ * the same value. */
 static void assert_world(GlContext *gl, const char *format, double by)
 {
     char texts[2][512], place[64];
@@ -316,15 +330,20 @@ static void assert_world(GlContext *gl, const char *format, double by)
     free(there);
 }
 
-/* Emitted light, a viewer's direction beside it, the C reference of displaced meshes, and the normals of these. At 4096 a float
- * has steps of 1/2048. */
+/* Emitted light, a viewer's direction beside it, the C reference of displaced meshes, and the
+ * normals of these. At 4096 a float has steps of 1/2048. */
 static void positions_are_the_worlds(void **state)
 {
     (void)state;
     GlContext *gl = frame_context();
-    assert_world(gl, "{ material: Phong, diffuse: 0, emissive: \"= %s > 4096.25 ? 1 : 0.1\" }", 4096);
-    assert_world(gl, "{ material: Phong, diffuse: 0, emissive: \"= %s > 4096.25 ? abs(V.z) : facing\" }", 4096);
-    assert_world(gl, "{ material: Phong, diffuse: .5, displacement: \"= 0.1 * sin(9 * (%s - 4096))\" }", 4096);
+    assert_world(gl, "{ material: Phong, diffuse: 0, emissive: \"= %s > 4096.25 ? 1 : 0.1\" }",
+                 4096);
+    assert_world(
+        gl, "{ material: Phong, diffuse: 0, emissive: \"= %s > 4096.25 ? abs(V.z) : facing\" }",
+        4096);
+    assert_world(gl,
+                 "{ material: Phong, diffuse: .5, displacement: \"= 0.1 * sin(9 * (%s - 4096))\" }",
+                 4096);
     gl_close(gl);
 }
 
@@ -333,8 +352,9 @@ static void global_maps_are_the_worlds(void **state)
 {
     (void)state;
     static const double by = 4096; /* a multiple of the checker's period */
-    static const char material[] = "{ material: Phong, diffuse: 0, emissive: { map: VolumeChecker, color1: 1, color2: .1, "
-                                   "input: { map: XYZTransform, useGlobal: true } } }";
+    static const char material[] =
+        "{ material: Phong, diffuse: 0, emissive: { map: VolumeChecker, color1: 1, color2: .1, "
+        "input: { map: XYZTransform, useGlobal: true } } }";
     GlContext *gl = frame_context();
     float *here = draw_pair(gl, 0, material), *there = draw_pair(gl, by, material);
     const Difference d = compare(here, there, PAIR_PIXELS);

@@ -1,5 +1,6 @@
-/* Plans of frames, worked out by hand: which passes run, which targets there are, which share memory. And of random lists of passes: what runs
- * finds what it reads, and no two that live at once share. And of the renderer's own list. */
+/* Plans of frames, worked out by hand: which passes run, which targets there are, which share
+ * memory. And of random lists of passes: what runs finds what it reads, and no two that live at
+ * once share. And of the renderer's own list. */
 #include "tests/test.h"
 #include <stdlib.h>
 #include <string.h>
@@ -8,7 +9,8 @@
 
 enum { X = 1, Y = 2, Z = 4, V = 8 };
 
-static const FramePlanPass chain[] = {{"a", 0, X, 0, 0}, {"b", X, Y, 0, 0}, {"c", Y, Z, 0, 0}, {"d", X, V, 0, 0}};
+static const FramePlanPass chain[] = {
+    {"a", 0, X, 0, 0}, {"b", X, Y, 0, 0}, {"c", Y, Z, 0, 0}, {"d", X, V, 0, 0}};
 static const FramePlanTarget alike[4] = {{1, {0}}, {1, {0}}, {1, {0}}, {1, {0}}};
 
 static FramePlan plan_of(unsigned allowed, unsigned wanted, const FramePlanTarget *targets)
@@ -45,7 +47,8 @@ static void memory_is_shared(void **state)
     assert_int_equal(plan.memory_count, 3);
 }
 
-/* x has textures of classes 0, 1 and 0, y and z one of 1 and two of 0: y is there while x is, z takes two of x. A buffer has no texture. */
+/* x has textures of classes 0, 1 and 0, y and z one of 1 and two of 0: y is there while x is, z
+ * takes two of x. A buffer has no texture. */
 static void textures_are_shared(void **state)
 {
     (void)state;
@@ -61,7 +64,8 @@ static void textures_are_shared(void **state)
     assert_int_equal(buffer.memory[3][0], -1);
 }
 
-/* A pass that reads of a target the pixel that it writes may write to the target's memory, if nobody reads it after. */
+/* A pass that reads of a target the pixel that it writes may write to the target's memory, if
+ * nobody reads it after. */
 static void pixels_are_replaced(void **state)
 {
     (void)state;
@@ -103,7 +107,8 @@ static void changes_keep(void **state)
     assert_null(frame_plan_reason(&request, &plan, 0));
 }
 
-/* Every piece of memory knows which texture of which target wrote to it last: 8 times the target, and the texture. */
+/* Every piece of memory knows which texture of which target wrote to it last: 8 times the target,
+ * and the texture. */
 typedef struct {
     const FramePlanRequest *request;
     const FramePlan *plan;
@@ -132,7 +137,8 @@ static void write_to(Player *p, unsigned targets)
     p->written |= targets;
 }
 
-/* What a pass reads is there when it begins; what it looks at beside a pixel, when it ends; and so is all that it wrote. */
+/* What a pass reads is there when it begins; what it looks at beside a pixel, when it ends; and so
+ * is all that it wrote. */
 static void play(const FramePlanRequest *r, const FramePlan *plan)
 {
     Player player = {.request = r, .plan = plan};
@@ -159,11 +165,13 @@ static void random_plans(void **state)
             const unsigned fills = (unsigned)rand() & (unsigned)rand() & 63,
                            changes = (unsigned)rand() & (unsigned)rand() & 63;
             const unsigned reads = (unsigned)rand() & (unsigned)rand() & 63 & ~fills;
-            passes[i] = (FramePlanPass){"p", reads, fills, changes & ~fills, reads & (unsigned)rand()};
+            passes[i] =
+                (FramePlanPass){"p", reads, fills, changes & ~fills, reads & (unsigned)rand()};
         }
         for (int i = 0; i < 6; i++)
             targets[i] = (FramePlanTarget){rand() % 4, {rand() % 2, rand() % 2, rand() % 2}};
-        const FramePlanRequest request = {passes, 8, (unsigned)rand() & 255, (unsigned)rand() & 63, targets, 6};
+        const FramePlanRequest request = {passes,  8, (unsigned)rand() & 255, (unsigned)rand() & 63,
+                                          targets, 6};
         FramePlan plan;
         frame_plan(&request, &plan);
         assert_int_equal(plan.runs & ~request.allowed, 0);
@@ -188,7 +196,8 @@ static unsigned passes_of(const char *const *names)
 }
 #define PASSES(...) passes_of((const char *const[]){__VA_ARGS__, NULL})
 
-/* The plan of a scene for which these passes have something to do. A layer has the G-buffer's textures, no two others are alike. */
+/* The plan of a scene for which these passes have something to do. A layer has the G-buffer's
+ * textures, no two others are alike. */
 static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
 {
     FramePlanPass rows[FRAME_PLAN_MOST];
@@ -198,7 +207,8 @@ static FramePlan plan_of_frame(unsigned allowed, FrameTarget wanted)
         rows[i] = frame_pass(i)->plan;
     for (int i = 0; i < FRAME_TARGET_COUNT; i++)
         targets[i] = (FramePlanTarget){1, {i == FRAME_TARGET_layer ? FRAME_TARGET_gbuffer : i}};
-    frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, targets, FRAME_TARGET_COUNT},
+    frame_plan(&(FramePlanRequest){rows, frame_pass_count(), allowed, 1u << wanted, targets,
+                                   FRAME_TARGET_COUNT},
                &plan);
     return plan;
 }

@@ -28,7 +28,8 @@ static void test_bisection(void **state)
     (void)state;
     for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
         char declared[80];
-        snprintf(declared, sizeof declared, "const uint %s = %du;", words[i].name, words[i].expected);
+        snprintf(declared, sizeof declared, "const uint %s = %du;", words[i].name,
+                 words[i].expected);
         assert_int_equal(words[i].here, words[i].expected);
         if (!strstr(render_text_bisect, declared))
             fail_msg("bisect.glsl does not declare %s", declared);

@@ -1,5 +1,5 @@
-/* The GL layer, in software: contexts, framebuffers, programs in every language, what is said of faults.
- * test_gl egl: by EGL; status 77 where there is none. */
+/* The GL layer, in software: contexts, framebuffers, programs in every language, what is said of
+ * faults. test_gl egl: by EGL; status 77 where there is none. */
 #include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
@@ -12,9 +12,9 @@ static void context_opens(void **state)
     (void)state;
     for (int core = 0; core < 2; core++) {
         GlContext *gl = open_context(core);
-        print_message("%s: GL %s; GLSL %s; %s; %d texels, %d units, %d targets\n", core ? "core" : "compatibility",
-                      gl->version, gl->language, gl->renderer, gl->max_texture_size, gl->max_texture_units,
-                      gl->max_draw_buffers);
+        print_message("%s: GL %s; GLSL %s; %s; %d texels, %d units, %d targets\n",
+                      core ? "core" : "compatibility", gl->version, gl->language, gl->renderer,
+                      gl->max_texture_size, gl->max_texture_units, gl->max_draw_buffers);
         assert_true(gl->major > 3 || (gl->major == 3 && gl->minor >= 3) || !core);
         gl_close(gl);
     }
@@ -40,15 +40,17 @@ static void two_contexts_take_turns(void **state)
 static GLuint make_program(GlContext *gl, const Language *language)
 {
     static const char *const outputs[] = {"first", "second"};
-    GLuint program = program_make(
-        gl, &(ProgramText){
-                .vertex = {language->vertex}, .fragment = {language->fragment}, .outputs = outputs, .output_count = 2});
+    GLuint program = program_make(gl, &(ProgramText){.vertex = {language->vertex},
+                                                     .fragment = {language->fragment},
+                                                     .outputs = outputs,
+                                                     .output_count = 2});
     if (!program)
         fail_msg("%s", gl->error);
     return program;
 }
 
-/* Half floats keep these numbers exactly; outside of [0, 1] nothing is clamped; the plane is met at its middle. */
+/* Half floats keep these numbers exactly; outside of [0, 1] nothing is clamped; the plane is met at
+ * its middle. */
 static void draw_constant(GlContext *gl, GLuint program, GLenum format)
 {
     const float value[4] = {-3.5f, 0.25f, 1000, 1};
@@ -113,7 +115,8 @@ static void egl_contexts_take_turns(void **state)
     GlContext *second = gl_open(GL_KIND_egl, false, error, sizeof error);
     if (!first || !second)
         fail_msg("%s", error);
-    print_message("EGL: %s; %s; %s\n", first->version, first->renderer, first->hardware ? "hardware" : "software");
+    print_message("EGL: %s; %s; %s\n", first->version, first->renderer,
+                  first->hardware ? "hardware" : "software");
     assert_true(gl_use(first));
     GLuint program = first->CreateProgram();
     gl_close(second); /* not the current one, and on the same display */
@@ -137,22 +140,28 @@ static void faults_are_said(void **state)
     GlContext *gl = open_context(true);
     const char *good = languages[1].vertex;
     assert_int_equal(
-        program_make(gl, &(ProgramText){.vertex = {good}, .fragment = {"#version 330 core\nvoid main() { x = 1.; }"}}),
+        program_make(gl,
+                     &(ProgramText){.vertex = {good},
+                                    .fragment = {"#version 330 core\nvoid main() { x = 1.; }"}}),
         0);
     assert_int_equal(strncmp(gl->error, "fragment: ", 10), 0);
     assert_non_null(strstr(gl->error, "x"));
     assert_int_equal(program_make(gl, &(ProgramText){.vertex = {good}}), 0);
     assert_string_equal(gl->error, "fragment: no text");
-    const char *undefined = "#version 330 core\nout vec4 c; float f(); void main() { c = vec4(f()); }";
-    assert_int_equal(program_make(gl, &(ProgramText){.vertex = {good}, .fragment = {undefined}}), 0);
+    const char *undefined =
+        "#version 330 core\nout vec4 c; float f(); void main() { c = vec4(f()); }";
+    assert_int_equal(program_make(gl, &(ProgramText){.vertex = {good}, .fragment = {undefined}}),
+                     0);
     assert_int_equal(strncmp(gl->error, "link: ", 6), 0);
     Framebuffer none;
     assert_false(framebuffer_make(gl, &(FramebufferSpec){0, 4, 1, GL_RGBA8, false}, &none));
     assert_false(framebuffer_make(gl, &(FramebufferSpec){1 << 20, 4, 1, GL_RGBA8, false}, &none));
     assert_false(framebuffer_make(gl, &(FramebufferSpec){4, 4, 1, GL_RGB9_E5, false}, &none));
     assert_int_equal(none.name, 0);
-    assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 3, .bytes = (uint8_t[12]){0}}),
-                     0);
+    assert_int_equal(
+        texture_make(
+            gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 3, .bytes = (uint8_t[12]){0}}),
+        0);
     assert_int_equal(texture_make(gl, &(TextureSpec){.width = 2, .height = 2, .lanes = 4}), 0);
     assert_true(gl_check(gl, "refusing"));
     gl_close(gl);
@@ -170,7 +179,8 @@ static void depth_only_is_complete(void **state)
 
 int main(int count, char **arguments)
 {
-    const struct CMUnitTest egl[] = {cmocka_unit_test(egl_draws), cmocka_unit_test(egl_contexts_take_turns)};
+    const struct CMUnitTest egl[] = {cmocka_unit_test(egl_draws),
+                                     cmocka_unit_test(egl_contexts_take_turns)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(context_opens),        cmocka_unit_test(two_contexts_take_turns),
         cmocka_unit_test(every_language_draws), cmocka_unit_test(kinds_have_names),

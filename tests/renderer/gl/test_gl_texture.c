@@ -1,5 +1,5 @@
-/* Textures of the GL layer, in software: what they hold, codes of sRGB, footprints.
- * test_gl_texture egl: by EGL, whose drivers take more samples along a footprint; status 77 where there is none. */
+/* Textures of the GL layer, in software: what they hold, codes of sRGB, footprints. test_gl_texture
+ * egl: by EGL, whose drivers take more samples along a footprint; status 77 where there is none. */
 #include "tests/test.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
@@ -11,9 +11,11 @@
 /* Looks a texture up at (u, v). */
 static void look_up(GlContext *gl, const TextureSpec *spec, const float uv[2], float rgba[4])
 {
-    static const char fragment[] = "#version 330 core\nuniform sampler2D image; uniform vec2 at; out vec4 c;"
-                                   "void main() { c = texture(image, at); }";
-    GLuint program = program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
+    static const char fragment[] =
+        "#version 330 core\nuniform sampler2D image; uniform vec2 at; out vec4 c;"
+        "void main() { c = texture(image, at); }";
+    GLuint program =
+        program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
     GLuint texture = texture_make(gl, spec);
     Framebuffer target;
     Mesh plane;
@@ -38,12 +40,16 @@ static void textures_keep_their_numbers(void **state)
     const float floats[3] = {-2, 0.1f, 1e6f};
     const uint8_t bytes[2 * 4] = {0, 51, 102, 255, 255, 204, 153, 0};
     float found[4];
-    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats}, (float[]){5, 0.5f}, found);
+    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats},
+            (float[]){5, 0.5f}, found);
     assert_true(found[0] == 1e6f); /* clamped */
-    look_up(gl, &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .wrap = GL_REPEAT},
-            (float[]){4.1f, 0.5f}, found);
+    look_up(
+        gl,
+        &(TextureSpec){.width = 3, .height = 1, .lanes = 1, .floats = floats, .wrap = GL_REPEAT},
+        (float[]){4.1f, 0.5f}, found);
     assert_true(found[0] == -2); /* repeated */
-    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes}, (float[]){0.5f, 0.25f}, found);
+    look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes},
+            (float[]){0.5f, 0.25f}, found);
     assert_float_equal(found[1], 0.2, 1e-6); /* row 0 is the bottom */
     look_up(gl, &(TextureSpec){.width = 1, .height = 2, .lanes = 4, .bytes = bytes, .linear = true},
             (float[]){0.5f, 0.5f}, found);
@@ -51,14 +57,16 @@ static void textures_keep_their_numbers(void **state)
     gl_close(gl);
 }
 
-/* All codes of an sRGB texture, by the driver, against IEC 61966-2-1: tests/bounds.def states the worst, and no mix of texels errs by more. */
+/* All codes of an sRGB texture, by the driver, against IEC 61966-2-1: tests/bounds.def states the
+ * worst, and no mix of texels errs by more. */
 static void every_code_of_srgb_is_decoded(void **state)
 {
     (void)state;
     enum { CODES = 256 };
     const double stated = 1.3e-3;
-    static const char fragment[] = "#version 330 core\nuniform sampler2D image; out vec4 c;"
-                                   "void main() { c = texelFetch(image, ivec2(gl_FragCoord.xy), 0); }";
+    static const char fragment[] =
+        "#version 330 core\nuniform sampler2D image; out vec4 c;"
+        "void main() { c = texelFetch(image, ivec2(gl_FragCoord.xy), 0); }";
     GlContext *gl = open_context(true);
     uint8_t texels[CODES * 4];
     float rgba[CODES * 4];
@@ -68,10 +76,13 @@ static void every_code_of_srgb_is_decoded(void **state)
     int at = 0;
     for (int i = 0; i < CODES * 4; i++)
         texels[i] = (uint8_t)(i / 4);
-    GLuint program = program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
-    GLuint texture = texture_make(
-        gl, &(TextureSpec){
-                .width = CODES, .height = 1, .lanes = 4, .bytes = texels, .format = texture_format("SRGB8_ALPHA8")});
+    GLuint program =
+        program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
+    GLuint texture = texture_make(gl, &(TextureSpec){.width = CODES,
+                                                     .height = 1,
+                                                     .lanes = 4,
+                                                     .bytes = texels,
+                                                     .format = texture_format("SRGB8_ALPHA8")});
     assert_true(program && texture);
     assert_true(mesh_make(gl, SHAPE_plane, &plane));
     assert_true(framebuffer_make(gl, &(FramebufferSpec){CODES, 1, 1, GL_RGBA32F, false}, &target));
@@ -80,7 +91,8 @@ static void every_code_of_srgb_is_decoded(void **state)
     mesh_draw(gl, &plane);
     assert_true(framebuffer_read(gl, &target, 0, rgba));
     for (int code = 0; code < CODES; code++) {
-        const double v = code / 255., linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+        const double v = code / 255.,
+                     linear = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
         for (int lane = 0; lane < 4; lane++) {
             const double off = fabs((double)rgba[4 * code + lane] - (lane == 3 ? v : linear));
             at = off > worst ? code : at;
@@ -96,20 +108,22 @@ static void every_code_of_srgb_is_decoded(void **state)
     gl_close(gl);
 }
 
-/* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16 along: greatest less least value of the
- * pixels. */
+/* Stripes of four texels, seen so flat that a pixel covers a quarter of a texel across them and 16
+ * along: greatest less least value of the pixels. */
 static double contrast(GlContext *gl, int anisotropy)
 {
     enum { SIDE = 64, STRIPE = 4 };
-    static const char fragment[] = "#version 330 core\nuniform sampler2D image; out vec4 c;"
-                                   "void main() { c = texture(image, gl_FragCoord.xy * vec2(0.25, 16) / 64.); }";
+    static const char fragment[] =
+        "#version 330 core\nuniform sampler2D image; out vec4 c;"
+        "void main() { c = texture(image, gl_FragCoord.xy * vec2(0.25, 16) / 64.); }";
     static uint8_t texels[SIDE * SIDE];
     static float rgba[SIDE * SIDE * 4];
     Framebuffer target;
     Mesh plane;
     for (int i = 0; i < SIDE * SIDE; i++)
         texels[i] = i % SIDE / STRIPE % 2 ? 255 : 0;
-    GLuint program = program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
+    GLuint program =
+        program_make(gl, &(ProgramText){.vertex = {languages[1].vertex}, .fragment = {fragment}});
     GLuint texture = texture_make(gl, &(TextureSpec){.width = SIDE,
                                                      .height = SIDE,
                                                      .lanes = 1,
@@ -119,7 +133,8 @@ static double contrast(GlContext *gl, int anisotropy)
                                                      .anisotropy = anisotropy});
     assert_true(program && texture);
     assert_true(mesh_make(gl, SHAPE_plane, &plane));
-    assert_true(framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target));
+    assert_true(
+        framebuffer_make(gl, &(FramebufferSpec){SIDE, SIDE, 1, GL_RGBA32F, false}, &target));
     texture_bind(gl, texture, 0);
     assert_true(set(gl, program, "image", &(float){0}));
     mesh_draw(gl, &plane);
@@ -136,7 +151,8 @@ static double contrast(GlContext *gl, int anisotropy)
     return high - low;
 }
 
-/* A footprint of 1 : 64. One sample is from mipmap 4, where no stripe is left; 16 of them are from mipmap 0. */
+/* A footprint of 1 : 64. One sample is from mipmap 4, where no stripe is left; 16 of them are from
+ * mipmap 0. */
 static void footprints_are_sampled_along(void **state)
 {
     char error[512] = "";
@@ -145,20 +161,23 @@ static void footprints_are_sampled_along(void **state)
         fail_msg("%s", error);
     const int most = gl->max_anisotropy;
     const double one = contrast(gl, 1), all = contrast(gl, 16);
-    print_message("%s: %d samples; contrast of one %.3f, of all %.3f\n", gl->renderer, most, one, all);
+    print_message("%s: %d samples; contrast of one %.3f, of all %.3f\n", gl->renderer, most, one,
+                  all);
     gl_close(gl);
     assert_true(one < 0.1);
     if (most >= 16)
         assert_true(all > 0.9);
     else
-        print_message("SKIPPED: this driver takes no 16 samples along a footprint, so none was drawn\n");
+        print_message(
+            "SKIPPED: this driver takes no 16 samples along a footprint, so none was drawn\n");
     **(bool **)state = most < 16;
 }
 
 int main(int count, char **arguments)
 {
     bool skipped = false;
-    const struct CMUnitTest egl[] = {cmocka_unit_test_prestate(footprints_are_sampled_along, &skipped)};
+    const struct CMUnitTest egl[] = {
+        cmocka_unit_test_prestate(footprints_are_sampled_along, &skipped)};
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(textures_keep_their_numbers),
         cmocka_unit_test(every_code_of_srgb_is_decoded),

@@ -1,5 +1,6 @@
-/* The bridge from a MatcProgram to GL: what is shared is there once, what is a material's own stays its own, numbers change in their
- * buffer, blocks are filled as the driver lays them out, what fails says so and leaves nothing behind. */
+/* The bridge from a MatcProgram to GL: what is shared is there once, what is a material's own stays
+ * its own, numbers change in their buffer, blocks are filled as the driver lays them out, what
+ * fails says so and leaves nothing behind. */
 #include "tests/test.h"
 #include "runtime/draw/field.h"
 #include "runtime/draw/reader.h"
@@ -52,7 +53,8 @@ static Compiled compile_by(const char *text, MatcOptions *options)
 {
     options->pass = "value";
     options->pixels = true;
-    MatcDocument *document = matc_read(SOURCE_FOLDER "/examples/test.yaml", text, strlen(text), options);
+    MatcDocument *document =
+        matc_read(SOURCE_FOLDER "/examples/test.yaml", text, strlen(text), options);
     if (matc_material_count(document) != 1)
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
     MatcProgram *program = matc_compile(document, 0, MATC_FRAGMENT, options);
@@ -121,14 +123,16 @@ static void what_is_alike_is_there_once(void **state)
     static const char *const texts[] = {
         "{ material: Phong, diffuse: { map: ImageMap, image: tiles.png } }",
         "{ material: Phong, diffuse: { map: ImageMap, image: tiles.png } }",
-        "{ material: Phong, diffuse: { map: ImageMap, image: tiles.png, input: { map: UVTransform, scaleU: 2 } } }",
+        "{ material: Phong, diffuse: { map: ImageMap, image: tiles.png, input: { map: UVTransform, "
+        "scaleU: 2 } } }",
         "{ material: Phong, diffuse: 0.25 }",
     };
     Material materials[4];
     const int programs[] = {1, 1, 2, 3}, textures[] = {1, 1, 1, 1};
     for (int i = 0; i < 4; i++) {
         Compiled compiled = compile(texts[i], "glsl330", NULL);
-        if (!field_material(f.store, compiled.program, &(FieldText){.target = TARGET_glsl330}, &materials[i]))
+        if (!field_material(f.store, compiled.program, &(FieldText){.target = TARGET_glsl330},
+                            &materials[i]))
             fail_msg("%s", f.gl->error);
         discard(&compiled); /* nothing of it is kept */
         assert_int_equal(store_program_count(f.store), programs[i]);
@@ -151,18 +155,21 @@ static void what_is_alike_is_there_once(void **state)
 static void uniforms_are_a_materials_own(void **state)
 {
     (void)state;
-    static const char text[] = "{ material: Phong, diffuse: { param: tint, default: [0.25, 0.5, 0.75] } }";
+    static const char text[] =
+        "{ material: Phong, diffuse: { param: tint, default: [0.25, 0.5, 0.75] } }";
     static const float red[3] = {1, 0, 0}, black[3] = {0, 0, 0};
     Fixture f = open_fixture(true);
     Compiled compiled = compile(text, "glsl330", NULL);
-    Material one = make(&f, compiled.program, core_version), two = make(&f, compiled.program, core_version);
+    Material one = make(&f, compiled.program, core_version),
+             two = make(&f, compiled.program, core_version);
     assert_int_equal(store_program_count(f.store), 1);
     assert_draws(&f, &one, 0.25f, 0.5f, 0.75f);
     assert_true(material_set(&two, &(MaterialValue){"tint", 3, red}));
     assert_draws(&f, &two, 1, 0, 0);
     assert_draws(&f, &one, 0.25f, 0.5f, 0.75f);
     assert_draws(&f, &two, 1, 0, 0);
-    assert_true(material_set(&one, &(MaterialValue){"tint", 3, black})); /* also what GL begins with */
+    /* also what GL begins with */
+    assert_true(material_set(&one, &(MaterialValue){"tint", 3, black}));
     assert_draws(&f, &one, 0, 0, 0);
     assert_draws(&f, &two, 1, 0, 0);
     assert_false(material_set(&two, &(MaterialValue){"tint", 4, red}));
@@ -181,7 +188,10 @@ static PFNGLBUFFERDATAPROC buffer_data;
 static PFNGLBUFFERSUBDATAPROC buffer_sub_data;
 static int made_buffers, filled_buffers, changed_buffers;
 
-static void count_made(GLsizei count, GLuint *names) { made_buffers += count, gen_buffers(count, names); }
+static void count_made(GLsizei count, GLuint *names)
+{
+    made_buffers += count, gen_buffers(count, names);
+}
 
 static void count_filled(GLenum target, GLsizeiptr size, const void *bytes, GLenum usage)
 {
@@ -214,12 +224,15 @@ static void numbers_change_in_place(void **state)
 {
     (void)state;
     static const char *const targets[] = {"glsl110", "glsl330", "glsl450"};
-    static const char *const versions[] = {"#version 110\n", "#version 330 core\n", "#version 450 core\n"};
+    static const char *const versions[] = {"#version 110\n", "#version 330 core\n",
+                                           "#version 450 core\n"};
     for (int i = 0; i < 3; i++) {
         Fixture f = open_fixture(i > 0);
         const int blocks = i > 0;
-        Compiled one = compile("{ material: Phong, diffuse: [0.1, 0.2, 0.3] }", targets[i], "uniform");
-        Compiled two = compile("{ material: Phong, diffuse: [0.9, 0.8, 0.7] }", targets[i], "uniform");
+        Compiled one =
+            compile("{ material: Phong, diffuse: [0.1, 0.2, 0.3] }", targets[i], "uniform");
+        Compiled two =
+            compile("{ material: Phong, diffuse: [0.9, 0.8, 0.7] }", targets[i], "uniform");
         assert_true(matc_constant_count(one.program) > 0);
         Material material = make(&f, one.program, versions[i]);
         count_buffers(f.gl);
@@ -237,7 +250,8 @@ static void numbers_change_in_place(void **state)
     }
 }
 
-/* -- anisotropy, which Mesa's software drivers have none of: the calls that are made of a driver that has it */
+/* -- anisotropy, which Mesa's software drivers have none of: the calls that are made of a driver
+ * that has it */
 
 static PFNGLTEXPARAMETERIPROC set_parameter;
 static int anisotropy_calls;
@@ -251,7 +265,8 @@ static void record_parameter(GLenum target, GLenum name, GLint value)
         set_parameter(target, name, value);
 }
 
-/* A picture asks for 16 by default, for one along the pixel's own footprint; it gets the least of that and what there is. */
+/* A picture asks for 16 by default, for one along the pixel's own footprint; it gets the least of
+ * that and what there is. */
 static void anisotropy_is_what_the_driver_has(void **state)
 {
     (void)state;
@@ -264,14 +279,15 @@ static void anisotropy_is_what_the_driver_has(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Fixture f = open_fixture(true);
         assert_int_equal(f.gl->max_anisotropy, 1); /* of software */
-        Compiled compiled =
-            compile_filtered("{ material: Phong, diffuse: { map: ImageMap, image: tiles.png } }", cases[i].aa);
+        Compiled compiled = compile_filtered(
+            "{ material: Phong, diffuse: { map: ImageMap, image: tiles.png } }", cases[i].aa);
         set_parameter = f.gl->TexParameteri;
         f.gl->TexParameteri = record_parameter;
         f.gl->max_anisotropy = cases[i].most;
         anisotropy_calls = 0, anisotropy = 0;
         Material material;
-        if (!field_material(f.store, compiled.program, &(FieldText){.target = TARGET_glsl330}, &material))
+        if (!field_material(f.store, compiled.program, &(FieldText){.target = TARGET_glsl330},
+                            &material))
             fail_msg("%s", f.gl->error);
         assert_int_equal(anisotropy_calls, cases[i].calls);
         assert_int_equal(anisotropy, cases[i].set);
@@ -281,34 +297,43 @@ static void anisotropy_is_what_the_driver_has(void **state)
     }
 }
 
-/* Every type that matc writes into a block, at the driver's offsets; what is around a member stays as it was. */
+/* Every type that matc writes into a block, at the driver's offsets; what is around a member stays
+ * as it was. */
 static void blocks_hold_every_type(void **state)
 {
     (void)state;
-    static const char fragment[] =
-        "layout(std140) uniform Block { float a; mat3 m; int b; vec2 c; uint d; bool e; mat4 n; vec3 f; };\n"
-        "uniform vec4 weights;\nlayout(location = 0) out vec4 color;\n"
-        "void main() { color = vec4(a + float(b) + float(d) + (e ? 1. : 0.), c.x + c.y, (m * f).y, (n * weights).z); "
-        "}\n";
-    static const float m[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, c[2] = {0.25f, 0.5f}, e[3] = {10, 100, 1000};
-    static const float n[16] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16}, w[4] = {1, 10, 100, 1000};
+    static const char fragment[] = "layout(std140) uniform Block { float a; mat3 m; int b; vec2 c; "
+                                   "uint d; bool e; mat4 n; vec3 f; };\n"
+                                   "uniform vec4 weights;\nlayout(location = 0) out vec4 color;\n"
+                                   "void main() { color = vec4(a + float(b) + float(d) + (e ? 1. : "
+                                   "0.), c.x + c.y, (m * f).y, (n * weights).z); "
+                                   "}\n";
+    static const float m[9] = {1, 2, 3, 4, 5, 6, 7, 8, 9}, c[2] = {0.25f, 0.5f},
+                       e[3] = {10, 100, 1000};
+    static const float n[16] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16},
+                       w[4] = {1, 10, 100, 1000};
     Fixture f = open_fixture(true);
     Material material;
     float rgba[4];
-    const ProgramText text = {.vertex = {core_version, screen_text}, .fragment = {core_version, fragment}};
+    const ProgramText text = {.vertex = {core_version, screen_text},
+                              .fragment = {core_version, fragment}};
     assert_true(material_make(f.store, NULL, &text, &material));
-    const MaterialValue values[] = {{"n", 16, n}, {"f", 3, e}, {"m", 9, m}, {"c", 2, c}, {"weights", 4, w}};
+    const MaterialValue values[] = {
+        {"n", 16, n}, {"f", 3, e}, {"m", 9, m}, {"c", 2, c}, {"weights", 4, w}};
     for (size_t i = 0; i < sizeof values / sizeof *values; i++)
         assert_true(material_set(&material, &values[i]));
-    assert_true(material_set_number(&material, "a", 0.125f) && material_set_number(&material, "b", -7));
-    assert_true(material_set_number(&material, "d", 65536) && material_set_number(&material, "e", 1));
+    assert_true(material_set_number(&material, "a", 0.125f) &&
+                material_set_number(&material, "b", -7));
+    assert_true(material_set_number(&material, "d", 65536) &&
+                material_set_number(&material, "e", 1));
     draw(&f, &material, rgba);
     assert_true(rgba[0] == 0.125f - 7 + 65536 + 1);
     assert_true(rgba[1] == 0.75f);
     assert_true(rgba[2] == 2 * 10 + 5 * 100 + 8 * 1000);           /* row 1 of m, by columns */
     assert_true(rgba[3] == 3 * 1 + 7 * 10 + 11 * 100 + 15 * 1000); /* row 2 of n */
     assert_false(material_write(&material, "None", m, sizeof m));
-    assert_true(material_write(&material, "Block", (char[8192]){0}, 8192)); /* more than it holds: as much as it does */
+    /* more than it holds: as much as it does */
+    assert_true(material_write(&material, "Block", (char[8192]){0}, 8192));
     draw(&f, &material, rgba);
     assert_true(rgba[0] == 0 && rgba[1] == 0 && rgba[2] == 0 && rgba[3] == 0);
     material_delete(&material);
@@ -329,14 +354,16 @@ static void faults_leave_nothing(void **state)
     assert_false(material_make(f.store, NULL, &text, &material));
     assert_int_equal(strncmp(f.gl->error, "fragment: ", 10), 0);
     assert_null(material.program);
-    text.fragment[1] = "uniform sampler2D image; out vec4 c; void main() { c = texture(image, vec2(0.)); }";
+    text.fragment[1] =
+        "uniform sampler2D image; out vec4 c; void main() { c = texture(image, vec2(0.)); }";
     assert_true(material_make(f.store, NULL, &text, &material));
     assert_true(material_set_texture(&material, "absent", &wrong)); /* nobody asks for it */
     assert_false(material_set_texture(&material, "image", &wrong));
     assert_string_equal(f.gl->error, "a texture has 1 or 4 lanes, not 3");
     assert_int_equal(store_texture_count(f.store), 0);
     material_delete(&material);
-    assert_false(reader_make(f.store, &(ReaderSource){"wrong", TARGET_glsl330, &layout_table[0], 4, 4}, &reader));
+    assert_false(reader_make(
+        f.store, &(ReaderSource){"wrong", TARGET_glsl330, &layout_table[0], 4, 4}, &reader));
     reader_delete(&reader);
     assert_false(framebuffer_make_named(f.gl, &two, formats, &none));
     assert_string_equal(f.gl->error, "no render target can be 'RGBA5' here");
@@ -353,10 +380,13 @@ static void a_store_takes_all_with_it(void **state)
     const StoreItem *texture =
         store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel});
     assert_non_null(texture);
-    assert_ptr_equal(store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel}),
-                     texture);
+    assert_ptr_equal(
+        store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel}),
+        texture);
     assert_ptr_not_equal(
-        store_texture(f.store, &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel, .linear = true}),
+        store_texture(
+            f.store,
+            &(TextureSpec){.width = 1, .height = 1, .lanes = 4, .bytes = texel, .linear = true}),
         texture);
     assert_int_equal(store_texture_count(f.store), 2);
     store_free(f.store);
@@ -367,9 +397,12 @@ static void a_store_takes_all_with_it(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_alike_is_there_once), cmocka_unit_test(uniforms_are_a_materials_own),
-        cmocka_unit_test(numbers_change_in_place),     cmocka_unit_test(anisotropy_is_what_the_driver_has),
-        cmocka_unit_test(blocks_hold_every_type),      cmocka_unit_test(faults_leave_nothing),
+        cmocka_unit_test(what_is_alike_is_there_once),
+        cmocka_unit_test(uniforms_are_a_materials_own),
+        cmocka_unit_test(numbers_change_in_place),
+        cmocka_unit_test(anisotropy_is_what_the_driver_has),
+        cmocka_unit_test(blocks_hold_every_type),
+        cmocka_unit_test(faults_leave_nothing),
         cmocka_unit_test(a_store_takes_all_with_it),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,4 +1,5 @@
-/* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the position, and which are closed. */
+/* Shapes and matrices of the GL layer: which way they turn, that derivatives are those of the
+ * position, and which are closed. */
 #include "tests/test.h"
 #include "runtime/gl/matrix.h"
 #include "runtime/gl/mesh.h"
@@ -17,7 +18,8 @@ static const ShapeVertex *vertex_at(const Shape *shape, float u, float v)
     return best;
 }
 
-/* dP/du x dP/dv is along the normal wherever it does not vanish, and triangles turn counterclockwise around it. */
+/* dP/du x dP/dv is along the normal wherever it does not vanish, and triangles turn
+ * counterclockwise around it. */
 static void shapes_are_oriented(void **state)
 {
     (void)state;
@@ -29,7 +31,8 @@ static void shapes_are_oriented(void **state)
         for (int i = 0; i < shape.vertex_count; i++) {
             const ShapeVertex *w = &shape.vertices[i];
             const float *a = w->tangentU, *b = w->tangentV, *n = w->normal;
-            float c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+            float c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                          a[0] * b[1] - a[1] * b[0]};
             float length = sqrtf(c[0] * c[0] + c[1] * c[1] + c[2] * c[2]);
             assert_float_equal(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5);
             assert_float_equal(c[0] * n[0] + c[1] * n[1] + c[2] * n[2], length, 1e-4);
@@ -44,7 +47,8 @@ static void shapes_are_oriented(void **state)
                 b[k] = t[2]->position[k] - t[0]->position[k];
             }
             for (int k = 0; k < 3; k++)
-                turn += (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) * t[0]->normal[k];
+                turn += (a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3]) *
+                        t[0]->normal[k];
             assert_true(turn > -1e-7f);
         }
         shape_free(&shape);
@@ -62,11 +66,13 @@ static void derivatives_are_those_of_the_position(void **state)
         assert_true(shape_make((ShapeKind)kind, &shape));
         const bool flat = kind == SHAPE_plane || kind == SHAPE_ground;
         const ShapeVertex *here = vertex_at(&shape, flat ? 0 : 0.25f, flat ? 0 : 0.75f);
-        const ShapeVertex *next = vertex_at(&shape, here->uv[0] + (flat ? 1 : 1.f / 192), here->uv[1]);
+        const ShapeVertex *next =
+            vertex_at(&shape, here->uv[0] + (flat ? 1 : 1.f / 192), here->uv[1]);
         assert_true(next != here && next->uv[1] == here->uv[1]);
         for (int k = 0; k < 3; k++)
-            assert_float_equal((next->position[k] - here->position[k]) / (next->uv[0] - here->uv[0]), here->tangentU[k],
-                               0.2);
+            assert_float_equal((next->position[k] - here->position[k]) /
+                                   (next->uv[0] - here->uv[0]),
+                               here->tangentU[k], 0.2);
         shape_free(&shape);
     }
 }
@@ -87,26 +93,36 @@ static void matrices_invert(void **state)
     assert_true(normal.m[8] > 0 && normal.m[4] < 0);
 }
 
-static bool same_place(const float a[3], const float b[3]) { return a[0] == b[0] && a[1] == b[1] && a[2] == b[2]; }
+static bool same_place(const float a[3], const float b[3])
+{
+    return a[0] == b[0] && a[1] == b[1] && a[2] == b[2];
+}
 
-/* Which shapes enclose something is plain to see, and that a torus' inner side shows its front to its middle; without any one of its triangles none does, and with one turned round none has an outside. */
+/* Which shapes enclose something is plain to see, and that a torus' inner side shows its front to
+ * its middle; without any one of its triangles none does, and with one turned round none has an
+ * outside. */
 static void bodies_are_known(void **state)
 {
     (void)state;
-    static const bool closed[SHAPE_count] = {[SHAPE_sphere] = true, [SHAPE_cube] = true, [SHAPE_torus] = true};
+    static const bool closed[SHAPE_count] = {
+        [SHAPE_sphere] = true, [SHAPE_cube] = true, [SHAPE_torus] = true};
     for (int kind = 0; kind < SHAPE_count; kind++) {
         Shape shape;
-        const int steps[2] = {
-            7, kind == SHAPE_cube ? 7 : 5}; /* faces of a cube meet; a pole has an odd number of triangles */
-        const ShapeBody body = !closed[kind] ? SHAPE_BODY_none : kind == SHAPE_torus ? SHAPE_BODY_closed : SHAPE_BODY_solid;
+        const int steps[2] = {/* faces of a cube meet; a pole has an odd number of triangles */
+                              7, kind == SHAPE_cube ? 7 : 5};
+        const ShapeBody body = !closed[kind]         ? SHAPE_BODY_none
+                               : kind == SHAPE_torus ? SHAPE_BODY_closed
+                                                     : SHAPE_BODY_solid;
         assert_true(shape_make_detailed((ShapeKind)kind, steps, &shape));
         assert_int_equal(shape_body(&shape), body);
         for (int i = 0; i < shape.index_count; i += 3) {
             uint32_t *corner = shape.indices + i;
             const uint32_t kept[3] = {corner[0], corner[1], corner[2]};
-            const float *a = shape.vertices[corner[0]].position, *b = shape.vertices[corner[2]].position;
+            const float *a = shape.vertices[corner[0]].position,
+                        *b = shape.vertices[corner[2]].position;
             const float *c = shape.vertices[corner[1]].position;
-            const bool flat = same_place(a, b) || same_place(a, c) || same_place(b, c); /* at a pole */
+            /* at a pole */
+            const bool flat = same_place(a, b) || same_place(a, c) || same_place(b, c);
             corner[2] = corner[1];
             assert_int_equal(shape_body(&shape), flat ? body : SHAPE_BODY_none);
             corner[1] = kept[2];
@@ -121,7 +137,8 @@ static void bodies_are_known(void **state)
     }
 }
 
-/* A copy of a shape at 4 on an axis, its triangles turned or not, and as large as is said; behind it in the lists. */
+/* A copy of a shape at 4 on an axis, its triangles turned or not, and as large as is said; behind
+ * it in the lists. */
 static void add_copy(Shape *shape, double size, bool turned)
 {
     const int vertices = shape->vertex_count, indices = shape->index_count;
@@ -142,7 +159,8 @@ static void add_copy(Shape *shape, double size, bool turned)
     shape->index_count *= 2;
 }
 
-/* Each part has an outside of its own: a small one that is inside out is found beside a large one, far from the origin, and within it. */
+/* Each part has an outside of its own: a small one that is inside out is found beside a large one,
+ * far from the origin, and within it. */
 static void each_part_is_looked_at(void **state)
 {
     (void)state;
@@ -150,8 +168,9 @@ static void each_part_is_looked_at(void **state)
         double size;
         bool turned;
         ShapeBody body;
-    } cases[] = {{1, false, SHAPE_BODY_solid}, {.1, true, SHAPE_BODY_closed},  {8, false, SHAPE_BODY_solid},
-                 {8, true, SHAPE_BODY_closed}, {-1, false, SHAPE_BODY_closed}, {-1, true, SHAPE_BODY_solid}};
+    } cases[] = {{1, false, SHAPE_BODY_solid},   {.1, true, SHAPE_BODY_closed},
+                 {8, false, SHAPE_BODY_solid},   {8, true, SHAPE_BODY_closed},
+                 {-1, false, SHAPE_BODY_closed}, {-1, true, SHAPE_BODY_solid}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         Shape shape;
         assert_true(shape_make_detailed(SHAPE_sphere, (int[]){9, 7}, &shape));
@@ -159,8 +178,9 @@ static void each_part_is_looked_at(void **state)
         assert_int_equal(shape_body(&shape), cases[i].body);
         for (int k = 0; k < shape.vertex_count; k++)
             shape.vertices[k].position[1] =
-                shape.vertices[k].position[1] * 64 + 65536; /* rounded, what is in one place alike */
-        for (int k = 0; k < shape.index_count; k += 3) {    /* and all of it turned round */
+                /* rounded, what is in one place alike */
+                shape.vertices[k].position[1] * 64 + 65536;
+        for (int k = 0; k < shape.index_count; k += 3) { /* and all of it turned round */
             const uint32_t kept = shape.indices[k];
             shape.indices[k] = shape.indices[k + 1];
             shape.indices[k + 1] = kept;
@@ -173,8 +193,10 @@ static void each_part_is_looked_at(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(shapes_are_oriented), cmocka_unit_test(derivatives_are_those_of_the_position),
-        cmocka_unit_test(bodies_are_known),    cmocka_unit_test(each_part_is_looked_at),
+        cmocka_unit_test(shapes_are_oriented),
+        cmocka_unit_test(derivatives_are_those_of_the_position),
+        cmocka_unit_test(bodies_are_known),
+        cmocka_unit_test(each_part_is_looked_at),
         cmocka_unit_test(matrices_invert),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

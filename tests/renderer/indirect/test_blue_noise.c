@@ -1,5 +1,6 @@
-/* The mask of blue noise (runtime/indirect/blue_noise.c): it is what void-and-cluster gives, and its spectrum has next to nothing low, whatever white noise has.
- * `build/tests/test_blue_noise print`: its rows, as that file has them. */
+/* The mask of blue noise (runtime/indirect/blue_noise.c): it is what void-and-cluster gives, and
+ * its spectrum has next to nothing low, whatever white noise has. `build/tests/test_blue_noise
+ * print`: its rows, as that file has them. */
 #include "tests/test.h"
 #include "runtime/indirect/blue_noise.h"
 #include "tests/vectors.h"
@@ -10,9 +11,10 @@
 
 enum { EDGE = BLUE_NOISE_EDGE, PIXELS = EDGE * EDGE, FIRST = PIXELS / 10, WIDTH_MOST = EDGE / 2 };
 
-static uint32_t near_by
-    [EDGE]
-    [EDGE]; /* what a point adds to the crowd of a place so far away: whole numbers, so that sums don't depend on their order */
+static uint32_t near_by[EDGE]
+                       /* what a point adds to the crowd of a place so far away: whole numbers, so
+                        * that sums don't depend on their order */
+                       [EDGE];
 static uint64_t crowd[PIXELS];
 static bool is_point[PIXELS];
 static int ranks[PIXELS];
@@ -23,7 +25,8 @@ static void put(int at, bool point)
 {
     is_point[at] = point;
     for (int i = 0; i < PIXELS; i++) {
-        const uint32_t more = near_by[(i / EDGE - at / EDGE + EDGE) % EDGE][(i % EDGE - at % EDGE + EDGE) % EDGE];
+        const uint32_t more =
+            near_by[(i / EDGE - at / EDGE + EDGE) % EDGE][(i % EDGE - at % EDGE + EDGE) % EDGE];
         crowd[i] += point ? more : -(uint64_t)more;
     }
 }
@@ -33,13 +36,15 @@ static int extreme(bool points)
 {
     int best = -1;
     for (int i = 0; i < PIXELS; i++)
-        if (is_point[i] == points && (best < 0 || (points ? crowd[i] > crowd[best] : crowd[i] < crowd[best])))
+        if (is_point[i] == points &&
+            (best < 0 || (points ? crowd[i] > crowd[best] : crowd[i] < crowd[best])))
             best = i;
     return best;
 }
 
-/* Ulichney 1993, on a torus: points at random move from the densest crowds to the largest voids until they stand still; then the last are ranked as they are taken away, the
- * densest first, and the others as they are added, always in the largest void. */
+/* Ulichney 1993, on a torus: points at random move from the densest crowds to the largest voids
+ * until they stand still; then the last are ranked as they are taken away, the densest first, and
+ * the others as they are added, always in the largest void. */
 static void make(void)
 {
     const double width = 1.5; /* of the crowd's bell, in pixels */
@@ -50,7 +55,8 @@ static void make(void)
     for (int i = 0; i < PIXELS; i++) {
         const double x = WIDTH_MOST - fabs(i % EDGE - (double)WIDTH_MOST),
                      y = WIDTH_MOST - fabs((double)(i / EDGE) - WIDTH_MOST);
-        near_by[i / EDGE][i % EDGE] = (uint32_t)(1e6 * exp(-(x * x + y * y) / (2 * width * width)) + .5);
+        near_by[i / EDGE][i % EDGE] =
+            (uint32_t)(1e6 * exp(-(x * x + y * y) / (2 * width * width)) + .5);
     }
     for (int count = 0; count < FIRST;) {
         const int at = (int)(next(&state) % PIXELS);
@@ -87,7 +93,8 @@ static void data_is_what_void_and_cluster_gives(void **state)
         assert_int_equal(blue_noise_rank(i % EDGE, i / EDGE), ranks[i]);
 }
 
-/* Mean power at frequencies within a ring, of values from 0 to 1; white noise has 1/12 everywhere. */
+/* Mean power at frequencies within a ring, of values from 0 to 1; white noise has 1/12
+ * everywhere. */
 static double power(int (*rank)(int, int), double least, double most)
 {
     double sum = 0;
@@ -127,8 +134,9 @@ static void low_frequencies_are_missing(void **state)
     for (int i = 0; i < 3; i++) {
         const double blue = power(blue_noise_rank, rings[i][0], rings[i][1]),
                      white = power(white_rank, rings[i][0], rings[i][1]);
-        print_message("waves of %2.0f to %2.0f in 64 pixels: %.4f of white noise's power; at random %.2f\n",
-                      rings[i][0], rings[i][1], blue, white);
+        print_message(
+            "waves of %2.0f to %2.0f in 64 pixels: %.4f of white noise's power; at random %.2f\n",
+            rings[i][0], rings[i][1], blue, white);
         assert_true(blue < rings[i][2] && (i < 2 || blue > 1) && white > .7 && white < 1.4);
     }
 }
@@ -148,8 +156,8 @@ static void print(void)
 {
     make();
     for (int i = 0; i < PIXELS; i++)
-        printf("%s%c%c%s", i % 32 ? "" : "    \"", BLUE_NOISE_DIGITS[ranks[i] >> 6], BLUE_NOISE_DIGITS[ranks[i] & 63],
-               i % 32 == 31 ? "\",\n" : "");
+        printf("%s%c%c%s", i % 32 ? "" : "    \"", BLUE_NOISE_DIGITS[ranks[i] >> 6],
+               BLUE_NOISE_DIGITS[ranks[i] & 63], i % 32 == 31 ? "\",\n" : "");
 }
 
 int main(int count, char **arguments)

@@ -36,7 +36,10 @@ static int lane_shown(const float rgba[4])
 {
     if (rgba[3] == 0)
         return -1;
-    return rgba[0] > 2 * rgba[1] ? 0 : rgba[1] > 1.5f * rgba[2] ? 1 : rgba[2] > 1.5f * rgba[0] ? 2 : 3;
+    return rgba[0] > 2 * rgba[1]      ? 0
+           : rgba[1] > 1.5f * rgba[2] ? 1
+           : rgba[2] > 1.5f * rgba[0] ? 2
+                                      : 3;
 }
 
 static void the_view_has_the_nearest_voxel(void **state)
@@ -66,14 +69,18 @@ static void levels_there_are(void **state)
     const MatcOptions options = frame_exact_options();
     static const struct {
         const char *view, *said;
-    } cases[] = {{"voxels5", NULL},
-                 {"voxels6", "there is no view 'voxels6': of 32 voxels the last is voxels5"},
-                 {"voxels12", "there is no view 'voxels12': shown, wireframe, volume, light, depth, shadow, positions, "
-                              "voxels, open, indirect, bent, visibility, or a slot"},
-                 {"voxelsx", "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, positions, "
-                             "voxels, open, indirect, bent, visibility, or a slot"}};
+    } cases[] = {
+        {"voxels5", NULL},
+        {"voxels6", "there is no view 'voxels6': of 32 voxels the last is voxels5"},
+        {"voxels12",
+         "there is no view 'voxels12': shown, wireframe, volume, light, depth, shadow, positions, "
+         "voxels, open, indirect, bent, visibility, or a slot"},
+        {"voxelsx",
+         "there is no view 'voxelsx': shown, wireframe, volume, light, depth, shadow, positions, "
+         "voxels, open, indirect, bent, visibility, or a slot"}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Render *render = render_open(d.gl, &(RenderOptions){.compile = &options, .view = cases[i].view});
+        Render *render =
+            render_open(d.gl, &(RenderOptions){.compile = &options, .view = cases[i].view});
         const bool fine = render && render_scene(render, d.scene);
         assert_int_equal(fine, !cases[i].said);
         if (!fine)

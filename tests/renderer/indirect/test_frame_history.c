@@ -1,4 +1,5 @@
-/* What rays found in frames before: means over sets of rays, where a camera or an object moves, and when it stops. */
+/* What rays found in frames before: means over sets of rays, where a camera or an object moves, and
+ * when it stops. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -12,13 +13,16 @@ enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048, SPHERE = 2 };
 
 /* A floor before a wall, and a ball between them and the camera. */
 static const char room[] =
-    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.6], target: [0, 0, .7], "
+    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.6], "
+    "target: [0, 0, .7], "
     "angle: 40 }\nvoxels: { size: 64 }\n"
-    "materials: { m: { material: Phong, diffuse: .6, specular: 0 } }\nlights: [{ light: Point, position: [1, -2, 3], "
+    "materials: { m: { material: Phong, diffuse: .6, specular: 0 } }\nlights: [{ light: Point, "
+    "position: [1, -2, 3], "
     "intensity: 9, shadows: none }]\nobjects:\n"
     "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n"
-    "- { object: Sphere, radius: .3, detail: 24, material: m, transform: { translation: [-.2, -.6, .6] } }\n";
+    "- { object: Sphere, radius: .3, detail: 24, material: m, transform: { translation: [-.2, -.6, "
+    ".6] } }\n";
 
 static GlContext *gl; /* all are drawn in one */
 
@@ -49,7 +53,8 @@ static double apart(const float *a, const float *b)
 static FrameRunning one;
 static float all[4 * PIXELS], some[4 * PIXELS], single[4 * PIXELS];
 
-/* n sets are as exact as n times the rays at random are, or more so; n frames that keep are n sets; and then no further ray goes out. */
+/* n sets are as exact as n times the rays at random are, or more so; n frames that keep are n sets;
+ * and then no further ray goes out. */
 static void sets_are_averaged(void **state)
 {
     (void)state;
@@ -104,11 +109,13 @@ static void turn(FrameRunning *rig, int step)
     assert_true(render_changed(rig->render, RENDER_CAMERA));
 }
 
-/* While a camera moves, what is kept is nearer to the truth than one frame's rays, and differs less from frame to frame. */
+/* While a camera moves, what is kept is nearer to the truth than one frame's rays, and differs less
+ * from frame to frame. */
 static void paths_are_calmer(void **state)
 {
     (void)state;
-    static const char *const keys[] = {"filter: none, samples: 48", "filter: none", "filter: none, history: 16"};
+    static const char *const keys[] = {"filter: none, samples: 48", "filter: none",
+                                       "filter: none, history: 16"};
     static float frames[3][4 * PIXELS];
     static FrameRunning rigs[3];
     double off[3] = {0};
@@ -123,13 +130,15 @@ static void paths_are_calmer(void **state)
             if (step >= SKIPPED)
                 off[i] += apart(frames[i], frames[0]) / (STEPS - SKIPPED);
         }
-    print_message("a moving camera: %.4f off by each frame alone, %.4f with 16 kept\n", off[1], off[2]);
+    print_message("a moving camera: %.4f off by each frame alone, %.4f with 16 kept\n", off[1],
+                  off[2]);
     assert_true(off[2] < .28 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
 }
 
-/* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in the next frame little of the ball is left, of an openness that was .3 off. */
+/* A ball jumps aside. What it hid has no history, but for what is smoothed over it from beside; in
+ * the next frame little of the ball is left, of an openness that was .3 off. */
 static void nothing_is_left_behind_what_moves(void **state)
 {
     (void)state;
@@ -164,8 +173,9 @@ static void nothing_is_left_behind_what_moves(void **state)
             most = fmax(most, fabs((double)rigs[2].rgba[4 * p] - (double)rigs[0].rgba[4 * p]));
             bare = fmax(bare, fabs((double)rigs[1].rgba[4 * p] - (double)rigs[0].rgba[4 * p]));
         }
-    print_message("behind a ball, %d pixels: %.4f off at most, %.4f by a frame alone; all: %.4f and %.4f\n", count,
-                  most, bare, off[2], off[1]);
+    print_message(
+        "behind a ball, %d pixels: %.4f off at most, %.4f by a frame alone; all: %.4f and %.4f\n",
+        count, most, bare, off[2], off[1]);
     assert_true(count > 40 && most < bare + .0025 && off[2] < 1.09 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
@@ -185,7 +195,8 @@ static void roll(FrameRunning *rig, int step)
     assert_true(render_changed_objects(rig->render, SPHERE, 1));
 }
 
-/* Which pixels show the ball, in each frame: those whose depth is another when it lies below the floor. */
+/* Which pixels show the ball, in each frame: those whose depth is another when it lies below the
+ * floor. */
 static void find_ball(bool shown[STEPS][PIXELS])
 {
     static FrameRunning shape, empty;
@@ -212,7 +223,9 @@ static bool was_shown(bool shown[STEPS][PIXELS], int step, int p)
     return was;
 }
 
-/* A ball that rolls on leaves no trail: where it was what is kept is nearer to the truth than a frame alone, and all in all; on the ball, which is looked up where it was, it is no farther off. */
+/* A ball that rolls on leaves no trail: where it was what is kept is nearer to the truth than a
+ * frame alone, and all in all; on the ball, which is looked up where it was, it is no farther
+ * off. */
 static void what_moves_is_followed(void **state)
 {
     (void)state;
@@ -245,25 +258,30 @@ static void what_moves_is_followed(void **state)
     }
     for (int area = 0; area < AREAS; area++) {
         const double share = sqrt(sums[2][area] / sums[1][area]);
-        print_message("a rolling ball, %s: %.2f of what frames alone are off\n", areas[area].name, share);
+        print_message("a rolling ball, %s: %.2f of what frames alone are off\n", areas[area].name,
+                      share);
         assert_true(share < areas[area].most);
     }
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
 }
 
-/* A plate slides over a wall, so close before it that what was kept of the plate's front counts for the wall, too: within a pixel, and turned alike. What it bares is no farther off than a frame alone: what arrives
- * at two places within a pixel of each other is alike, whatever stood there. */
+/* A plate slides over a wall, so close before it that what was kept of the plate's front counts for
+ * the wall, too: within a pixel, and turned alike. What it bares is no farther off than a frame
+ * alone: what arrives at two places within a pixel of each other is alike, whatever stood there. */
 static void what_slides_over_a_wall_lends_what_is_alike(void **state)
 {
     (void)state;
     static const char slide[] =
-        "voxels: { size: 64 }\nimage: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [0, -4, .5], "
+        "voxels: { size: 64 }\nimage: { width: 48, height: 48 }\ncamera: { camera: Perspective, "
+        "position: [0, -4, .5], "
         "target: [0, 0, .5], "
         "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6, specular: 0 } }\nobjects:\n"
-        "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, -.9, -.1] } }\n"
+        "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, -.9, -.1] } "
+        "}\n"
         "- { object: Box, material: m, size: [3, .4, 2], transform: { translation: [0, .8, 1] } }\n"
-        "- { object: Box, material: m, size: [.5, .3, .9], transform: { translation: [-.7, .7, .47] } }\n";
+        "- { object: Box, material: m, size: [.5, .3, .9], transform: { translation: [-.7, .7, "
+        ".47] } }\n";
     static const char *const keys[] = {"samples: 48", "samples: 1", "history: 16"};
     static const double step_way = .12;
     static FrameRunning rigs[3], depth;
@@ -274,7 +292,8 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
     enum { STEPS = 10, SKIPPED = 2 };
     for (int i = 0; i < 4; i++) {
         snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys[i % 3], slide);
-        frame_running_open(gl, text, &(RenderOptions){.view = i < 3 ? "open" : "depth", .deep = true},
+        frame_running_open(gl, text,
+                           &(RenderOptions){.view = i < 3 ? "open" : "depth", .deep = true},
                            i < 3 ? &rigs[i] : &depth);
     }
     for (int step = 0; step < STEPS; step++) {
@@ -285,7 +304,8 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
             frame_running_draw(rig);
         }
         for (int p = 0; p < PIXELS; p++) {
-            const bool bared = step >= SKIPPED && depth.rgba[4 * p] < before[p] * .995f && depth.rgba[4 * p] > 0;
+            const bool bared =
+                step >= SKIPPED && depth.rgba[4 * p] < before[p] * .995f && depth.rgba[4 * p] > 0;
             for (int i = 1; bared && i < 3; i++)
                 sums[i] += pow((double)rigs[i].rgba[4 * p] - (double)rigs[0].rgba[4 * p], 2);
             count += bared;
@@ -299,7 +319,8 @@ static void what_slides_over_a_wall_lends_what_is_alike(void **state)
         frame_running_close(i < 3 ? &rigs[i] : &depth);
 }
 
-/* A lamp that is half as bright from one frame to the next: so is the light that comes by other surfaces, at once, but for noise. */
+/* A lamp that is half as bright from one frame to the next: so is the light that comes by other
+ * surfaces, at once, but for noise. */
 static void lamps_that_change_are_followed(void **state)
 {
     (void)state;
@@ -318,7 +339,8 @@ static void lamps_that_change_are_followed(void **state)
     }
     for (int p = 0; p < PIXELS; p++)
         most = fmax(most, (double)rigs[0].rgba[4 * p]);
-    print_message("half a lamp: %.5f off, %.5f by a frame alone, of %.3f at most\n", off[2], off[1], most);
+    print_message("half a lamp: %.5f off, %.5f by a frame alone, of %.3f at most\n", off[2], off[1],
+                  most);
     assert_true(off[2] < .013 * most && off[2] < 1.5 * off[1]);
     for (int i = 0; i < 3; i++)
         frame_running_close(&rigs[i]);
@@ -328,15 +350,17 @@ static void lamps_that_change_are_followed(void **state)
 static void ways_and_wants(void **state)
 {
     (void)state;
-    static const char *const keys[] = {"samples: 1", "samples: 4", "samples: 1, filter: atrous, filterSize: 8"};
+    static const char *const keys[] = {"samples: 1", "samples: 4",
+                                       "samples: 1, filter: atrous, filterSize: 8"};
     for (int i = 0; i < 3; i++) {
         open_rig(&one, keys[i], "light");
         char *graph = frame_graph(one.render);
         assert_true((strstr(graph, " rays history not run: nothing to do\n") == NULL) == (i == 1));
         free(graph);
         memcpy(some, frame_running_draw(&one), sizeof some);
-        Render *fragment =
-            render_open(gl, &(RenderOptions){.compile = &one.options, .view = "light", .deep = true, .fragment = true});
+        Render *fragment = render_open(
+            gl, &(RenderOptions){
+                    .compile = &one.options, .view = "light", .deep = true, .fragment = true});
         float *drawn = frame_floats_by(gl, fragment, one.scene);
         assert_true(apart(drawn, some) < 1e-6);
         free(drawn);
@@ -347,14 +371,15 @@ static void ways_and_wants(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sets_are_averaged),
-                                       cmocka_unit_test(errors_are_as_stated),
-                                       cmocka_unit_test(paths_are_calmer),
-                                       cmocka_unit_test(nothing_is_left_behind_what_moves),
-                                       cmocka_unit_test(what_moves_is_followed),
-                                       cmocka_unit_test(what_slides_over_a_wall_lends_what_is_alike),
-                                       cmocka_unit_test(lamps_that_change_are_followed),
-                                       cmocka_unit_test(ways_and_wants)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sets_are_averaged),
+        cmocka_unit_test(errors_are_as_stated),
+        cmocka_unit_test(paths_are_calmer),
+        cmocka_unit_test(nothing_is_left_behind_what_moves),
+        cmocka_unit_test(what_moves_is_followed),
+        cmocka_unit_test(what_slides_over_a_wall_lends_what_is_alike),
+        cmocka_unit_test(lamps_that_change_are_followed),
+        cmocka_unit_test(ways_and_wants)};
     gl = frame_context();
     const int failed = cmocka_run_group_tests(tests, NULL, NULL);
     gl_close(gl);

@@ -1,4 +1,5 @@
-/* Openness and indirect light by what the picture shows, against closed forms; what becomes of it in the light. */
+/* Openness and indirect light by what the picture shows, against closed forms; what becomes of it
+ * in the light. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -36,7 +37,8 @@ static void close_rig(Rig *rig)
 static float *draw(Rig *rig, const char *text, const char *view)
 {
     rig->scene = frame_scene(text, &rig->options, &rig->document);
-    return frame_floats(rig->gl, rig->scene, &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
+    return frame_floats(rig->gl, rig->scene,
+                        &(RenderOptions){.compile = &rig->options, .view = view, .deep = true});
 }
 
 static void forget(Rig *rig, float *rgba)
@@ -45,24 +47,28 @@ static void forget(Rig *rig, float *rgba)
     frame_forget(rig->scene, rig->document);
 }
 
-/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen, and no bit is set. What voxels have of a plane is nothing. */
+/* Nothing is around: no ray meets the plane that it leaves, however flatly it is seen, and no bit
+ * is set. What voxels have of a plane is nothing. */
 static void planes_are_open(void **state)
 {
     (void)state;
-    static const char *const cameras[] = {"camera: Perspective, position: [0, -5, 3]",
-                                          "camera: Perspective, position: [0, -5, .2], target: [0, 0, .1]",
-                                          "camera: Orthographic, position: [0, -5, 4], size: 5",
-                                          "camera: Perspective, position: [1, 1, 9], up: [0, 1, 0]"};
-    static const char *const objects[] = {"{ object: Plane }",
-                                          "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { "
-                                          "translation: [-4.5, -4.5, 0] } }"};
-    static const char *const methods[] = {
-        "march, steps: 24", "march, steps: 24, march: picture", "screen", "screen, thickness: .1", "hybrid", "points"};
+    static const char *const cameras[] = {
+        "camera: Perspective, position: [0, -5, 3]",
+        "camera: Perspective, position: [0, -5, .2], target: [0, 0, .1]",
+        "camera: Orthographic, position: [0, -5, 4], size: 5",
+        "camera: Perspective, position: [1, 1, 9], up: [0, 1, 0]"};
+    static const char *const objects[] = {
+        "{ object: Plane }", "{ object: Parallelogram, u: [9, 0, 0], v: [0, 9, 0], transform: { "
+                             "translation: [-4.5, -4.5, 0] } }"};
+    static const char *const methods[] = {"march, steps: 24", "march, steps: 24, march: picture",
+                                          "screen",           "screen, thickness: .1",
+                                          "hybrid",           "points"};
     Rig rig = open_rig();
     char text[TEXT];
     for (int i = 0; i < 4 * 2 * 6; i++) {
         snprintf(text, sizeof text,
-                 IMAGE "camera: { %s }\nindirect: { method: %s, radius: 2 }\nmaterials: { m: { material: Phong } "
+                 IMAGE "camera: { %s }\nindirect: { method: %s, radius: 2 }\nmaterials: { m: { "
+                       "material: Phong } "
                        "}\nobjects: [{ object: Group, material: m, objects: [%s] }]\n",
                  cameras[i % 4], methods[i / 8], objects[i / 4 % 2]);
         float *open = draw(&rig, text, "open");
@@ -70,22 +76,27 @@ static void planes_are_open(void **state)
         for (int p = 0; p < PIXELS; p++)
             kept += open[4 * p] != 1;
         if (kept)
-            print_message("%s, %s, %s: %d pixels\n", methods[i / 8], cameras[i % 4], objects[i / 4 % 2], kept);
+            print_message("%s, %s, %s: %d pixels\n", methods[i / 8], cameras[i % 4],
+                          objects[i / 4 % 2], kept);
         assert_int_equal(kept, 0);
         forget(&rig, open);
     }
     close_rig(&rig);
 }
 
-/* Of a wall's share c of the radius away: what of the cosine over the half sphere it keeps off, of directions whose lane x is more than c: a segment of the
- * unit disc. With weights 1 - c / x and 1 - c^2 / x^2; of directions that are even everywhere half a cap. */
+/* Of a wall's share c of the radius away: what of the cosine over the half sphere it keeps off, of
+ * directions whose lane x is more than c: a segment of the unit disc. With weights 1 - c / x and 1
+ * - c^2 / x^2; of directions that are even everywhere half a cap. */
 static double segment(double c) { return (acos(c) - c * sqrt(1 - c * c)) / PI; }
 static double segment_linear(double c)
 {
     const double s = sqrt(1 - c * c);
     return segment(c) - 2 * c / PI * (log((1 + s) / c) - s);
 }
-static double segment_quadratic(double c) { return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c)); }
+static double segment_quadratic(double c)
+{
+    return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c));
+}
 static double cap(double c) { return (1 - c) / 2; }
 /* Of places that are even in the half ball: half of what a plane cuts off of a ball. */
 static double cap_volume(double c) { return (1 - c) * (1 - c) * (2 + c) / 4; }
@@ -103,8 +114,9 @@ typedef struct {
 
 static const double radius = 1.5;
 
-/* Means of 24 pixels along the wall's foot, as single ones are noisy; the next 24 to the sides of the picture know too little of what is beside them. Within
- * two pixels of the foot the picture has no more than that. */
+/* Means of 24 pixels along the wall's foot, as single ones are noisy; the next 24 to the sides of
+ * the picture know too little of what is beside them. Within two pixels of the foot the picture has
+ * no more than that. */
 static Off off_by(Rig *rig, const Corner *c, const float *rgba)
 {
     Off off = {0};
@@ -133,11 +145,13 @@ static Off corner(Rig *rig, const Corner *c)
 {
     char text[TEXT];
     snprintf(text, sizeof text,
-             IMAGE "camera: { camera: Orthographic, position: [-4, 0, 6], target: [-1, 0, 0], size: 8 }\n"
-                   "indirect: { method: %s, rays: 64, radius: 1.5, filter: none }\nobjects:\n"
-                   "- { object: Plane, material: { material: Phong, diffuse: 1 } }\n"
-                   "- { object: Plane, material: { material: Phong, diffuse: 0, emissive: 1 }, transform: { rotation: "
-                   "[0, -1.5707963267948966, 0] } }\n",
+             IMAGE
+             "camera: { camera: Orthographic, position: [-4, 0, 6], target: [-1, 0, 0], size: 8 }\n"
+             "indirect: { method: %s, rays: 64, radius: 1.5, filter: none }\nobjects:\n"
+             "- { object: Plane, material: { material: Phong, diffuse: 1 } }\n"
+             "- { object: Plane, material: { material: Phong, diffuse: 0, emissive: 1 }, "
+             "transform: { rotation: "
+             "[0, -1.5707963267948966, 0] } }\n",
              c->keys);
     float *rgba = draw(rig, text, c->light ? "indirect" : "open");
     const Off off = off_by(rig, c, rgba);
@@ -161,7 +175,8 @@ static void corners_are_as_their_closed_forms(void **state)
         {"march, steps: 32, distribution: uniform", cap, false},
         {"march, steps: 32, distribution: uniform", segment, true},
         {"points, distribution: uniform, checked: false", cap_volume, false},
-        {"points, distribution: uniform, checked: false, sequence: hammersley, rotation: random", cap_volume, false}};
+        {"points, distribution: uniform, checked: false, sequence: hammersley, rotation: random",
+         cap_volume, false}};
     Rig rig = open_rig();
     for (size_t i = 0; i < sizeof corners / sizeof *corners; i++) {
         const Off off = corner(&rig, &corners[i]);
@@ -172,13 +187,17 @@ static void corners_are_as_their_closed_forms(void **state)
     close_rig(&rig);
 }
 
-#define BOX                                                                                                            \
-    IMAGE                                                                                                              \
-    "camera: { camera: Perspective, position: [0, -5, 2.5], target: [0, 0, .5] }\nmaterials: { m: { material: "        \
-    "Phong, diffuse: [.5, .4, .3], ambient: [.2, .5, .6], emissive: [.03, .02, .01], specular: 0 } }\nobjects:\n"      \
-    "- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, .5] } }\n"
-#define AROUND                                                                                                         \
-    "{ light: Ambient, color: [.3, .2, .5] }, { light: Hemisphere, color: [.5, .6, .9], ground: [.2, .1, .1] }"
+#define BOX                                                                                        \
+    IMAGE                                                                                          \
+    "camera: { camera: Perspective, position: [0, -5, 2.5], target: [0, 0, .5] }\nmaterials: { "   \
+    "m: { material: "                                                                              \
+    "Phong, diffuse: [.5, .4, .3], ambient: [.2, .5, .6], emissive: [.03, .02, .01], specular: 0 " \
+    "} }\nobjects:\n"                                                                              \
+    "- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: "   \
+    "[0, 0, .5] } }\n"
+#define AROUND                                                                                     \
+    "{ light: Ambient, color: [.3, .2, .5] }, { light: Hemisphere, color: [.5, .6, .9], ground: "  \
+    "[.2, .1, .1] }"
 #define LAMP "{ light: Point, position: [2, -2, 3], intensity: 5 }"
 
 static float *light_of(Rig *rig, const char *keys, const char *lights, const char *view)
@@ -209,32 +228,40 @@ static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
     far = sqrt(far);
     for (int k = 0; k < 3; k++)
         ray.way[k] /= far;
-    return far > .3 && faces[0] > 1e-6 && faces[1] > 1e-6 && reference_hit(tracer, &ray, 0).distance > far - 1e-3
+    return far > .3 && faces[0] > 1e-6 && faces[1] > 1e-6 &&
+                   reference_hit(tracer, &ray, 0).distance > far - 1e-3
                ? SEEN
                : UNSEEN;
 }
 
-/* What the picture's middle, on a wall, sees of the ground before it, of which a box hides a part. Steps of rays, and voxels, decide near the border of what is seen: two pixels. */
+/* What the picture's middle, on a wall, sees of the ground before it, of which a box hides a part.
+ * Steps of rays, and voxels, decide near the border of what is seen: two pixels. */
 static void middles_see(void **state)
 {
     (void)state;
     static const struct {
         const char *keys;
-        double most; /* share of pixels that may be wrong: the march meets what it is only behind of */
-    } methods[] = {
-        {"march, steps: 96", .06}, {"march, march: voxels, steps: 96", .02}, {"voxels", .01}, {"hybrid", .01}};
+        /* share of pixels that may be wrong: the march meets what it is only behind of */
+        double most;
+    } methods[] = {{"march, steps: 96", .06},
+                   {"march, march: voxels, steps: 96", .02},
+                   {"voxels", .01},
+                   {"hybrid", .01}};
     static int truth[PIXELS];
     Rig rig = open_rig();
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
         char text[TEXT];
         int counts[2] = {0}, wrong = 0;
         snprintf(text, sizeof text,
-                 IMAGE
-                 "camera: { camera: Perspective, position: [0, -5, 4], target: [0, 1.4, 1] }\nindirect: { method: %s, "
-                 "radius: 6 }\nmaterials: { m: { material: Phong } }\nobjects:\n"
-                 "- { object: Box, material: m, size: [9, 9, 1], transform: { translation: [0, 0, -.5] } }\n"
-                 "- { object: Box, material: m, size: [1.2, .5, .9], transform: { translation: [.5, 0, .45] } }\n"
-                 "- { object: Box, material: m, size: [6, .4, 4], transform: { translation: [0, 1.6, 2] } }\n",
+                 IMAGE "camera: { camera: Perspective, position: [0, -5, 4], target: [0, 1.4, 1] "
+                       "}\nindirect: { method: %s, "
+                       "radius: 6 }\nmaterials: { m: { material: Phong } }\nobjects:\n"
+                       "- { object: Box, material: m, size: [9, 9, 1], transform: { translation: "
+                       "[0, 0, -.5] } }\n"
+                       "- { object: Box, material: m, size: [1.2, .5, .9], transform: { "
+                       "translation: [.5, 0, .45] } }\n"
+                       "- { object: Box, material: m, size: [6, .4, 4], transform: { translation: "
+                       "[0, 1.6, 2] } }\n",
                  methods[i].keys);
         float *seen = draw(&rig, text, "visibility");
         Tracer tracer = reference_open(rig.scene);
@@ -255,15 +282,17 @@ static void middles_see(void **state)
             counts[truth[p]]++;
             wrong += (seen[4 * p + 2] > 1.5f * seen[4 * p]) == (truth[p] == SEEN);
         }
-        print_message("%s: the middle sees %d pixels, and %d not; %d are wrong\n", methods[i].keys, counts[SEEN],
-                      counts[UNSEEN], wrong);
-        assert_true(counts[SEEN] > 100 && counts[UNSEEN] > 400 && wrong <= methods[i].most * (counts[0] + counts[1]));
+        print_message("%s: the middle sees %d pixels, and %d not; %d are wrong\n", methods[i].keys,
+                      counts[SEEN], counts[UNSEEN], wrong);
+        assert_true(counts[SEEN] > 100 && counts[UNSEEN] > 400 &&
+                    wrong <= methods[i].most * (counts[0] + counts[1]));
         forget(&rig, seen);
     }
     close_rig(&rig);
 }
 
-/* Light is that from around times openness, and indirect light times diffuse and gain, and what comes from lights with a place, dimmed or not. */
+/* Light is that from around times openness, and indirect light times diffuse and gain, and what
+ * comes from lights with a place, dimmed or not. */
 static void light_is_their_sum(void **state)
 {
     (void)state;
@@ -271,23 +300,26 @@ static void light_is_their_sum(void **state)
     Rig rig = open_rig();
     for (int dims = 0; dims < 2; dims++) {
         char keys[TEXT / 16];
-        snprintf(keys, sizeof keys, "indirect: { gain: 2.5, directional: false, dimsDirect: %s }", dims ? "true" : "false");
+        snprintf(keys, sizeof keys, "indirect: { gain: 2.5, directional: false, dimsDirect: %s }",
+                 dims ? "true" : "false");
         float *all = light_of(&rig, keys, AROUND ", " LAMP, "light"),
               *open = light_of(&rig, keys, AROUND ", " LAMP, "open"),
-              *sent = light_of(&rig, keys, AROUND ", " LAMP, "indirect"), *around = light_of(&rig, "", AROUND, "light"),
-              *own = light_of(&rig, "", "", "light"), *lamp = light_of(&rig, "", LAMP, "light");
+              *sent = light_of(&rig, keys, AROUND ", " LAMP, "indirect"),
+              *around = light_of(&rig, "", AROUND, "light"), *own = light_of(&rig, "", "", "light"),
+              *lamp = light_of(&rig, "", LAMP, "light");
         double most = 0, dimmed = 0, sum = 0;
         for (int i = 0; i < 4 * PIXELS; i++) {
             if (i % 4 == 3)
                 continue;
             const double o = (double)open[i - i % 4], ambient = (double)around[i] - (double)own[i];
-            const double want =
-                o * ambient + 2.5 * (double)diffuse[i % 4] * (double)sent[i] + (dims ? o : 1) * (double)lamp[i];
+            const double want = o * ambient + 2.5 * (double)diffuse[i % 4] * (double)sent[i] +
+                                (dims ? o : 1) * (double)lamp[i];
             most = fmax(most, own[i] > 0 ? fabs(want - (double)all[i]) : 0);
             dimmed += own[i] > 0 && o < .9;
             sum += (double)sent[i];
         }
-        print_message("light is %.2g off its sum at most; %g lanes dimmed, %.3g indirect\n", most, dimmed, sum);
+        print_message("light is %.2g off its sum at most; %g lanes dimmed, %.3g indirect\n", most,
+                      dimmed, sum);
         assert_true(most < 1e-5 && dimmed > 100 && sum > 1);
         float *const drawn[] = {all, open, sent, around, own, lamp};
         for (size_t i = 0; i < sizeof drawn / sizeof *drawn; i++)
@@ -296,12 +328,14 @@ static void light_is_their_sum(void **state)
     close_rig(&rig);
 }
 
-/* Passes in fragments draw what computed ones do; a picture that takes more memory than there is to be is drawn at once all the same. */
+/* Passes in fragments draw what computed ones do; a picture that takes more memory than there is to
+ * be is drawn at once all the same. */
 static void fragments_and_memory_change_nothing(void **state)
 {
     (void)state;
     Rig rig = open_rig();
-    rig.scene = frame_scene(BOX "indirect: {}\nlights: [" AROUND ", " LAMP "]\n", &rig.options, &rig.document);
+    rig.scene = frame_scene(BOX "indirect: {}\nlights: [" AROUND ", " LAMP "]\n", &rig.options,
+                            &rig.document);
     RenderOptions options = {.compile = &rig.options, .view = "light", .deep = true};
     float *computed = frame_floats(rig.gl, rig.scene, &options);
     options.fragment = true;
@@ -321,7 +355,8 @@ static void fragments_and_memory_change_nothing(void **state)
     close_rig(&rig);
 }
 
-/* A wall that stands beside the picture is not known: nothing of its light arrives, and none is kept off. */
+/* A wall that stands beside the picture is not known: nothing of its light arrives, and none is
+ * kept off. */
 static void what_is_beside_the_picture_is_not_known(void **state)
 {
     (void)state;
@@ -329,9 +364,12 @@ static void what_is_beside_the_picture_is_not_known(void **state)
     char text[TEXT];
     float *rgba;
     snprintf(text, sizeof text,
-             IMAGE "camera: { camera: Orthographic, position: [0, 0, 6], target: [0, 0, 0], up: [0, 1, 0], size: 2 }\n"
-                   "indirect: { method: march, radius: 3 }\nobjects:\n- { object: Plane, material: { material: Phong, "
-                   "emissive: .5 } }\n- { object: Box, size: [1, 20, 20], transform: { translation: [1.9, 0, 0] }, "
+             IMAGE "camera: { camera: Orthographic, position: [0, 0, 6], target: [0, 0, 0], up: "
+                   "[0, 1, 0], size: 2 }\n"
+                   "indirect: { method: march, radius: 3 }\nobjects:\n- { object: Plane, material: "
+                   "{ material: Phong, "
+                   "emissive: .5 } }\n- { object: Box, size: [1, 20, 20], transform: { "
+                   "translation: [1.9, 0, 0] }, "
                    "material: { material: Phong, emissive: 9 } }\n");
     rgba = draw(&rig, text, "indirect");
     for (int i = 0; i < 4 * PIXELS; i++)
@@ -345,18 +383,19 @@ static void faults_say_why(void **state)
     (void)state;
     static const struct {
         const char *keys, *view, *fault;
-    } cases[] = {
-        {"", "open",
-         "there is nothing to see of view 'open': the scene has no `indirect:`, which --indirect=METHOD gives it"},
-        {"indirect: { method: none }", "bent",
-         "there is nothing to see of view 'bent': the scene has no `indirect:`, which --indirect=METHOD gives it"}};
+    } cases[] = {{"", "open",
+                  "there is nothing to see of view 'open': the scene has no `indirect:`, which "
+                  "--indirect=METHOD gives it"},
+                 {"indirect: { method: none }", "bent",
+                  "there is nothing to see of view 'bent': the scene has no `indirect:`, which "
+                  "--indirect=METHOD gives it"}};
     Rig rig = open_rig();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[TEXT];
         snprintf(text, sizeof text, BOX "%s\n", cases[i].keys);
         rig.scene = frame_scene(text, &rig.options, &rig.document);
-        char *fault =
-            frame_graph_or_fault(rig.gl, rig.scene, &(RenderOptions){.compile = &rig.options, .view = cases[i].view});
+        char *fault = frame_graph_or_fault(
+            rig.gl, rig.scene, &(RenderOptions){.compile = &rig.options, .view = cases[i].view});
         assert_string_equal(fault, cases[i].fault);
         free(fault);
         frame_forget(rig.scene, rig.document);

@@ -1,5 +1,7 @@
-/* Bent normals, the means of directions that are open, against rays of Embree; and what light of half a sky would be by them, against the same rays: by openness times what arrives along the normal, and along the bent one; and
- * what it is, by the rays that meet nothing, and with `directional: false`. */
+/* Bent normals, the means of directions that are open, against rays of Embree; and what light of
+ * half a sky would be by them, against the same rays: by openness times what arrives along the
+ * normal, and along the bent one; and what it is, by the rays that meet nothing, and with
+ * `directional: false`. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -8,16 +10,26 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { EDGE = 96, APART = 5, ACROSS = 48, PLACES = EDGE * EDGE / (APART * APART), TEXT = 2048, SKIES = 2 };
+enum {
+    EDGE = 96,
+    APART = 5,
+    ACROSS = 48,
+    PLACES = EDGE * EDGE / (APART * APART),
+    TEXT = 2048,
+    SKIES = 2
+};
 static const double radius = 10, pi = 3.14159265358979323846;
 
 static const char body[] =
-    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [.3, -4, 2.6], target: [.1, 0, .3], "
+    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [.3, -4, 2.6], "
+    "target: [.1, 0, .3], "
     "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .7, specular: 0 } }\nobjects:\n"
     "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, 1, 1] } }\n"
-    "- { object: Sphere, radius: .4, detail: 48, material: m, transform: { translation: [-.5, 0, .4] } }\n"
-    "- { object: Box, material: m, size: [.5, .5, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] "
+    "- { object: Sphere, radius: .4, detail: 48, material: m, transform: { translation: [-.5, 0, "
+    ".4] } }\n"
+    "- { object: Box, material: m, size: [.5, .5, .9], transform: { translation: [.5, -.2, .45], "
+    "rotation: [0, 0, .4] "
     "} }\n";
 
 /* Of half of the sky light 1 comes, and none of the other half: the middles of the bright ones. */
@@ -81,12 +93,14 @@ static void find_truth(const Scene *scene, Truth *truth)
 }
 
 /* By keys of `indirect:`, and lights. */
-static float *drawn_by(GlContext *gl, Render *render, const char *texts[2], Truth *truth, SceneCamera *camera)
+static float *drawn_by(GlContext *gl, Render *render, const char *texts[2], Truth *truth,
+                       SceneCamera *camera)
 {
     const MatcOptions options = frame_exact_options();
     char text[TEXT];
     MatcDocument *document;
-    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, %s }\n%s%s", radius, texts[0], texts[1], body);
+    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, %s }\n%s%s", radius, texts[0],
+             texts[1], body);
     Scene *scene = frame_scene(text, &options, &document);
     if (!truth->count)
         find_truth(scene, truth);
@@ -108,8 +122,8 @@ static void to_world(const SceneCamera *camera, const float *eye, double way[3])
     reference_normalize(way);
 }
 
-/* Of half a sky, over an even one: what arrives from a cap around a way that has the cosine's share `open`, as if the border went through it evenly. With all open it is the hemisphere's
- * formula. */
+/* Of half a sky, over an even one: what arrives from a cap around a way that has the cosine's share
+ * `open`, as if the border went through it evenly. With all open it is the hemisphere's formula. */
 static double share_of_cap(double cosine, double open)
 {
     return .5 + .5 * fmax(-1, fmin(1, cosine / sqrt(fmax(open, 1e-6))));
@@ -129,8 +143,10 @@ static void bent_normals_are_those_of_rays(void **state)
     Render *renders[2] = {opened(gl, &options, "open"), opened(gl, &options, "bent")};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         SceneCamera camera;
-        float *open = drawn_by(gl, renders[0], (const char *[2]){cases[i].keys, ""}, truth, &camera);
-        float *bent = drawn_by(gl, renders[1], (const char *[2]){cases[i].keys, ""}, truth, &camera);
+        float *open =
+            drawn_by(gl, renders[0], (const char *[2]){cases[i].keys, ""}, truth, &camera);
+        float *bent =
+            drawn_by(gl, renders[1], (const char *[2]){cases[i].keys, ""}, truth, &camera);
         double angle = 0, by[3] = {0};
         for (int p = 0; p < truth->count; p++) {
             const Place *place = &truth->places[p];
@@ -139,17 +155,19 @@ static void bent_normals_are_those_of_rays(void **state)
             to_world(&camera, bent + 4 * place->pixel, way);
             angle += acos(fmin(reference_dot(way, place->way), 1)) * 180 / pi / truth->count;
             for (int sky = 0; sky < SKIES; sky++) {
-                const double along = reference_dot(place->normal, skies[sky]), cosine = reference_dot(way, skies[sky]);
+                const double along = reference_dot(place->normal, skies[sky]),
+                             cosine = reference_dot(way, skies[sky]);
                 const double found[3] = {share * (.5 + .5 * along), share * (.5 + .5 * cosine),
                                          share * share_of_cap(cosine, share)};
                 for (int k = 0; k < 3; k++)
-                    by[k] += (found[k] - place->light[sky]) * (found[k] - place->light[sky]) / (SKIES * truth->count);
+                    by[k] += (found[k] - place->light[sky]) * (found[k] - place->light[sky]) /
+                             (SKIES * truth->count);
             }
         }
-        print_message(
-            "%s: %.1f degrees off in the mean, of %d places; light of half a sky along normals %.4f off, along bent "
-            "ones %.4f, of a cap around these %.4f\n",
-            cases[i].keys, angle, truth->count, sqrt(by[0]), sqrt(by[1]), sqrt(by[2]));
+        print_message("%s: %.1f degrees off in the mean, of %d places; light of half a sky along "
+                      "normals %.4f off, along bent "
+                      "ones %.4f, of a cap around these %.4f\n",
+                      cases[i].keys, angle, truth->count, sqrt(by[0]), sqrt(by[1]), sqrt(by[2]));
         assert_true(truth->count > 200 && angle < cases[i].degrees && sqrt(by[2]) < cases[i].light);
         free(open);
         free(bent);
@@ -159,18 +177,22 @@ static void bent_normals_are_those_of_rays(void **state)
     gl_close(gl);
 }
 
-/* Half a sky: cells of a checker that are so large that only the border through the origin is seen. */
+/* Half a sky: cells of a checker that are so large that only the border through the origin is
+ * seen. */
 static void put_sky(const double way[3], char text[TEXT])
 {
     snprintf(text, TEXT,
-             "lights: [{ light: Sky }]\nsky: { material: Phong, diffuse: 0, emissive: { map: VolumeChecker, color1: 0, "
-             "color2: 1, input: { map: XYZTransform, transform: { matrix: [%g, %g, %g, 0, 0, 0, 0, .5, 0, 0, 0, .5, 0, "
+             "lights: [{ light: Sky }]\nsky: { material: Phong, diffuse: 0, emissive: { map: "
+             "VolumeChecker, color1: 0, "
+             "color2: 1, input: { map: XYZTransform, transform: { matrix: [%g, %g, %g, 0, 0, 0, 0, "
+             ".5, 0, 0, 0, .5, 0, "
              "0, 0, 1] } } } }\n",
              .5 * way[0], .5 * way[1], .5 * way[2]);
 }
 
 /* Root of the mean square over all half skies, against rays. */
-static double light_off(GlContext *gl, Render *render, const char *keys, Truth *truth, bool hemisphere)
+static double light_off(GlContext *gl, Render *render, const char *keys, Truth *truth,
+                        bool hemisphere)
 {
     const double diffuse = .7;
     double sum = 0;
@@ -178,10 +200,12 @@ static double light_off(GlContext *gl, Render *render, const char *keys, Truth *
         char lights[TEXT];
         SceneCamera camera;
         put_sky(skies[sky], lights);
-        const char *texts[2] = {keys, hemisphere ? "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n" : lights};
+        const char *texts[2] = {
+            keys, hemisphere ? "lights: [{ light: Hemisphere, ground: [0, 0, 0] }]\n" : lights};
         float *light = drawn_by(gl, render, texts, truth, &camera);
         for (int p = 0; p < truth->count; p++) {
-            const double off = light[4 * truth->places[p].pixel] / diffuse - truth->places[p].light[sky];
+            const double off =
+                light[4 * truth->places[p].pixel] / diffuse - truth->places[p].light[sky];
             sum += off * off / ((hemisphere ? 1 : SKIES) * truth->count);
         }
         free(light);
@@ -209,14 +233,16 @@ static void light_of_half_a_sky_comes_by_direction(void **state)
     Render *render = opened(gl, &options, "light");
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const double off = light_off(gl, render, cases[i].keys, truth, cases[i].hemisphere);
-        print_message("%s, %s: %.4f\n", cases[i].keys, cases[i].hemisphere ? "Hemisphere" : "Sky", off);
+        print_message("%s, %s: %.4f\n", cases[i].keys, cases[i].hemisphere ? "Hemisphere" : "Sky",
+                      off);
         assert_true(off >= cases[i].least && off < cases[i].most);
     }
     render_close(render);
     gl_close(gl);
 }
 
-/* A hemisphere that is the same from everywhere at first is then as one that was another from the start, and back. */
+/* A hemisphere that is the same from everywhere at first is then as one that was another from the
+ * start, and back. */
 static void hemispheres_change(void **state)
 {
     static const char *const lights[2] = {"lights: [{ light: Hemisphere, ground: [1, 1, 1] }]\n",
@@ -229,15 +255,18 @@ static void hemispheres_change(void **state)
     char text[TEXT];
     MatcDocument *document;
     for (int i = 0; i < 2; i++)
-        wanted[i] = drawn_by(gl, render, (const char *[2]){"method: voxels", lights[i]}, *state, &camera);
-    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, method: voxels }\n%s%s", radius, lights[0], body);
+        wanted[i] =
+            drawn_by(gl, render, (const char *[2]){"method: voxels", lights[i]}, *state, &camera);
+    snprintf(text, sizeof text, "indirect: { radius: %g, bounces: 0, method: voxels }\n%s%s",
+             radius, lights[0], body);
     Scene *scene = frame_scene(text, &options, &document);
     free(frame_floats_by(gl, render, scene));
     for (int i = 1; i >= 0; i--) {
         float rgba[4 * EDGE * EDGE];
         for (int k = 0; k < 3; k++)
             scene->lights[0].ground[k] = i ? 0 : scene->lights[0].light[k];
-        assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render) && render_read(render, rgba));
+        assert_true(render_changed(render, RENDER_LIGHTS) && render_frame(render) &&
+                    render_read(render, rgba));
         assert_memory_equal(rgba, wanted[i], sizeof rgba);
         free(wanted[i]);
     }
@@ -249,8 +278,9 @@ static void hemispheres_change(void **state)
 int main(void)
 {
     static Truth truth; /* found once */
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(bent_normals_are_those_of_rays, &truth),
-                                       cmocka_unit_test_prestate(light_of_half_a_sky_comes_by_direction, &truth),
-                                       cmocka_unit_test_prestate(hemispheres_change, &truth)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(bent_normals_are_those_of_rays, &truth),
+        cmocka_unit_test_prestate(light_of_half_a_sky_comes_by_direction, &truth),
+        cmocka_unit_test_prestate(hemispheres_change, &truth)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

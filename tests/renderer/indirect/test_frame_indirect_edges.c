@@ -1,4 +1,5 @@
-/* No glow at shadow edges: across the sharp edge of a lamp's shadow light that comes by other surfaces goes on evenly. */
+/* No glow at shadow edges: across the sharp edge of a lamp's shadow light that comes by other
+ * surfaces goes on evenly. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
@@ -8,20 +9,26 @@
 
 enum { EDGE = 128, PIXELS = EDGE * EDGE, TEXT = 2048, AWAY = 4, ASIDE = 2 * AWAY + 2 };
 
-/* A slab over a floor, beside a red wall; below the lamp, so that its shadow's edges lie on both. */
+/* A slab over a floor, beside a red wall; below the lamp, so that its shadow's edges lie on
+ * both. */
 static const char body[] =
-    "image: { width: 128, height: 128 }\nvoxels: { size: 64 }\ncamera: { camera: Perspective, position: [.3, -4, 2.6], "
-    "target: [.1, 0, .3], angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .7, specular: 0 }, r: { material: "
-    "Phong, diffuse: [.8, .3, .2], specular: 0 } }\nlights: [{ light: Point, position: [.6, -1.4, 3], intensity: 20, "
+    "image: { width: 128, height: 128 }\nvoxels: { size: 64 }\ncamera: { camera: Perspective, "
+    "position: [.3, -4, 2.6], "
+    "target: [.1, 0, .3], angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .7, specular: 0 "
+    "}, r: { material: "
+    "Phong, diffuse: [.8, .3, .2], specular: 0 } }\nlights: [{ light: Point, position: [.6, -1.4, "
+    "3], intensity: 20, "
     "shadows: exact }]\nobjects:\n"
     "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: r, size: [3, .2, 2], transform: { translation: [0, 1, 1] } }\n"
-    "- { object: Box, material: m, size: [.9, .7, .1], transform: { translation: [.1, .1, 1.2], rotation: [0, 0, .2] "
+    "- { object: Box, material: m, size: [.9, .7, .1], transform: { translation: [.1, .1, 1.2], "
+    "rotation: [0, 0, .2] "
     "} }\n";
 
 enum { NOTHING, DARK, LIT };
 
-/* What pixels show of the floor or the wall: by rays in double, whether the lamp is seen from there; and nothing where another face is beside. */
+/* What pixels show of the floor or the wall: by rays in double, whether the lamp is seen from
+ * there; and nothing where another face is beside. */
 static void find_lit(const Scene *scene, unsigned char *lit)
 {
     Tracer tracer = reference_open(scene);
@@ -29,7 +36,8 @@ static void find_lit(const Scene *scene, unsigned char *lit)
         const Ray ray = reference_ray(scene, p % EDGE + .5, p / EDGE + .5);
         const Hit hit = reference_hit(&tracer, &ray, 0);
         lit[p] = NOTHING;
-        if (!isfinite(hit.distance) || hit.object > 1 || reference_is_edge(&tracer, p % EDGE, p / EDGE, &hit, 1))
+        if (!isfinite(hit.distance) || hit.object > 1 ||
+            reference_is_edge(&tracer, p % EDGE, p / EDGE, &hit, 1))
             continue;
         lit[p] = shadow_is_lit(&tracer, &scene->lights[0], hit.world, hit.facet) ? LIT : DARK;
     }
@@ -66,7 +74,8 @@ static float *drawn(GlContext *gl, const char *keys, const char *view, unsigned 
     Scene *scene = frame_scene(text, &options, &document);
     if (lit)
         find_lit(scene, lit);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view, .deep = true});
+    float *rgba =
+        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = view, .deep = true});
     frame_forget(scene, document);
     return rgba;
 }
@@ -103,12 +112,15 @@ static void edges_do_not_glow(void **state)
             add(&at, rim(rgba, p));
             add(&beside, rim(rgba, p - ASIDE));
             add(&beside, rim(rgba, p + ASIDE));
-            jump += fabs(grey(light, p) - grey(light, p + 1)) / fmax(grey(light, p), grey(light, p + 1));
+            jump += fabs(grey(light, p) - grey(light, p + 1)) /
+                    fmax(grey(light, p), grey(light, p + 1));
         }
         const double mean = at.mean / at.count, noise = sqrt(beside.square / beside.count);
-        print_message("%s: %d places, where light of the lamp jumps by %.2f: lighter by %.4f in the mean, by %.4f at "
+        print_message("%s: %d places, where light of the lamp jumps by %.2f: lighter by %.4f in "
+                      "the mean, by %.4f at "
                       "most; root of the mean square %.4f, beside %.4f\n",
-                      keys[i], at.count, jump / at.count, mean, at.most, sqrt(at.square / at.count), noise);
+                      keys[i], at.count, jump / at.count, mean, at.most, sqrt(at.square / at.count),
+                      noise);
         assert_true(at.count > 30 && jump > .9 * at.count);
         assert_true(fabs(mean) < .01 && at.most < .02 && sqrt(at.square / at.count) < noise + .002);
         free(rgba);

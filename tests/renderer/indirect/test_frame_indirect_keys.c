@@ -1,4 +1,5 @@
-/* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of openness, and how far off the surface rays begin. */
+/* Keys of `indirect:` that no other test looks at, by what they are said to do: the contrast of
+ * openness, and how far off the surface rays begin. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -14,12 +15,16 @@ static float *draw(GlContext *gl, const char *keys, const char *objects)
     MatcDocument *document;
     char text[TEXT];
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -2, .8], target: [0, 0, "
-             "0], angle: 40 }\nindirect: { filter: none, %s }\nmaterials: { m: { material: Phong } }\nobjects:\n"
-             "- { object: Box, material: m, size: [8, 8, .3], transform: { translation: [0, 0, -.15] } }\n%s",
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -2, "
+             ".8], target: [0, 0, "
+             "0], angle: 40 }\nindirect: { filter: none, %s }\nmaterials: { m: { material: Phong } "
+             "}\nobjects:\n"
+             "- { object: Box, material: m, size: [8, 8, .3], transform: { translation: [0, 0, "
+             "-.15] } }\n%s",
              WIDTH, HEIGHT, keys, objects);
     Scene *scene = frame_scene(text, &options, &document);
-    float *open = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "open", .deep = true});
+    float *open = frame_floats(gl, scene,
+                               &(RenderOptions){.compile = &options, .view = "open", .deep = true});
     frame_forget(scene, document);
     return open;
 }
@@ -29,8 +34,8 @@ static void contrast_is_of_what_is_kept_off(void **state)
     (void)state;
     static const char *const methods[] = {"hybrid", "screen", "march, steps: 16", "points"};
     static const double contrasts[] = {0, .5, 2, 16};
-    static const char boxes[] =
-        "- { object: Box, material: m, transform: { translation: [.3, .4, .5], rotation: [0, 0, .4] } }\n";
+    static const char boxes[] = "- { object: Box, material: m, transform: { translation: [.3, .4, "
+                                ".5], rotation: [0, 0, .4] } }\n";
     GlContext *gl = frame_context();
     char keys[KEYS];
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
@@ -39,7 +44,8 @@ static void contrast_is_of_what_is_kept_off(void **state)
         for (size_t k = 0; k < sizeof contrasts / sizeof *contrasts; k++) {
             int clamped = 0, between = 0;
             double most = 0;
-            snprintf(keys, sizeof keys, "radius: 1, method: %s, contrast: %g", methods[i], contrasts[k]);
+            snprintf(keys, sizeof keys, "radius: 1, method: %s, contrast: %g", methods[i],
+                     contrasts[k]);
             float *open = draw(gl, keys, boxes);
             for (int p = 0; p < PIXELS; p++) {
                 const double wanted = 1 - contrasts[k] * (1 - (double)plain[4 * p]);
@@ -47,7 +53,8 @@ static void contrast_is_of_what_is_kept_off(void **state)
                 clamped += wanted < 0;
                 between += wanted > 0 && wanted < 1;
             }
-            print_message("%s, contrast %g: off by %.2g, %d pixels at 0\n", methods[i], contrasts[k], most, clamped);
+            print_message("%s, contrast %g: off by %.2g, %d pixels at 0\n", methods[i],
+                          contrasts[k], most, clamped);
             assert_true(most < 1e-5 && (between > 100 || contrasts[k] == 0 || clamped > 100));
             free(open);
         }
@@ -56,19 +63,21 @@ static void contrast_is_of_what_is_kept_off(void **state)
     gl_close(gl);
 }
 
-/* Of a ceiling c above the place where rays begin, those meet it within r whose cosine is more than c / r, and of directions as dense as their cosine these are 1 - (c / r)^2. A step is r / 64 long, a voxel .064
- * wide: the ceiling's lowest full voxels begin half of that off at most. */
+/* Of a ceiling c above the place where rays begin, those meet it within r whose cosine is more than
+ * c / r, and of directions as dense as their cosine these are 1 - (c / r)^2. A step is r / 64 long,
+ * a voxel .064 wide: the ceiling's lowest full voxels begin half of that off at most. */
 static void rays_begin_as_far_off_as_is_said(void **state)
 {
     (void)state;
     static const double offsets[] = {.1, .3, .6}, radius = 1.2;
-    static const char ceiling[] =
-        "- { object: Box, material: m, size: [8, 8, .3], transform: { translation: [0, 0, 1.15] } }\n";
+    static const char ceiling[] = "- { object: Box, material: m, size: [8, 8, .3], transform: { "
+                                  "translation: [0, 0, 1.15] } }\n";
     GlContext *gl = frame_context();
     char keys[KEYS];
     for (size_t i = 0; i < sizeof offsets / sizeof *offsets; i++) {
-        snprintf(keys, sizeof keys, "method: march, march: voxels, rays: 64, steps: 64, radius: %g, offset: %g", radius,
-                 offsets[i]);
+        snprintf(keys, sizeof keys,
+                 "method: march, march: voxels, rays: 64, steps: 64, radius: %g, offset: %g",
+                 radius, offsets[i]);
         float *open = draw(gl, keys, ceiling);
         const double c = (1 - offsets[i]) / radius, edge = (.032 + radius / 64) / radius;
         double mean = 0;

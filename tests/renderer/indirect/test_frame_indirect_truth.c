@@ -1,5 +1,7 @@
-/* Openness and indirect light by every method against many rays in double; how far each is off is printed, and bounded.
- * `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT [KEYS...]]`, or `errors` without times: rows of docs/indirect.md, of what is to be reached; of that mesh, y up, so far above the ground, as well. */
+/* Openness and indirect light by every method against many rays in double; how far each is off is
+ * printed, and bounded. `build/tests/test_frame_indirect_truth goals [FILE.obj LIFT [KEYS...]]`, or
+ * `errors` without times: rows of docs/indirect.md, of what is to be reached; of that mesh, y up,
+ * so far above the ground, as well. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -39,19 +41,24 @@ static void methods_against_rays(void **state)
         for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
             char text[TEXT];
             MatcDocument *document;
-            snprintf(text, sizeof text, "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE,
+            snprintf(text, sizeof text,
+                     "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE,
                      EDGE, radii[light], methods[i].keys, indirect_scenes_box);
             Scene *scene = frame_scene(text, &options, &document);
             if (i == 0)
-                indirect_truth_find(scene, &(OpenRays){.across = light ? 24 : 32, .radius = radii[light], .bounces = 1},
-                                    light ? &options : NULL, truth);
-            float *rgba =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
+                indirect_truth_find(
+                    scene,
+                    &(OpenRays){.across = light ? 24 : 32, .radius = radii[light], .bounces = 1},
+                    light ? &options : NULL, truth);
+            float *rgba = frame_floats(
+                gl, scene,
+                &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
             const double off = indirect_truth_off(truth, rgba, light);
-            print_message("%-48s %s %.4f off, of %d places", methods[i].keys, light ? "light" : "openness", off,
-                          truth->count);
+            print_message("%-48s %s %.4f off, of %d places", methods[i].keys,
+                          light ? "light" : "openness", off, truth->count);
             print_message(light ? "; its mean %.3f\n" : "\n", indirect_truth_more(truth, rgba));
-            assert_true(!light || !strstr(methods[i].keys, "hybrid") || fabs(indirect_truth_more(truth, rgba)) < .03);
+            assert_true(!light || !strstr(methods[i].keys, "hybrid") ||
+                        fabs(indirect_truth_more(truth, rgba)) < .03);
             assert_true(truth->count > 600 && off < (light ? methods[i].light : methods[i].open));
             free(rgba);
             frame_forget(scene, document);
@@ -60,7 +67,8 @@ static void methods_against_rays(void **state)
     gl_close(gl);
 }
 
-/* A second bounce is no more off than the first. Rays of samples that are averaged are as good as so many at once. */
+/* A second bounce is no more off than the first. Rays of samples that are averaged are as good as
+ * so many at once. */
 static void bounces_and_samples(void **state)
 {
     (void)state;
@@ -76,13 +84,17 @@ static void bounces_and_samples(void **state)
     for (int i = 0; i < 2; i++) {
         char text[TEXT];
         MatcDocument *document;
-        snprintf(text, sizeof text, "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE, EDGE,
+        snprintf(text, sizeof text,
+                 "image: { width: %d, height: %d }\nindirect: { radius: %g, %s }\n%s", EDGE, EDGE,
                  i ? .5 : 4., cases[i].keys, indirect_scenes_box);
         Scene *scene = frame_scene(text, &options, &document);
         indirect_truth_find(scene,
-                            &(OpenRays){.across = cases[i].across, .radius = i ? .5 : 4, .bounces = cases[i].bounces},
+                            &(OpenRays){.across = cases[i].across,
+                                        .radius = i ? .5 : 4,
+                                        .bounces = cases[i].bounces},
                             i ? NULL : &options, truth);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = cases[i].view});
+        float *rgba =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = cases[i].view});
         const double off = indirect_truth_off(truth, rgba, !i);
         print_message("%-48s %.4f off\n", cases[i].keys, off);
         assert_true(off < cases[i].most);
@@ -95,7 +107,8 @@ static void bounces_and_samples(void **state)
 
 int main(int count, char **arguments)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(methods_against_rays), cmocka_unit_test(bounces_and_samples)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(methods_against_rays),
+                                       cmocka_unit_test(bounces_and_samples)};
     const bool mesh = count > 3;
     const bool timed = count > 1 && !strcmp(arguments[1], "goals");
     if (timed || (count > 1 && !strcmp(arguments[1], "errors")))

@@ -1,5 +1,6 @@
-/* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures are those of newer
- * drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
+/* Indirect light where the driver has less than OpenGL 4.3: there is no compute, and there are no
+ * voxels. `auto` takes what there is, and says why; what takes voxels is an error by name; pictures
+ * are those of newer drivers. Mesa says that it is older where MESA_GL_VERSION_OVERRIDE does. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -10,13 +11,17 @@
 enum { EDGE = 48, PIXELS = EDGE * EDGE, TEXT = 2048 };
 
 static const char body[] =
-    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
-    "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6 } }\nlights: [{ light: Point, position: [2, -3, 4], "
+    "image: { width: 48, height: 48 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], "
+    "target: [0, 0, .6], "
+    "angle: 40 }\nmaterials: { m: { material: Phong, diffuse: .6 } }\nlights: [{ light: Point, "
+    "position: [2, -3, 4], "
     "intensity: 9, shadows: none }, { light: Ambient, color: .2 }]\nobjects:\n"
     "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
-    "- { object: Sphere, radius: .5, detail: 24, material: m, transform: { translation: [0, 0, .5] } }\n";
+    "- { object: Sphere, radius: .5, detail: 24, material: m, transform: { translation: [0, 0, .5] "
+    "} }\n";
 
-/* Of a frame, and one behind it. NULL: it can't be drawn; *said is why, from malloc; else what it is drawn by. */
+/* Of a frame, and one behind it. NULL: it can't be drawn; *said is why, from malloc; else what it
+ * is drawn by. */
 static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
 {
     const MatcOptions options = frame_exact_options();
@@ -24,7 +29,8 @@ static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
     MatcDocument *document;
     snprintf(text, sizeof text, "indirect: { radius: 1, %s }\n%s", keys, body);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
     float *rgba = calloc(4 * PIXELS, sizeof *rgba);
     const bool fine = render && rgba && render_scene(render, scene) && render_frame(render) &&
                       (!twice || render_frame(render)) && render_read(render, rgba);
@@ -58,7 +64,8 @@ static GlContext *older(int version)
     return gl;
 }
 
-/* By all methods that go by the picture; each pass over all pixels is a fragment program there, and what is kept of frames is kept. */
+/* By all methods that go by the picture; each pass over all pixels is a fragment program there, and
+ * what is kept of frames is kept. */
 static void pictures_are_the_same(void **state)
 {
     (void)state;
@@ -101,7 +108,8 @@ static void pictures_are_the_same(void **state)
 static void voxels_are_missed_by_name(void **state)
 {
     (void)state;
-    static const char *const keys[] = {"method: voxels", "method: hybrid", "method: march, march: voxels"};
+    static const char *const keys[] = {"method: voxels", "method: hybrid",
+                                       "method: march, march: voxels"};
     GlContext *gl = older(0);
     char *said;
     for (int i = 0; i < 3; i++) {

@@ -1,4 +1,5 @@
-/* `moving:` of indirect light: a frame in which something is another than before is what the coarser resolution gives; the next one, where nothing is, what the finer does. */
+/* `moving:` of indirect light: a frame in which something is another than before is what the
+ * coarser resolution gives; the next one, where nothing is, what the finer does. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/indirect/indirect_state.h"
@@ -13,10 +14,13 @@
 enum { WIDTH = 92, HEIGHT = 70, LANES = 4 * WIDTH * HEIGHT, TEXT = 2048 };
 
 static const char body[] =
-    "image: { width: 92, height: 70 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], target: [0, 0, .6], "
-    "angle: 40 }\nlights: [{ light: Point, position: [1, -2, 3], intensity: 9 }]\nmaterials: { m: { material: Phong, "
+    "image: { width: 92, height: 70 }\ncamera: { camera: Perspective, position: [.4, -4, 1.8], "
+    "target: [0, 0, .6], "
+    "angle: 40 }\nlights: [{ light: Point, position: [1, -2, 3], intensity: 9 }]\nmaterials: { m: "
+    "{ material: Phong, "
     "diffuse: .6 } }\nobjects:\n"
-    "- { object: Box, material: m, size: [.6, .6, .9], transform: { translation: [.5, -.2, .45], rotation: [0, 0, .4] "
+    "- { object: Box, material: m, size: [.6, .6, .9], transform: { translation: [.5, -.2, .45], "
+    "rotation: [0, 0, .4] "
     "} "
     "}\n- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n"
     "- { object: Box, material: m, size: [3, .2, 2], transform: { translation: [0, .7, 1] } }\n";
@@ -26,7 +30,8 @@ static FrameRunning open_rig(GlContext *gl, const char *keys, const char *view, 
     FrameRunning rig;
     char text[TEXT];
     snprintf(text, sizeof text, "indirect: { %s }\n%s", keys, body);
-    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true, .fragment = fragment}, &rig);
+    frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true, .fragment = fragment},
+                       &rig);
     frame_running_draw(&rig);
     return rig;
 }
@@ -42,7 +47,8 @@ static void move(FrameRunning *rig, Change change)
     if (change == LIGHTS)
         rig->scene->lights[0].position[2] += .4;
     assert_true(change == OBJECT ? render_changed_objects(rig->render, 0, 1)
-                                 : render_changed(rig->render, change == CAMERA ? RENDER_CAMERA : RENDER_LIGHTS));
+                                 : render_changed(rig->render, change == CAMERA ? RENDER_CAMERA
+                                                                                : RENDER_LIGHTS));
 }
 
 static double difference(const float *a, const float *b)
@@ -59,13 +65,17 @@ static double off_by(const float *a, const float *b, int lanes)
     double sum = 0, mean = 0;
     for (int i = 0; i < LANES; i++)
         if (i % 4 < lanes) {
-            sum += ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]) / (LANES / 4 * lanes);
+            sum +=
+                ((double)a[i] - (double)b[i]) * ((double)a[i] - (double)b[i]) / (LANES / 4 * lanes);
             mean += (double)b[i] / (LANES / 4 * lanes);
         }
     return sqrt(sum) / (lanes == 1 ? 1 : mean);
 }
 
-static void read(FrameRunning *rig, float *rgba) { memcpy(rgba, frame_running_draw(rig), LANES * sizeof *rgba); }
+static void read(FrameRunning *rig, float *rgba)
+{
+    memcpy(rgba, frame_running_draw(rig), LANES * sizeof *rgba);
+}
 
 static void coarse_while_it_moves_then_fine(void **state)
 {
@@ -74,13 +84,16 @@ static void coarse_while_it_moves_then_fine(void **state)
         const char *keys, *fine, *moving, *view;
         bool fragment;
         double
-            off; /* at most, root of the mean square of what coarser frames differ by: of openness; light by few rays is bounded by its noise alone */
+            /* at most, root of the mean square of what coarser frames differ by: of openness; light
+             * by few rays is bounded by its noise alone */
+            off;
         double exact; /* passes of means over one pixel round */
-    } cases[] = {
-        {"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
-        {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
-        {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter", "indirect", false, 9, 0},
-        {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true, 9, 1e-6}};
+    } cases[] = {{"rays: 16, radius: 1", "", "resolution: quarter", "open", false, .05, 0},
+                 {"rays: 16, radius: 1", "", "resolution: half", "open", false, .025, 0},
+                 {"rays: 16, method: march, bounces: 2", "resolution: half", "resolution: quarter",
+                  "indirect", false, 9, 0},
+                 {"rays: 8, method: screen, filter: none", "", "resolution: half", "indirect", true,
+                  9, 1e-6}};
     static float now[LANES], want[LANES], fine[LANES];
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -88,7 +101,8 @@ static void coarse_while_it_moves_then_fine(void **state)
         snprintf(keys[0], sizeof keys[0], "%s, %s%smoving: %s", cases[i].keys, cases[i].fine,
                  *cases[i].fine ? ", " : "", strchr(cases[i].moving, ':') + 2);
         snprintf(keys[1], sizeof keys[1], "%s, %s", cases[i].keys, cases[i].moving);
-        snprintf(keys[2], sizeof keys[2], "%s, %s", cases[i].keys, *cases[i].fine ? cases[i].fine : "resolution: full");
+        snprintf(keys[2], sizeof keys[2], "%s, %s", cases[i].keys,
+                 *cases[i].fine ? cases[i].fine : "resolution: full");
         FrameRunning rigs[3];
         for (int k = 0; k < 3; k++)
             rigs[k] = open_rig(gl, keys[k], cases[i].view, cases[i].fragment);
@@ -101,7 +115,8 @@ static void coarse_while_it_moves_then_fine(void **state)
             read(&rigs[2], fine);
             const double off = off_by(now, fine, lanes);
             if (change >= 0)
-                print_message("%s, change %d: the coarser frame is %.3f off the finer\n", keys[0], change, off);
+                print_message("%s, change %d: the coarser frame is %.3f off the finer\n", keys[0],
+                              change, off);
             assert_true(difference(now, change < 0 ? fine : want) <= cases[i].exact);
             assert_true(change < 0 || (off > .001 && off < cases[i].off));
             read(&rigs[0], now);
@@ -113,7 +128,8 @@ static void coarse_while_it_moves_then_fine(void **state)
     gl_close(gl);
 }
 
-/* While it moves, one set of rays of fewer pixels; then sets go on until there are as many as are asked for. */
+/* While it moves, one set of rays of fewer pixels; then sets go on until there are as many as are
+ * asked for. */
 static void samples_begin_when_it_stands_still(void **state)
 {
     (void)state;
@@ -132,7 +148,8 @@ static void samples_begin_when_it_stands_still(void **state)
     }
     read(&moving, now);
     read(&still, want);
-    print_message("of as many samples: %.3f of the mean of light between the one that moved and one that did not\n",
+    print_message("of as many samples: %.3f of the mean of light between the one that moved and "
+                  "one that did not\n",
                   off_by(now, want, 3));
     assert_true(off_by(now, want, 3) < .05);
     frame_running_close(&moving);
@@ -141,23 +158,25 @@ static void samples_begin_when_it_stands_still(void **state)
     gl_close(gl);
 }
 
-/* Nodes are made anew only where something may be another; a scene whose light is all from around, and that sends none of its own, has none. */
+/* Nodes are made anew only where something may be another; a scene whose light is all from around,
+ * and that sends none of its own, has none. */
 static void nodes_are_made_when_needed(void **state)
 {
     (void)state;
     static const struct {
         const char *lights, *material;
         bool has, by_time;
-    } cases[] = {{"{ light: Point, position: [1, 1, 3] }", "material: Phong, diffuse: .5", true, false},
-                 {"{ light: Point, position: [1, 1, 3] }", "material: Phong, diffuse: \"= [.2 + .3 * time, .4, .3]\"",
-                  true, true},
-                 {"{ light: Ambient }", "material: Phong, diffuse: .5", false, false},
-                 {"{ light: Hemisphere }", "material: Phong, diffuse: .5", false, false},
-                 {"{ light: Ambient }", "material: Phong, emissive: [.2, 0, 0]", true, false},
-                 {"{ light: Ambient }", "material: Phong, emissive: \"= [time, 0, 0]\"", true, true},
-                 {"{ light: Ambient }", "material: glTF", false, false},
-                 {"{ light: Ambient }", "material: Principled, emissionColor: [.2, 0, 0]", false, false},
-                 {"{ light: Ambient }", "material: glTF, emissiveFactor: [0, 0, .2]", true, false}};
+    } cases[] = {
+        {"{ light: Point, position: [1, 1, 3] }", "material: Phong, diffuse: .5", true, false},
+        {"{ light: Point, position: [1, 1, 3] }",
+         "material: Phong, diffuse: \"= [.2 + .3 * time, .4, .3]\"", true, true},
+        {"{ light: Ambient }", "material: Phong, diffuse: .5", false, false},
+        {"{ light: Hemisphere }", "material: Phong, diffuse: .5", false, false},
+        {"{ light: Ambient }", "material: Phong, emissive: [.2, 0, 0]", true, false},
+        {"{ light: Ambient }", "material: Phong, emissive: \"= [time, 0, 0]\"", true, true},
+        {"{ light: Ambient }", "material: glTF", false, false},
+        {"{ light: Ambient }", "material: Principled, emissionColor: [.2, 0, 0]", false, false},
+        {"{ light: Ambient }", "material: glTF, emissiveFactor: [0, 0, .2]", true, false}};
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context();
@@ -165,7 +184,8 @@ static void nodes_are_made_when_needed(void **state)
         char text[1024];
         MatcDocument *document;
         snprintf(text, sizeof text,
-                 "image: { width: 32, height: 32 }\nindirect: { method: voxels }\nvoxels: { size: 32 }\nlights:\n- %s\n"
+                 "image: { width: 32, height: 32 }\nindirect: { method: voxels }\nvoxels: { size: "
+                 "32 }\nlights:\n- %s\n"
                  "objects:\n- { object: Box, material: { %s } }\n",
                  cases[i].lights, cases[i].material);
         Scene *scene = frame_scene(text, &options, &document);

@@ -1,4 +1,5 @@
-/* The truth of indirect light, by rays, against closed forms: walls, balls, a lamp's form factor, two bounces between planes; weights by distance. */
+/* The truth of indirect light, by rays, against closed forms: walls, balls, a lamp's form factor,
+ * two bounces between planes; weights by distance. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/open_ray.h"
@@ -6,10 +7,12 @@
 #include <math.h>
 #include <stdio.h>
 
-#define HEAD                                                                                                           \
-    "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, 5], target: [0, 0, 0], up: "    \
-    "[0, 1, 0] }\nmaterials: { m: { material: Phong, diffuse: .5, specular: 0 }, e: { material: Phong, diffuse: 0, "   \
-    "specular: 0, "                                                                                                    \
+#define HEAD                                                                                       \
+    "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, 5], "       \
+    "target: [0, 0, 0], up: "                                                                      \
+    "[0, 1, 0] }\nmaterials: { m: { material: Phong, diffuse: .5, specular: 0 }, e: { material: "  \
+    "Phong, diffuse: 0, "                                                                          \
+    "specular: 0, "                                                                                \
     "emissive: [.8, .4, .2] } }\nobjects:\n"
 #define FLOOR "- { object: Plane, material: m }\n"
 
@@ -41,7 +44,8 @@ static void nothing_and_all(void **state)
     assert_true(shut.open < 1e-9);
 }
 
-/* 1 - sin^2 of half its angle, for a cosine; 1 less its solid angle over 2 pi, for directions as dense everywhere. */
+/* 1 - sin^2 of half its angle, for a cosine; 1 less its solid angle over 2 pi, for directions as
+ * dense everywhere. */
 static void a_ball(void **state)
 {
     (void)state;
@@ -50,22 +54,25 @@ static void a_ball(void **state)
     } balls[] = {{{0, 0, 2}, 1}, {{1, 0, 2}, .7}, {{1, 2, 1.5}, 1}};
     for (int i = 0; i < 3; i++) {
         char objects[512];
-        const double *p = balls[i].at, r = balls[i].radius, d = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
-        snprintf(
-            objects, sizeof objects,
-            FLOOR
-            "- { object: Sphere, radius: %g, detail: 200, material: m, transform: { translation: [%g, %g, %g] } }\n",
-            r, p[0], p[1], p[2]);
-        const double cosine = open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY}, false).open;
+        const double *p = balls[i].at, r = balls[i].radius,
+                     d = sqrt(p[0] * p[0] + p[1] * p[1] + p[2] * p[2]);
+        snprintf(objects, sizeof objects,
+                 FLOOR "- { object: Sphere, radius: %g, detail: 200, material: m, transform: { "
+                       "translation: [%g, %g, %g] } }\n",
+                 r, p[0], p[1], p[2]);
+        const double cosine =
+            open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY}, false).open;
         const double even =
-            open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY, .uniform = true}, false).open;
+            open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY, .uniform = true},
+                           false)
+                .open;
         assert_true(fabs(cosine - (1 - r * r / d / d * p[2] / d)) < 3e-3);
         assert_true(fabs(even - sqrt(1 - r * r / d / d)) < 3e-3);
     }
 }
 
-/* A wall at x = 1 of height h, without ends: 1/2 (1 + 1 / sqrt(1 + h^2)) is left of the cosine. With a radius and weights: integrals over the directions
- * in which it is met, by steps. */
+/* A wall at x = 1 of height h, without ends: 1/2 (1 + 1 / sqrt(1 + h^2)) is left of the cosine.
+ * With a radius and weights: integrals over the directions in which it is met, by steps. */
 static void a_wall(void **state)
 {
     (void)state;
@@ -73,17 +80,21 @@ static void a_wall(void **state)
     for (int i = 0; i < 3; i++) {
         char objects[512];
         const double h = heights[i], radius = 2;
-        snprintf(objects, sizeof objects,
-                 FLOOR "- { object: Parallelogram, material: m, u: [0, 2e4, 0], v: [0, 0, %g], transform: { "
-                       "translation: [1, -1e4, 0] } }\n",
-                 h);
-        const double open = open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY}, false).open;
+        snprintf(
+            objects, sizeof objects,
+            FLOOR
+            "- { object: Parallelogram, material: m, u: [0, 2e4, 0], v: [0, 0, %g], transform: { "
+            "translation: [1, -1e4, 0] } }\n",
+            h);
+        const double open =
+            open_at_origin(objects, (OpenRays){.across = 64, .radius = INFINITY}, false).open;
         assert_true(fabs(open - (1 + 1 / sqrt(1 + h * h)) / 2) < 3e-3);
         for (int power = 0; power < 3; power++) {
             enum { STEPS = 1000 };
             double off = 0; /* of cosine / pi over z = sin a and the angle to the wall */
             for (int k = 0; k < STEPS * STEPS; k++) {
-                const double turn = ((k % STEPS + .5) / STEPS - .5) * PI, square = (k / STEPS + .5) / STEPS;
+                const double turn = ((k % STEPS + .5) / STEPS - .5) * PI,
+                             square = (k / STEPS + .5) / STEPS;
                 const double r = sqrt(square), z = sqrt(1 - square), t = 1 / (r * cos(turn));
                 if (t <= radius && t * z <= h)
                     off += (1 - (power ? pow(t / radius, power) : 0)) / STEPS / STEPS / 2;
@@ -94,12 +105,15 @@ static void a_wall(void **state)
     }
 }
 
-/* Something that shines, as large as it is seen; what it sends is times the share of the cosine that it takes. */
+/* Something that shines, as large as it is seen; what it sends is times the share of the cosine
+ * that it takes. */
 static void a_lamp(void **state)
 {
     (void)state;
-    static const double corners[4][3] = {{-.5, .2, 1}, {.5, .2, 1}, {.5, 1.2, 1.5}, {-.5, 1.2, 1.5}};
-    double share = 0; /* Lambert: of each side the angle times the height of the normal of its plane with the point */
+    static const double corners[4][3] = {
+        {-.5, .2, 1}, {.5, .2, 1}, {.5, 1.2, 1.5}, {-.5, 1.2, 1.5}};
+    /* Lambert: of each side the angle times the height of the normal of its plane with the point */
+    double share = 0;
     for (int i = 0; i < 4; i++) {
         const double *a = corners[i], *b = corners[(i + 1) % 4];
         double normal[3];
@@ -108,26 +122,28 @@ static void a_lamp(void **state)
         share += atan2(sine, reference_dot(a, b)) * normal[2] / sine / (2 * PI);
     }
     share = fabs(share);
-    const Open open =
-        open_at_origin(FLOOR "- { object: Parallelogram, material: e, u: [1, 0, 0], v: [0, 1, .5], transform: "
-                             "{ translation: [-.5, .2, 1] } }\n",
-                       (OpenRays){.across = 64, .radius = INFINITY, .bounces = 1}, true);
+    const Open open = open_at_origin(
+        FLOOR "- { object: Parallelogram, material: e, u: [1, 0, 0], v: [0, 1, .5], transform: "
+              "{ translation: [-.5, .2, 1] } }\n",
+        (OpenRays){.across = 64, .radius = INFINITY, .bounces = 1}, true);
     assert_true(fabs(open.open - (1 - share)) < 3e-3);
     static const double lanes[3] = {.8, .4, .2};
     for (int i = 0; i < 3; i++)
         assert_true(fabs(open.light[i] - lanes[i] * share) < 3e-3 * lanes[i] + 1e-9);
 }
 
-/* A floor of diffuse 0.5 below a ceiling of the same that shines with 1: from above come 1, and of each two bounces a quarter more. */
+/* A floor of diffuse 0.5 below a ceiling of the same that shines with 1: from above come 1, and of
+ * each two bounces a quarter more. */
 static void bounces(void **state)
 {
     (void)state;
-    static const char text[] = "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, .5], "
-                               "target: [0, 0, 0], up: [0, 1, 0] }\n"
-                               "materials: { m: { material: Phong, diffuse: .5, specular: 0 }, g: { material: Phong, "
-                               "diffuse: .5, specular: 0, emissive: 1 } }\n"
-                               "objects:\n- { object: Plane, material: m }\n- { object: Plane, material: g, transform: "
-                               "{ translation: [0, 0, 1] } }\n";
+    static const char text[] =
+        "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, .5], "
+        "target: [0, 0, 0], up: [0, 1, 0] }\n"
+        "materials: { m: { material: Phong, diffuse: .5, specular: 0 }, g: { material: Phong, "
+        "diffuse: .5, specular: 0, emissive: 1 } }\n"
+        "objects:\n- { object: Plane, material: m }\n- { object: Plane, material: g, transform: "
+        "{ translation: [0, 0, 1] } }\n";
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);

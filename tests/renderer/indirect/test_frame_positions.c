@@ -1,5 +1,6 @@
-/* The view of what the picture knows as a mesh, from beside, against rays in double: what it shows grey is what a camera there meets
- * of what the picture's own camera sees, too, and from the same side. */
+/* The view of what the picture knows as a mesh, from beside, against rays in double: what it shows
+ * grey is what a camera there meets of what the picture's own camera sees, too, and from the same
+ * side. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
@@ -14,8 +15,10 @@ enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT, TEXT = 2048 };
 static const char body[] =
     "image: { width: 160, height: 120 }\nmaterials: { m: { material: Phong } }\nobjects:\n"
     "- { object: Box, material: m, size: [4, 4, .2], transform: { translation: [0, 0, -.1] } }\n"
-    "- { object: Box, material: m, size: [1, .8, 1.2], transform: { translation: [-.5, .4, .6], rotation: [0, 0, .4] } }\n"
-    "- { object: Box, material: m, size: [.6, .6, .7], transform: { translation: [.8, -.6, .35] } }\n";
+    "- { object: Box, material: m, size: [1, .8, 1.2], transform: { translation: [-.5, .4, .6], "
+    "rotation: [0, 0, .4] } }\n"
+    "- { object: Box, material: m, size: [.6, .6, .7], transform: { translation: [.8, -.6, .35] } "
+    "}\n";
 
 /* Of the box around all objects: the lower one's sides, the taller one's top. */
 static const double middle[3] = {0, 0, .5};
@@ -31,7 +34,8 @@ static void turn(const double axis[3], double angle, const double about[3], doub
     for (int k = 0; k < 3; k++)
         cross[k] = axis[(k + 1) % 3] * w[(k + 2) % 3] - axis[(k + 2) % 3] * w[(k + 1) % 3];
     for (int k = 0; k < 3; k++)
-        v[k] = about[k] + cos(angle) * w[k] + sin(angle) * cross[k] + (1 - cos(angle)) * dot * axis[k];
+        v[k] =
+            about[k] + cos(angle) * w[k] + sin(angle) * cross[k] + (1 - cos(angle)) * dot * axis[k];
 }
 
 static void go_around(SceneCamera *camera, bool up, double degrees)
@@ -64,7 +68,8 @@ static bool is_known(const Tracer *tracer, const SceneCamera *camera, const Hit 
         from[k] = hit->world[k] - (flat ? way[k] : 0);
         from[k] = flat ? from[k] : camera->position[k];
     }
-    return x > 0 && x < WIDTH && y > 0 && y < HEIGHT && !reference_is_blocked(tracer, from, way, 1 - 1e-4);
+    return x > 0 && x < WIDTH && y > 0 && y < HEIGHT &&
+           !reference_is_blocked(tracer, from, way, 1 - 1e-4);
 }
 
 /* Seen from the side that the picture's camera sees. */
@@ -95,7 +100,10 @@ static bool meets_known(const Tracer *tracer, const SceneCamera *camera, const R
 }
 
 enum { NOTHING, KNOWN, BETWEEN };
-static int shown(const float rgba[4]) { return rgba[3] == 0 ? NOTHING : rgba[2] > 1.5f * rgba[0] ? BETWEEN : KNOWN; }
+static int shown(const float rgba[4])
+{
+    return rgba[3] == 0 ? NOTHING : rgba[2] > 1.5f * rgba[0] ? BETWEEN : KNOWN;
+}
 
 /* Pixels whose neighbours within two agree alone: what is known ends at a pixel's middle. */
 static bool is_within(const int *truth, int p)
@@ -113,10 +121,14 @@ static void points_are_the_scenes(void **state)
         const char *camera, *view;
         bool up;
         double degrees;
-    } cases[] = {{"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40", "positions", false, 60},
-                 {"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40", "positions1", true, -60},
-                 {"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40", "positions2", false, -60},
-                 {"Orthographic, position: [0, -6, 2.5], target: [0, 0, .5], size: 4", "positions", false, 60}};
+    } cases[] = {{"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40", "positions",
+                  false, 60},
+                 {"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40",
+                  "positions1", true, -60},
+                 {"Perspective, position: [0, -6, 2.5], target: [0, 0, .5], angle: 40",
+                  "positions2", false, -60},
+                 {"Orthographic, position: [0, -6, 2.5], target: [0, 0, .5], size: 4", "positions",
+                  false, 60}};
     static int truth[PIXELS];
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
@@ -125,7 +137,9 @@ static void points_are_the_scenes(void **state)
         MatcDocument *document;
         snprintf(text, sizeof text, "camera: { camera: %s }\n%s", cases[i].camera, body);
         Scene *scene = frame_scene(text, &options, &document);
-        float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = cases[i].view, .memory = 100000});
+        float *rgba = frame_floats(
+            gl, scene,
+            &(RenderOptions){.compile = &options, .view = cases[i].view, .memory = 100000});
         const SceneCamera own = scene->camera;
         Tracer tracer = reference_open(scene);
         int counts[3] = {0}, wrong[2] = {0};
@@ -140,8 +154,9 @@ static void points_are_the_scenes(void **state)
             wrong[0] += is_within(truth, p) && is == KNOWN && truth[p] != KNOWN;
             wrong[1] += is_within(truth, p) && is == NOTHING && truth[p] == KNOWN;
         }
-        print_message("%s: %d pixels of known points, of which %d are wrong; %d between, %d are missing\n", cases[i].view,
-                      counts[KNOWN], wrong[0], counts[BETWEEN], wrong[1]);
+        print_message(
+            "%s: %d pixels of known points, of which %d are wrong; %d between, %d are missing\n",
+            cases[i].view, counts[KNOWN], wrong[0], counts[BETWEEN], wrong[1]);
         assert_true(counts[KNOWN] > PIXELS / 12 && counts[BETWEEN] > 100);
         assert_true(wrong[0] <= counts[KNOWN] / 100 && wrong[1] <= counts[KNOWN] / 100);
         reference_close(&tracer);

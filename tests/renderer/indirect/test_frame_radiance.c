@@ -1,5 +1,6 @@
-/* Light of what the picture does not show: nothing of it gets through walls, what is behind the camera sends what rays in double say, as infinite planes do, and what changes is as if it were made
- * anew. */
+/* Light of what the picture does not show: nothing of it gets through walls, what is behind the
+ * camera sends what rays in double say, as infinite planes do, and what changes is as if it were
+ * made anew. */
 /* ctest: unsanitized seconds=40 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -48,35 +49,41 @@ static double brightest_of(GlContext *gl, const char *text, double *mean)
 
 /* -- walls */
 
-/* Six slabs that cross in their corners, around a cube of edge 2; two lights outside, and a box far off, so that a voxel of 64 is 0.068 wide. */
+/* Six slabs that cross in their corners, around a cube of edge 2; two lights outside, and a box far
+ * off, so that a voxel of 64 is 0.068 wide. */
 static void put_room(double wall, const char *shadows, const char *rotation, char text[TEXT])
 {
-    int length = snprintf(text, TEXT,
-                          IMAGE "voxels: { size: 64 }\nindirect: { rays: 24, radius: 8, bounces: 2 }\nlights:\n"
-                                "- { light: Point, position: [2.3, -1.9, 2.2], intensity: 60, shadows: %s }\n"
-                                "- { light: Directional, direction: [1, .4, -.7], intensity: 5, shadows: %s }\n"
-                                "materials:\n  m: { material: Phong, diffuse: .8, specular: 0 }\nobjects:\n"
-                                "- { object: Box, material: m, size: [.2, .2, .2], transform: { translation: [3, 3, 3] "
-                                "} }\n- object: Group\n  material: m\n  transform: { rotation: [%s] }\n  objects:\n",
-                          shadows, shadows, rotation);
+    int length = snprintf(
+        text, TEXT,
+        IMAGE
+        "voxels: { size: 64 }\nindirect: { rays: 24, radius: 8, bounces: 2 }\nlights:\n"
+        "- { light: Point, position: [2.3, -1.9, 2.2], intensity: 60, shadows: %s }\n"
+        "- { light: Directional, direction: [1, .4, -.7], intensity: 5, shadows: %s }\n"
+        "materials:\n  m: { material: Phong, diffuse: .8, specular: 0 }\nobjects:\n"
+        "- { object: Box, material: m, size: [.2, .2, .2], transform: { translation: [3, 3, 3] "
+        "} }\n- object: Group\n  material: m\n  transform: { rotation: [%s] }\n  objects:\n",
+        shadows, shadows, rotation);
     for (int i = 0; i < 6; i++) {
         double size[3], at[3] = {0};
         for (int k = 0; k < 3; k++)
             size[k] = k == i / 2 ? wall : 2 + 2 * wall;
         at[i / 2] = (i % 2 ? 1 : -1) * (1 + wall / 2);
-        length +=
-            snprintf(text + length, (size_t)(TEXT - length),
-                     "  - { object: Box, size: [%.9g, %.9g, %.9g], transform: { translation: [%.9g, %.9g, %.9g] } }\n",
-                     size[0], size[1], size[2], at[0], at[1], at[2]);
+        length += snprintf(text + length, (size_t)(TEXT - length),
+                           "  - { object: Box, size: [%.9g, %.9g, %.9g], transform: { translation: "
+                           "[%.9g, %.9g, %.9g] } }\n",
+                           size[0], size[1], size[2], at[0], at[1], at[2]);
     }
 }
 
-/* What sRGB rounds to 1 of 255 at most. Maps light the rim of a wall's inner face where it ends within the next wall, two of their texels or less below what is outside: in the room
- * whose walls are 1.5 voxels thick a ray from within meets a voxel that has such a node. Of 52 rooms with walls of 0.03 to 0.3 it is the only one in which anything is seen. */
+/* What sRGB rounds to 1 of 255 at most. Maps light the rim of a wall's inner face where it ends
+ * within the next wall, two of their texels or less below what is outside: in the room whose walls
+ * are 1.5 voxels thick a ray from within meets a voxel that has such a node. Of 52 rooms with walls
+ * of 0.03 to 0.3 it is the only one in which anything is seen. */
 static void nothing_shines_through_walls(void **state)
 {
     (void)state;
-    static const char camera[] = "camera: { camera: Perspective, position: [%s], target: [0, .5, 0], angle: 80 }\n";
+    static const char camera[] =
+        "camera: { camera: Perspective, position: [%s], target: [0, .5, 0], angle: 80 }\n";
     static const char *const rotations[] = {"0, 0, 0", ".4, .7, .3"};
     static const struct {
         double wall;
@@ -92,8 +99,8 @@ static void nothing_shines_through_walls(void **state)
         int length = snprintf(text, sizeof text, camera, "0, -.8, .1");
         snprintf(text + length, sizeof text - (size_t)length, "%s", room);
         const double within = brightest_of(gl, text, &mean);
-        print_message("walls of %.2f, shadows %s: %.2g of black\n", cases[i / 2].wall, cases[i / 2].shadows,
-                      within / black);
+        print_message("walls of %.2f, shadows %s: %.2g of black\n", cases[i / 2].wall,
+                      cases[i / 2].shadows, within / black);
         assert_true(within <= cases[i / 2].most * black);
         length = snprintf(text, sizeof text, camera, "4, -4, 3");
         snprintf(text + length, sizeof text - (size_t)length, "%s", room);
@@ -105,31 +112,44 @@ static void nothing_shines_through_walls(void **state)
 
 /* -- behind the camera */
 
-/* A white wall is seen; behind the eye are a sheet whose sides differ, a mirrored box with a pattern, a ball, and what shades them. */
-static const char behind[] = IMAGE
-    "camera: { camera: Perspective, position: [0, -.5, 1], target: [0, 2, 1], angle: 50 }\nindirect: { rays: 96, "
-    "radius: 9, filterSize: 4 }\nlights:\n- { light: Spot, position: [.5, .5, 3], direction: [-.1, -.8, -.6], "
-    "intensity: 20, innerAngle: 50, outerAngle: 65, shadows: exact }\n- { light: Area, position: [-2, 0, 3], u: "
-    "[.5, 0, 0], v: [0, .5, 0], intensity: 60, shadows: none }\nobjects:\n"
-    "- { object: Box, size: [4, .2, 4], material: { material: Phong, diffuse: .9, specular: 0 }, transform: { "
-    "translation: [0, 2, 1] } }\n"
-    "- { object: Parallelogram, u: [3, 0, 0], v: [0, .8, 2.2], material: { material: SideSwitch, frontShader: { "
-    "material: Phong, diffuse: [.9, .1, .1], specular: 0 }, backShader: { material: Phong, diffuse: [.1, .1, .9], "
-    "specular: 0 } }, transform: { translation: [-1.5, -2.4, 0] } }\n"
-    "- { object: Box, size: [1, 1, .3], material: { material: Phong, specular: 0, diffuse: { map: Checker, "
-    "color1: [.1, .9, .2], color2: .2, input: { map: UVTransform, scaleU: 2, scaleV: 2 } } }, transform: { "
-    "translation: [1, -.6, .1], scale: [-1, 1, 1], rotation: [.2, .1, .3] } }\n"
-    "- { object: Sphere, radius: .4, material: { material: Phong, diffuse: .8, specular: 0, emissive: [0, 0, .2] "
-    "}, transform: { translation: [-.8, -1.1, .9] } }\n";
+/* A white wall is seen; behind the eye are a sheet whose sides differ, a mirrored box with a
+ * pattern, a ball, and what shades them. */
+static const char behind[] =
+    IMAGE "camera: { camera: Perspective, position: [0, -.5, 1], target: [0, 2, 1], angle: 50 "
+          "}\nindirect: { rays: 96, "
+          "radius: 9, filterSize: 4 }\nlights:\n- { light: Spot, position: [.5, .5, 3], direction: "
+          "[-.1, -.8, -.6], "
+          "intensity: 20, innerAngle: 50, outerAngle: 65, shadows: exact }\n- { light: Area, "
+          "position: [-2, 0, 3], u: "
+          "[.5, 0, 0], v: [0, .5, 0], intensity: 60, shadows: none }\nobjects:\n"
+          "- { object: Box, size: [4, .2, 4], material: { material: Phong, diffuse: .9, specular: "
+          "0 }, transform: { "
+          "translation: [0, 2, 1] } }\n"
+          "- { object: Parallelogram, u: [3, 0, 0], v: [0, .8, 2.2], material: { material: "
+          "SideSwitch, frontShader: { "
+          "material: Phong, diffuse: [.9, .1, .1], specular: 0 }, backShader: { material: Phong, "
+          "diffuse: [.1, .1, .9], "
+          "specular: 0 } }, transform: { translation: [-1.5, -2.4, 0] } }\n"
+          "- { object: Box, size: [1, 1, .3], material: { material: Phong, specular: 0, diffuse: { "
+          "map: Checker, "
+          "color1: [.1, .9, .2], color2: .2, input: { map: UVTransform, scaleU: 2, scaleV: 2 } } "
+          "}, transform: { "
+          "translation: [1, -.6, .1], scale: [-1, 1, 1], rotation: [.2, .1, .3] } }\n"
+          "- { object: Sphere, radius: .4, material: { material: Phong, diffuse: .8, specular: 0, "
+          "emissive: [0, 0, .2] "
+          "}, transform: { translation: [-.8, -1.1, .9] } }\n";
 
-static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3])
+static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit,
+                      double shares[3])
 {
-    const bool lit = light->shadows == WORD_Shadows_none || shadow_is_lit(tracer, light, hit->world, hit->facet);
+    const bool lit =
+        light->shadows == WORD_Shadows_none || shadow_is_lit(tracer, light, hit->world, hit->facet);
     shares[0] = shares[1] = shares[2] = lit;
 }
 
 typedef struct {
-    double mean, is, square; /* of the truth, of the picture; root of the mean square of the difference */
+    /* of the truth, of the picture; root of the mean square of the difference */
+    double mean, is, square;
     int count;
 } Off;
 
@@ -143,7 +163,8 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
     Scene *scene = frame_scene(text, &options, &document);
     Tracer tracer = reference_open(scene);
     tracer.shares = shares_of;
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
+    float *rgba = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .view = light ? "indirect" : "open"});
     for (int y = APART / 2; y < EDGE; y += APART)
         for (int x = APART / 2; x < EDGE; x += APART) {
             const Ray ray = reference_ray(scene, x + .5, y + .5);
@@ -153,7 +174,8 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
             rays.state = (uint64_t)(y * EDGE + x);
             const Open open = open_ray(&tracer, &hit, &rays, light ? &options : NULL);
             for (int k = 0; k < (light ? 3 : 1); k++, off.count++) {
-                const double is = rgba[LANES * (y * EDGE + x) + k], truth = light ? open.light[k] : open.open;
+                const double is = rgba[LANES * (y * EDGE + x) + k],
+                             truth = light ? open.light[k] : open.open;
                 off.mean += truth;
                 off.is += is;
                 off.square += (is - truth) * (is - truth);
@@ -162,8 +184,8 @@ static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
     off.mean /= off.count;
     off.is /= off.count;
     off.square = sqrt(off.square / off.count);
-    print_message("%s: mean %.3g of %.3g, root of the mean square %.3g, of %d numbers\n", light ? "light" : "openness",
-                  off.is, off.mean, off.square, off.count);
+    print_message("%s: mean %.3g of %.3g, root of the mean square %.3g, of %d numbers\n",
+                  light ? "light" : "openness", off.is, off.mean, off.square, off.count);
     reference_close(&tracer);
     free(rgba);
     frame_forget(scene, document);
@@ -183,15 +205,18 @@ static void what_is_behind_the_camera_sends(void **state)
 /* -- infinite planes */
 
 /* A wall on a ground and beside another, of which all that is near it is seen. */
-static const char grounded[] =
-    IMAGE "camera: { camera: Perspective, position: [1.2, -6, 2.5], target: [-.3, 0, %s }\nlights:\n- { "
-          "light: Point, position: [0, -2, 2.5], intensity: 10, shadows: exact }\nindirect: { rays: 64, radius: 2, "
-          "method: %s }\nobjects:\n"
-          "- { object: Box, size: [3, .5, 2], material: { material: Phong, diffuse: .8, specular: 0 }, transform: { "
-          "translation: [0, 0, 1] } }\n"
-          "- { object: Plane, material: { material: Phong, diffuse: [.8, .3, .1], specular: 0 } }\n"
-          "- { object: Plane, material: { material: Phong, diffuse: [.1, .3, .8], specular: 0 }, transform: { "
-          "translation: [-2.2, 0, 0], rotation: [0, 1.5, 0] } }\n";
+static const char grounded[] = IMAGE
+    "camera: { camera: Perspective, position: [1.2, -6, 2.5], target: [-.3, 0, %s }\nlights:\n- { "
+    "light: Point, position: [0, -2, 2.5], intensity: 10, shadows: exact }\nindirect: { rays: 64, "
+    "radius: 2, "
+    "method: %s }\nobjects:\n"
+    "- { object: Box, size: [3, .5, 2], material: { material: Phong, diffuse: .8, specular: 0 }, "
+    "transform: { "
+    "translation: [0, 0, 1] } }\n"
+    "- { object: Plane, material: { material: Phong, diffuse: [.8, .3, .1], specular: 0 } }\n"
+    "- { object: Plane, material: { material: Phong, diffuse: [.1, .3, .8], specular: 0 }, "
+    "transform: { "
+    "translation: [-2.2, 0, 0], rotation: [0, 1.5, 0] } }\n";
 
 static void rays_meet_infinite_planes(void **state)
 {
@@ -202,14 +227,17 @@ static void rays_meet_infinite_planes(void **state)
         char text[TEXT];
         snprintf(text, sizeof text, grounded, ".9], angle: 60", methods[i]);
         const Off open = off_by(gl, text, false, (OpenRays){.across = 32, .radius = 2});
-        const Off light = off_by(gl, text, true, (OpenRays){.across = 32, .radius = 2, .bounces = 1});
+        const Off light =
+            off_by(gl, text, true, (OpenRays){.across = 32, .radius = 2, .bounces = 1});
         assert_true(open.count > 10 && open.mean < .9 && open.square < .015);
-        assert_true(light.mean > .02 && fabs(light.is / light.mean - 1) < .03 && light.square < .06 * light.mean);
+        assert_true(light.mean > .02 && fabs(light.is / light.mean - 1) < .03 &&
+                    light.square < .06 * light.mean);
     }
     gl_close(gl);
 }
 
-/* A picture of the wall's upper half alone: rays meet the planes, but nothing knows what these send. */
+/* A picture of the wall's upper half alone: rays meet the planes, but nothing knows what these
+ * send. */
 static void planes_beside_the_picture_are_black(void **state)
 {
     (void)state;
@@ -218,16 +246,18 @@ static void planes_beside_the_picture_are_black(void **state)
     snprintf(text, sizeof text, grounded, "1.5], angle: 12", "voxels");
     const Off open = off_by(gl, text, false, (OpenRays){.across = 32, .radius = 2});
     const Off light = off_by(gl, text, true, (OpenRays){.across = 32, .radius = 2, .bounces = 1});
-    print_message("beside the picture: openness %.3f of %.3f, light of planes %.4f of %.4f\n", open.is, open.mean,
-                  light.is, light.mean);
-    assert_true(open.count > 10 && open.square < .015 && light.mean > .02 && light.is < .1 * light.mean);
+    print_message("beside the picture: openness %.3f of %.3f, light of planes %.4f of %.4f\n",
+                  open.is, open.mean, light.is, light.mean);
+    assert_true(open.count > 10 && open.square < .015 && light.mean > .02 &&
+                light.is < .1 * light.mean);
     gl_close(gl);
 }
 
 /* -- what is thinner than voxels */
 
-/* A fence of bars, wires and a pole over a ground of edge 3, whose voxels of 128 are 0.024 wide: bars of 1.7 voxels, wires of 0.4. In voxels they are wider, and
- * keep off and send more: 0.05 of openness, and a fifth of the little light that they send. By 256 openness is 0.04 off. */
+/* A fence of bars, wires and a pole over a ground of edge 3, whose voxels of 128 are 0.024 wide:
+ * bars of 1.7 voxels, wires of 0.4. In voxels they are wider, and keep off and send more: 0.05 of
+ * openness, and a fifth of the little light that they send. By 256 openness is 0.04 off. */
 static void fences_and_wires_keep_off_a_voxel_more(void **state)
 {
     (void)state;
@@ -238,23 +268,28 @@ static void fences_and_wires_keep_off_a_voxel_more(void **state)
     GlContext *gl = frame_context();
     for (int i = 0; i < 2; i++) {
         char text[TEXT];
-        int length = snprintf(
-            text, TEXT,
-            IMAGE "camera: { camera: Perspective, position: [0, -3, 3], target: [0, 0, 0], angle: 45 }\nvoxels: "
-                  "{ size: %d }\nlights:\n- { light: Point, position: [.3, -1, 1.5], intensity: 5, shadows: "
-                  "exact }\nindirect: { rays: 64, radius: 1.5, method: voxels }\nmaterials: { m: { material: "
-                  "Phong, diffuse: [.9, .6, .3], specular: 0 } }\nobjects:\n- { object: Box, material: m, "
-                  "size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n",
-            cases[i].size);
+        int length = snprintf(text, TEXT,
+                              IMAGE "camera: { camera: Perspective, position: [0, -3, 3], target: "
+                                    "[0, 0, 0], angle: 45 }\nvoxels: "
+                                    "{ size: %d }\nlights:\n- { light: Point, position: [.3, -1, "
+                                    "1.5], intensity: 5, shadows: "
+                                    "exact }\nindirect: { rays: 64, radius: 1.5, method: voxels "
+                                    "}\nmaterials: { m: { material: "
+                                    "Phong, diffuse: [.9, .6, .3], specular: 0 } }\nobjects:\n- { "
+                                    "object: Box, material: m, "
+                                    "size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n",
+                              cases[i].size);
         for (int k = 0; k < 9; k++)
-            length +=
-                snprintf(text + length, (size_t)(TEXT - length),
-                         "- { object: Box, material: m, size: [.04, .04, .7], transform: { translation: [%.3g, .2, "
-                         ".35] } }\n- { object: Box, material: m, size: [2.6, .01, .01], transform: { translation: "
-                         "[0, -.3, %.3g], rotation: [.3, 0, .05] } }\n",
-                         .3 * k - 1.2, .1 + .06 * k);
+            length += snprintf(text + length, (size_t)(TEXT - length),
+                               "- { object: Box, material: m, size: [.04, .04, .7], transform: { "
+                               "translation: [%.3g, .2, "
+                               ".35] } }\n- { object: Box, material: m, size: [2.6, .01, .01], "
+                               "transform: { translation: "
+                               "[0, -.3, %.3g], rotation: [.3, 0, .05] } }\n",
+                               .3 * k - 1.2, .1 + .06 * k);
         const Off open = off_by(gl, text, false, (OpenRays){.across = 32, .radius = 1.5});
-        const Off light = off_by(gl, text, true, (OpenRays){.across = 24, .radius = 1.5, .bounces = 1});
+        const Off light =
+            off_by(gl, text, true, (OpenRays){.across = 24, .radius = 1.5, .bounces = 1});
         assert_true(open.count > 50 && open.mean < .97 && open.square < cases[i].open);
         assert_true(light.mean > .002 && fabs(light.is / light.mean - 1) < cases[i].light);
     }
@@ -263,23 +298,30 @@ static void fences_and_wires_keep_off_a_voxel_more(void **state)
 
 /* -- what is hostile */
 
-/* An open shell; what is flat, or so small or far away that it is nothing of a voxel; a million triangles in a voxel; a voxel that is larger than all that is seen: light is finite,
- * what a lamp reaches is not black, and in the mean the picture is two thirds to one and a half times as light as without. */
+/* An open shell; what is flat, or so small or far away that it is nothing of a voxel; a million
+ * triangles in a voxel; a voxel that is larger than all that is seen: light is finite, what a lamp
+ * reaches is not black, and in the mean the picture is two thirds to one and a half times as light
+ * as without. */
 static void hostile_scenes_are_lit(void **state)
 {
     (void)state;
     static const char head[] =
-        IMAGE "camera: { camera: Perspective, position: [1, -5, 2], target: [1, 0, 0], angle: 50 }\nvoxels: { size: 32 "
-              "}\nindirect: { rays: 8, bounces: 2 }\nlights:\n- { light: Point, position: [2, -3, 4], intensity: 30 "
-              "}\n- { light: Hemisphere, color: 1, ground: .5 }\nmaterials: { m: { material: Phong, diffuse: .6 } "
-              "}\nobjects:\n- { object: Box, material: m, transform: { translation: [2, 0, 0] } }\n- { object: Box, "
+        IMAGE "camera: { camera: Perspective, position: [1, -5, 2], target: [1, 0, 0], angle: 50 "
+              "}\nvoxels: { size: 32 "
+              "}\nindirect: { rays: 8, bounces: 2 }\nlights:\n- { light: Point, position: [2, -3, "
+              "4], intensity: 30 "
+              "}\n- { light: Hemisphere, color: 1, ground: .5 }\nmaterials: { m: { material: "
+              "Phong, diffuse: .6 } "
+              "}\nobjects:\n- { object: Box, material: m, transform: { translation: [2, 0, 0] } "
+              "}\n- { object: Box, "
               "material: m, size: [20, 20, .2], transform: { translation: [0, 0, -1.1] } }\n";
     static const char *const scenes[] = {
         "- { object: Mesh, file: " SOURCE_FOLDER "/examples/scenes/shell.obj, material: m }\n",
         "- { object: Sphere, material: m, transform: { scale: [1, 1, 1e-9] } }\n",
         "- { object: Sphere, detail: 1000, material: m, transform: { scale: 1e-3 } }\n",
         "- { object: Sphere, material: m, transform: { translation: [1e9, 1e9, -1e9] } }\n",
-        "- { object: Box, material: m, size: [1e9, 1e9, 1e9], transform: { translation: [2e9, 0, 0] } }\n",
+        "- { object: Box, material: m, size: [1e9, 1e9, 1e9], transform: { translation: [2e9, 0, "
+        "0] } }\n",
         "- { object: Sphere, material: m, transform: { scale: [-1, 1e-30, 1] } }\n"};
     GlContext *gl = frame_context();
     double mean, alone, most = brightest_of(gl, head, &alone);
@@ -287,7 +329,8 @@ static void hostile_scenes_are_lit(void **state)
         char text[TEXT];
         snprintf(text, sizeof text, "%s%s", head, scenes[i]);
         most = brightest_of(gl, text, &mean);
-        print_message("hostile scene %d: %.3g, mean %.3g of that without\n", (int)i, most, mean / alone);
+        print_message("hostile scene %d: %.3g, mean %.3g of that without\n", (int)i, most,
+                      mean / alone);
         assert_true(most > .5 && mean > alone / 1.5 && mean < alone * 1.5 && !gl->GetError());
     }
     gl_close(gl);
@@ -295,7 +338,8 @@ static void hostile_scenes_are_lit(void **state)
 
 /* -- behind glass */
 
-/* A pane before the eye lets half of all through and sends nothing of its own: the picture is half of that without it, indirect light and what is dimmed among it. */
+/* A pane before the eye lets half of all through and sends nothing of its own: the picture is half
+ * of that without it, indirect light and what is dimmed among it. */
 static void glass_halves_what_is_behind_it(void **state)
 {
     (void)state;
@@ -313,17 +357,20 @@ static void glass_halves_what_is_behind_it(void **state)
         int length = snprintf(text, sizeof text, grounded, ".9], angle: 60", "hybrid");
         snprintf(text + length, sizeof text - (size_t)length, "%s", i ? pane : "");
         Scene *scene = frame_scene(text, &options, &document);
-        rgba[i] = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+        rgba[i] = frame_floats(
+            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
         frame_forget(scene, document);
     }
     for (int i = 0; i < LANES * PIXELS; i++) {
         const int x = i / LANES % EDGE, y = i / LANES / EDGE;
-        if (i % LANES < 3 && abs(x - EDGE / 2) < MIDDLE && abs(y - EDGE / 2) < MIDDLE) { /* the wall */
+        /* the wall */
+        if (i % LANES < 3 && abs(x - EDGE / 2) < MIDDLE && abs(y - EDGE / 2) < MIDDLE) {
             most = fmax(most, fabs(rgba[1][i] / (.5 * rgba[0][i]) - 1));
             lit = fmin(lit, rgba[0][i]);
         }
     }
-    print_message("behind glass: at most %.2g of half of it off, which is %.2g at least\n", most, lit);
+    print_message("behind glass: at most %.2g of half of it off, which is %.2g at least\n", most,
+                  lit);
     assert_true(lit > .01 && most < 2e-3);
     free(rgba[0]);
     free(rgba[1]);
@@ -332,7 +379,8 @@ static void glass_halves_what_is_behind_it(void **state)
 
 /* -- changes */
 
-static void assert_as_new(GlContext *gl, Render *render, const Scene *scene, const RenderOptions *options)
+static void assert_as_new(GlContext *gl, Render *render, const Scene *scene,
+                          const RenderOptions *options)
 {
     float *as_new = frame_floats(gl, scene, options), *rgba = malloc(sizeof *rgba * LANES * PIXELS);
     assert_true(render_frame(render) && render_read(render, rgba));
@@ -341,14 +389,15 @@ static void assert_as_new(GlContext *gl, Render *render, const Scene *scene, con
     free(as_new);
 }
 
-/* Light that bounces on, too, and what a surface sends at another time: threads find nodes in another order each time, and no number may follow that. */
+/* Light that bounces on, too, and what a surface sends at another time: threads find nodes in
+ * another order each time, and no number may follow that. */
 static void what_changes_is_as_new(void **state)
 {
     (void)state;
     static const char key[] = "indirect: {";
-    static const char reddens[] =
-        "- { object: Box, size: [.6, .6, .6], material: { material: Phong, specular: 0, diffuse: \"= [.2 + .3 * time, "
-        ".4, .3]\" }, transform: { translation: [.9, -1.3, 1.2] } }\n";
+    static const char reddens[] = "- { object: Box, size: [.6, .6, .6], material: { material: "
+                                  "Phong, specular: 0, diffuse: \"= [.2 + .3 * time, "
+                                  ".4, .3]\" }, transform: { translation: [.9, -1.3, 1.2] } }\n";
     char text[sizeof behind + TEXT];
     const char *at = strstr(behind, key) + strlen(key);
     snprintf(text, sizeof text, "%.*s bounces: 3,%s%s", (int)(at - behind), behind, at, reddens);
@@ -367,13 +416,15 @@ static void what_changes_is_as_new(void **state)
     scene->lights[0].position[0] -= .7;
     assert_true(render_changed(render, RENDER_LIGHTS));
     assert_as_new(gl, render, scene, &how);
-    float *before = malloc(sizeof *before * LANES * PIXELS), *rgba = malloc(sizeof *rgba * LANES * PIXELS);
+    float *before = malloc(sizeof *before * LANES * PIXELS),
+          *rgba = malloc(sizeof *rgba * LANES * PIXELS);
     assert_true(before && rgba && render_read(render, before));
     scene->time = 2;
     assert_true(render_changed(render, RENDER_TIME));
     assert_as_new(gl, render, scene, &how);
     assert_true(render_read(render, rgba) && mean_of(rgba, 0) > 1.01 * mean_of(before, 0));
-    assert_true(fabs(mean_of(rgba, 2) / mean_of(before, 2) - 1) < .01); /* blue goes on by the blue of what it meets */
+    /* blue goes on by the blue of what it meets */
+    assert_true(fabs(mean_of(rgba, 2) / mean_of(before, 2) - 1) < .01);
     free(before);
     free(rgba);
     render_close(render);

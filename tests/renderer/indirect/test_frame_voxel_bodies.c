@@ -1,5 +1,6 @@
-/* Bodies as voxels: what crosses, what is thin, what is hostile. No ray gets out of a room whose walls cross in its corners, from half a voxel to two
- * thick; bodies that cross leave nothing out; documents that are meant to harm give voxels, in time, and no fault of GL. */
+/* Bodies as voxels: what crosses, what is thin, what is hostile. No ray gets out of a room whose
+ * walls cross in its corners, from half a voxel to two thick; bodies that cross leave nothing out;
+ * documents that are meant to harm give voxels, in time, and no fault of GL. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_calls.h"
@@ -16,17 +17,18 @@ enum { TEXT = 3072, WIDE = 64, HIGH = 32, ACROSS = 8, SIZE = 64 };
 
 static void put_room(double wall, char text[TEXT])
 {
-    int length =
-        snprintf(text, TEXT, "- object: Group\n  material: m\n  transform: { rotation: [.4, .7, .3] }\n  objects:\n");
+    int length = snprintf(
+        text, TEXT,
+        "- object: Group\n  material: m\n  transform: { rotation: [.4, .7, .3] }\n  objects:\n");
     for (int i = 0; i < 6; i++) {
         double size[3], at[3] = {0};
         for (int k = 0; k < 3; k++)
             size[k] = k == i / 2 ? wall : 2 + 2 * wall;
         at[i / 2] = (i % 2 ? 1 : -1) * (1 + wall / 2);
-        length +=
-            snprintf(text + length, (size_t)(TEXT - length),
-                     "  - { object: Box, size: [%.9g, %.9g, %.9g], transform: { translation: [%.9g, %.9g, %.9g] } }\n",
-                     size[0], size[1], size[2], at[0], at[1], at[2]);
+        length += snprintf(text + length, (size_t)(TEXT - length),
+                           "  - { object: Box, size: [%.9g, %.9g, %.9g], transform: { translation: "
+                           "[%.9g, %.9g, %.9g] } }\n",
+                           size[0], size[1], size[2], at[0], at[1], at[2]);
     }
 }
 
@@ -76,7 +78,8 @@ static void nothing_gets_out_of_a_room_of_boxes(void **state)
         FrameVoxelsDrawn d = frame_voxels_drawn(room, SIZE);
         const double open = most_open(&d);
         print_message("walls of %.2f voxels, in %d waves: of a point's rays %g get out\n",
-                      walls[i] * 3.4 / SIZE / d.render->voxels->grid.edge, d.render->voxels->wave_count, open);
+                      walls[i] * 3.4 / SIZE / d.render->voxels->grid.edge,
+                      d.render->voxels->wave_count, open);
         assert_true(open == 0);
         frame_voxels_forget(&d);
     }
@@ -98,13 +101,15 @@ static void what_crosses_is_full(void **state)
 {
     (void)state;
     enum { BOXES = 4 };
-    static const double middles[BOXES][3] = {{0, 0, 0}, {.53, .11, .07}, {1.01, .21, -.05}, {1.01, .21, -.05}};
+    static const double middles[BOXES][3] = {
+        {0, 0, 0}, {.53, .11, .07}, {1.01, .21, -.05}, {1.01, .21, -.05}};
     char text[TEXT];
     int length = 0, full = 0;
     for (int i = 0; i < BOXES; i++)
-        length += snprintf(text + length, (size_t)(TEXT - length),
-                           "- { object: Box, material: m, transform: { translation: [%g, %g, %g] } }\n", middles[i][0],
-                           middles[i][1], middles[i][2]);
+        length +=
+            snprintf(text + length, (size_t)(TEXT - length),
+                     "- { object: Box, material: m, transform: { translation: [%g, %g, %g] } }\n",
+                     middles[i][0], middles[i][1], middles[i][2]);
     FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
     assert_int_equal(d.render->voxels->wave_count, 3);
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
@@ -133,9 +138,10 @@ static int count_full(const FrameVoxelsDrawn *d)
     return count;
 }
 
-/* An open shell; a ball that is flat; a tiny box alone; two million triangles smaller than a voxel; bodies of which one is a voxel of the other, or all are less than one,
- * as far away as that floats tell no smaller ones apart: no line through middles need meet these; one without a depth. Twenty bodies in one place: more than can be
- * apart are surfaces. */
+/* An open shell; a ball that is flat; a tiny box alone; two million triangles smaller than a voxel;
+ * bodies of which one is a voxel of the other, or all are less than one, as far away as that floats
+ * tell no smaller ones apart: no line through middles need meet these; one without a depth. Twenty
+ * bodies in one place: more than can be apart are surfaces. */
 static void hostile_scenes_give_voxels(void **state)
 {
     (void)state;
@@ -144,12 +150,15 @@ static void hostile_scenes_give_voxels(void **state)
         "- { object: Mesh, file: " SOURCE_FOLDER "/examples/scenes/shell.obj, material: m }\n",
         "- { object: Sphere, material: m, transform: { scale: [1, 1, 1e-9] } }\n",
         "- { object: Box, material: m, size: [1e-6, 1e-6, 1e-6] }\n",
-        "- { object: Sphere, detail: 1024, material: m, transform: { scale: 1e-3 } }\n- { object: Box, material: m, "
+        "- { object: Sphere, detail: 1024, material: m, transform: { scale: 1e-3 } }\n- { object: "
+        "Box, material: m, "
         "transform: { translation: [2, 0, 0] } }\n",
         "- { object: Sphere, material: m, transform: { translation: [1e9, 1e9, -1e9] } }\n",
-        "- { object: Sphere, material: m }\n- { object: Box, material: m, size: [1e9, 1e9, 1e9], transform: { "
+        "- { object: Sphere, material: m }\n- { object: Box, material: m, size: [1e9, 1e9, 1e9], "
+        "transform: { "
         "translation: [2e9, 0, 0] } }\n",
-        "- { object: Sphere, material: m, transform: { scale: [-1, 1, 1] } }\n- { object: Box, material: m, "
+        "- { object: Sphere, material: m, transform: { scale: [-1, 1, 1] } }\n- { object: Box, "
+        "material: m, "
         "transform: { scale: [1e-5, 1, 1] } }\n",
     };
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++) {

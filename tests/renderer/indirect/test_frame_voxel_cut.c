@@ -1,4 +1,5 @@
-/* Cut-outs in voxels: which are full against what is cut away in double, openness and light beneath them against rays in double; a closed mesh with holes is no body; what is cut away may change. */
+/* Cut-outs in voxels: which are full against what is cut away in double, openness and light beneath
+ * them against rays in double; a closed mesh with holes is no body; what is cut away may change. */
 #include "tests/test.h"
 #include "runtime/indirect/indirect_state.h"
 #include "tests/frame/frame_draw.h"
@@ -12,29 +13,39 @@
 enum { EDGE = 64, PIXELS = EDGE * EDGE, SIZE = 128, ACROSS = 32, SHEETS = 2 };
 #define RADIUS 1.2
 
-/* A fence of squares, of which every other one is cut away, and one across the axes, whose holes are as large as voxels; a ball with holes; plain glass; a ground. The middle of the ground lies at z = 0. */
+/* A fence of squares, of which every other one is cut away, and one across the axes, whose holes
+ * are as large as voxels; a ball with holes; plain glass; a ground. The middle of the ground lies
+ * at z = 0. */
 static const char scene_text[] =
     "image: { width: 64, height: 64 }\n"
-    "camera: { camera: Orthographic, position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], size: 2.2 }\n"
+    "camera: { camera: Orthographic, position: [0, 0, 5], target: [0, 0, 0], up: [0, 1, 0], size: "
+    "2.2 }\n"
     "voxels: { size: 128 }\nindirect: { method: voxels, rays: 64, radius: 1.2, filter: none }\n"
     "lights: [{ light: Point, position: [.1, .05, .5], intensity: 1, shadows: none }]\nmaterials:\n"
     "  ground: { material: Phong, diffuse: .5, specular: 0 }\n"
     "  glass: { material: Phong, diffuse: .5, specular: 0, transparency: .6 }\n"
-    "  fence: { material: Phong, diffuse: [.8, .4, .2], specular: 0, transparency: { map: Checker, color1: { param: "
+    "  fence: { material: Phong, diffuse: [.8, .4, .2], specular: 0, transparency: { map: Checker, "
+    "color1: { param: "
     "hole, default: [1, 1, 1] }, "
     "color2: 0, input: { map: UVTransform, scaleU: 2, scaleV: 3 } } }\n"
-    "  lattice: { material: Phong, diffuse: [.2, .4, .8], specular: 0, transparency: { map: Checker, color1: 0, "
+    "  lattice: { material: Phong, diffuse: [.2, .4, .8], specular: 0, transparency: { map: "
+    "Checker, color1: 0, "
     "color2: 1, input: { map: "
     "UVTransform, scaleU: 6, scaleV: 4 } } }\n"
     "objects:\n"
-    "- { object: Box, material: ground, size: [3, 3, .4], transform: { translation: [0, 0, -.2] } }\n"
-    "- { object: Parallelogram, material: fence, u: [1.6, .1, 0], v: [-.1, 1.5, 0], transform: { translation: [-.8, "
+    "- { object: Box, material: ground, size: [3, 3, .4], transform: { translation: [0, 0, -.2] } "
+    "}\n"
+    "- { object: Parallelogram, material: fence, u: [1.6, .1, 0], v: [-.1, 1.5, 0], transform: { "
+    "translation: [-.8, "
     "-.75, .813] } }\n"
-    "- { object: Parallelogram, material: lattice, u: [.9, .1, .5], v: [-.2, .6, .4], transform: { translation: [.3, "
+    "- { object: Parallelogram, material: lattice, u: [.9, .1, .5], v: [-.2, .6, .4], transform: { "
+    "translation: [.3, "
     ".1, .113] } }\n"
-    "- { object: Parallelogram, material: glass, u: [1, 0, 0], v: [0, 1, 0], transform: { translation: [-.5, -.5, "
+    "- { object: Parallelogram, material: glass, u: [1, 0, 0], v: [0, 1, 0], transform: { "
+    "translation: [-.5, -.5, "
     ".613] } }\n"
-    "- { object: Sphere, detail: 24, radius: .2, material: fence, transform: { translation: [-1.3, 1.3, 1.3] } }\n";
+    "- { object: Sphere, detail: 24, radius: .2, material: fence, transform: { translation: [-1.3, "
+    "1.3, 1.3] } }\n";
 
 typedef struct {
     double at[3], u[3], v[3], cells[2], diffuse[3];
@@ -62,7 +73,8 @@ static double meet(const Sheet *sheet, const double from[3], const double way[3]
     return t;
 }
 
-/* 1: something is left there; 0: it is cut away, or beside the sheet; -1: so near an end of a cell that it may be either. */
+/* 1: something is left there; 0: it is cut away, or beside the sheet; -1: so near an end of a cell
+ * that it may be either. */
 static int is_left(const Sheet *sheet, const double uv[2], double near)
 {
     int sum = 0;
@@ -89,7 +101,8 @@ typedef struct {
 static void read_found(Drawn *d)
 {
     assert_true(render_frame(d->voxels.render));
-    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.render->targets.draws[FRAME_DRAW_open], 0, d->found));
+    assert_true(framebuffer_read(d->voxels.gl, &d->voxels.render->targets.draws[FRAME_DRAW_open], 0,
+                                 d->found));
 }
 
 static int set_up(void **state)
@@ -98,8 +111,8 @@ static int set_up(void **state)
     d.options = frame_float_options(&d.layout);
     d.voxels = (FrameVoxelsDrawn){.size = SIZE, .gl = frame_context()};
     d.voxels.scene = frame_scene(scene_text, &d.options, &d.voxels.document);
-    d.voxels.render =
-        render_open(d.voxels.gl, &(RenderOptions){.compile = &d.options, .view = "indirect", .deep = true});
+    d.voxels.render = render_open(
+        d.voxels.gl, &(RenderOptions){.compile = &d.options, .view = "indirect", .deep = true});
     d.found = calloc(PIXELS, 4 * sizeof *d.found);
     if (!d.voxels.render || !d.found || !render_scene(d.voxels.render, d.voxels.scene))
         return print_message("%s\n", d.voxels.gl->error), -1;
@@ -149,7 +162,8 @@ static void voxels_are_empty_where_it_is_cut_away(void **state)
     int full = 0, empty = 0, either = 0, wrong = 0;
     for (int i = 0; i < SIZE * SIZE * SIZE; i++) {
         const int at[3] = {i % SIZE, i / SIZE % SIZE, i / SIZE / SIZE};
-        const double z = grid->low[2] + (at[2] + .5) * grid->edge, x = grid->low[0] + at[0] * grid->edge;
+        const double z = grid->low[2] + (at[2] + .5) * grid->edge,
+                     x = grid->low[0] + at[0] * grid->edge;
         if (z < .05 || x < -1.05) /* the ground, the ball */
             continue;
         const int is = expected(grid, at);
@@ -226,7 +240,8 @@ static bool follow(const double from[3], const double way[3], Sum *sum)
     cross(met->u, met->v, normal);
     for (int k = 0; k < 3; k++)
         to[k] = lamp[k] - from[k] - nearest * way[k];
-    const double square = dot(to, to), towards = dot(normal, to) / sqrt(dot(normal, normal) * square);
+    const double square = dot(to, to),
+                 towards = dot(normal, to) / sqrt(dot(normal, normal) * square);
     if ((towards > 0) == (dot(normal, way) < 0)) /* its side that is seen is lit */
         for (int k = 0; k < 3; k++)
             sum->light[k] += met->diffuse[k] * fabs(towards) / square;
@@ -247,15 +262,17 @@ static Sum around(const double from[3])
     return sum;
 }
 
-/* The picture shows the ground through all that is transparent. What is left of a sheet is as thick as a voxel, so that it keeps off more: by a seventh here, a fourth with 64 voxels, a twelfth with 256. Taken
- * whole, it would be twice as much; taken as not there, none of it. */
+/* The picture shows the ground through all that is transparent. What is left of a sheet is as thick
+ * as a voxel, so that it keeps off more: by a seventh here, a fourth with 64 voxels, a twelfth with
+ * 256. Taken whole, it would be twice as much; taken as not there, none of it. */
 static void light_comes_through_holes(void **state)
 {
     const Drawn *d = *state;
     double off = 0, open = 0, light[3] = {0}, wanted[3] = {0}, spread = 0;
     int count = 0;
     for (int i = 0; i < PIXELS; i += 3, count++) {
-        const double from[3] = {2.2 * ((i % EDGE + .5) / EDGE - .5), 2.2 * ((i / EDGE + .5) / EDGE - .5), 1e-6};
+        const double from[3] = {2.2 * ((i % EDGE + .5) / EDGE - .5),
+                                2.2 * ((i / EDGE + .5) / EDGE - .5), 1e-6};
         const Sum sum = around(from);
         const double error = (double)d->found[4 * i + 3] - sum.open;
         off += error * error;
@@ -266,10 +283,12 @@ static void light_comes_through_holes(void **state)
             wanted[k] += sum.light[k];
         }
     }
-    print_message("openness off by %.4f, mean %+.4f of %.4f kept off; light %.3f %.3f %.3f of what rays say\n",
-                  sqrt(off / count), open / count, spread / count, light[0] / wanted[0], light[1] / wanted[1],
-                  light[2] / wanted[2]);
-    assert_true(sqrt(off / count) < .045 && spread / count > .1 && fabs(open / count) < .2 * spread / count);
+    print_message("openness off by %.4f, mean %+.4f of %.4f kept off; light %.3f %.3f %.3f of what "
+                  "rays say\n",
+                  sqrt(off / count), open / count, spread / count, light[0] / wanted[0],
+                  light[1] / wanted[1], light[2] / wanted[2]);
+    assert_true(sqrt(off / count) < .045 && spread / count > .1 &&
+                fabs(open / count) < .2 * spread / count);
     for (int k = 0; k < 3; k++)
         assert_true(light[k] / wanted[k] > .97 && light[k] / wanted[k] < 1.2);
 }
@@ -311,8 +330,10 @@ static void holes_are_closed_and_opened(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(voxels_are_empty_where_it_is_cut_away), cmocka_unit_test(programs_are_those_of_cut_outs),
-        cmocka_unit_test(balls_with_holes_are_hollow),           cmocka_unit_test(light_comes_through_holes),
+        cmocka_unit_test(voxels_are_empty_where_it_is_cut_away),
+        cmocka_unit_test(programs_are_those_of_cut_outs),
+        cmocka_unit_test(balls_with_holes_are_hollow),
+        cmocka_unit_test(light_comes_through_holes),
         cmocka_unit_test(holes_are_closed_and_opened),
     };
     return cmocka_run_group_tests(tests, set_up, tear_down);

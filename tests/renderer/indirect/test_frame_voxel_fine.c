@@ -1,5 +1,7 @@
-/* Surfaces of small triangles, which need no rasteriser: they fill the voxels that the rasteriser fills, but for those on its edges; a shell whose corners and edges lie on the lines that are
- * asked keeps a flood out, however it is turned; large triangles, and what is cut out, stay with the rasteriser. */
+/* Surfaces of small triangles, which need no rasteriser: they fill the voxels that the rasteriser
+ * fills, but for those on its edges; a shell whose corners and edges lie on the lines that are
+ * asked keeps a flood out, however it is turned; large triangles, and what is cut out, stay with
+ * the rasteriser. */
 /* ctest: seconds=21 */
 #include "tests/test.h"
 #include "runtime/indirect/voxels.h"
@@ -39,14 +41,17 @@ static ShellFile write_shell(double half, int squares)
     for (int side = 0; side < 6; side++)
         for (int i = 0; i < squares * squares; i++) {
             const int first = 1 + side * corners * corners + i / squares * corners + i % squares;
-            fprintf(file, "f %d %d %d\nf %d %d %d\n", first, first + 1, first + corners, first + 1, first + corners + 1,
-                    first + corners);
+            fprintf(file, "f %d %d %d\nf %d %d %d\n", first, first + 1, first + corners, first + 1,
+                    first + corners + 1, first + corners);
         }
     assert_int_equal(fclose(file), 0);
     return made;
 }
 
-static void remove_shell(const ShellFile *shell) { assert_true(!remove(shell->path) && !rmdir(shell->folder)); }
+static void remove_shell(const ShellFile *shell)
+{
+    assert_true(!remove(shell->path) && !rmdir(shell->folder));
+}
 
 /* -- drawing */
 
@@ -80,15 +85,16 @@ static void fine_surfaces_are_the_rasterisers(void **state)
     static const struct {
         const char *objects;
         int most; /* voxels in which all are small */
-    } scenes[] = {
-        {"- { object: Sphere, detail: 200, material: m, transform: { translation: [0, 0, 1.013] } }\n"
-         "- { object: Sphere, detail: 200, material: m, transform: { translation: [1.7, .3, .4], rotation: [.5, .3, "
-         ".4], scale: [-.6, .3, .5] } }\n",
-         512},
-        {"- { object: Mesh, file: " SOURCE_FOLDER
-         "/examples/scenes/shell.obj, material: m, transform: { rotation: [.3, "
-         ".2, .1] } }\n",
-         64}};
+    } scenes[] = {{"- { object: Sphere, detail: 200, material: m, transform: { translation: [0, 0, "
+                   "1.013] } }\n"
+                   "- { object: Sphere, detail: 200, material: m, transform: { translation: [1.7, "
+                   ".3, .4], rotation: [.5, .3, "
+                   ".4], scale: [-.6, .3, .5] } }\n",
+                   512},
+                  {"- { object: Mesh, file: " SOURCE_FOLDER
+                   "/examples/scenes/shell.obj, material: m, transform: { rotation: [.3, "
+                   ".2, .1] } }\n",
+                   64}};
     static const int sizes[] = {32, 64, 256, 512};
     for (size_t i = 0; i < sizeof scenes / sizeof *scenes; i++)
         for (size_t k = 0; k < sizeof sizes / sizeof *sizes && sizes[k] <= scenes[i].most; k++) {
@@ -100,8 +106,8 @@ static void fine_surfaces_are_the_rasterisers(void **state)
             uint32_t *drawn = draw_surfaces(&d, false);
             const int all = count_bits(&d, drawn, NULL), more = count_bits(&d, fine, drawn),
                       less = count_bits(&d, drawn, fine);
-            print_message("%d voxels, %d of %d places: %d full, %d more, %d less\n", sizes[k], taken,
-                          d.render->cache.place_count, all, more, less);
+            print_message("%d voxels, %d of %d places: %d full, %d more, %d less\n", sizes[k],
+                          taken, d.render->cache.place_count, all, more, less);
             assert_true(taken == d.render->cache.place_count);
             assert_true(all > sizes[k] * sizes[k] / 4 && more < all / 100 && less < all / 100);
             free(fine);
@@ -110,7 +116,8 @@ static void fine_surfaces_are_the_rasterisers(void **state)
         }
 }
 
-/* From a corner of the map, over the faces of empty voxels, the middle is not reached, and all else is. */
+/* From a corner of the map, over the faces of empty voxels, the middle is not reached, and all else
+ * is. */
 static void flood(FrameVoxelsDrawn *d)
 {
     const int n = d->size;
@@ -135,7 +142,8 @@ static void flood(FrameVoxelsDrawn *d)
     free(way);
 }
 
-/* Along the axes, with corners at each half of a voxel, all lines go through corners, and there are just the voxels of the six sheets; and turned. */
+/* Along the axes, with corners at each half of a voxel, all lines go through corners, and there are
+ * just the voxels of the six sheets; and turned. */
 static void nothing_gets_between_triangles(void **state)
 {
     (void)state;
@@ -145,7 +153,8 @@ static void nothing_gets_between_triangles(void **state)
     const ShellFile shell = write_shell(half, 4 * (int)half);
     for (size_t i = 0; i < sizeof turns / sizeof *turns; i++) {
         char text[TEXT];
-        snprintf(text, sizeof text, "- { object: Mesh, file: %s, material: m%s }\n", shell.path, turns[i]);
+        snprintf(text, sizeof text, "- { object: Mesh, file: %s, material: m%s }\n", shell.path,
+                 turns[i]);
         FrameVoxelsDrawn d = frame_voxels_drawn(text, SIZE);
         free(d.words);
         d.words = draw_surfaces(&d, true);
@@ -153,7 +162,8 @@ static void nothing_gets_between_triangles(void **state)
         flood(&d);
         const int full = count_bits(&d, d.words, NULL), edge = SIZE - AROUND;
         print_message("turn %d: %d full\n", (int)i, full);
-        assert_true(i > 0 || (full >= 6 * edge * edge - 24 * edge && full <= 6 * (edge + 2) * (edge + 2)));
+        assert_true(i > 0 ||
+                    (full >= 6 * edge * edge - 24 * edge && full <= 6 * (edge + 2) * (edge + 2)));
         frame_voxels_forget(&d);
     }
     remove_shell(&shell);
@@ -169,9 +179,12 @@ static void what_is_large_is_drawn(void **state)
     } cases[] = {
         {"- { object: Sphere, detail: 64, material: m }\n", true},
         {"- { object: Sphere, detail: 16, material: m }\n", false},
-        {"- { object: Sphere, detail: 64, material: m, transform: { scale: [1, 1, .01] } }\n", true},
+        {"- { object: Sphere, detail: 64, material: m, transform: { scale: [1, 1, .01] } }\n",
+         true},
         {"- { object: Box, material: m }\n", false},
-        {"- { object: Sphere, detail: 64, material: { material: Phong, transparency: { map: Checker } } }\n", false}};
+        {"- { object: Sphere, detail: 64, material: { material: Phong, transparency: { map: "
+         "Checker } } }\n",
+         false}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         FrameVoxelsDrawn d = frame_voxels_drawn(cases[i].object, SIZE);
         assert_int_equal(voxel_bodies_surface(d.render, 0), cases[i].fine ? VOXELS_FINE : 0);

@@ -1,5 +1,7 @@
-/* How open points are by rays through voxels, against the same rays by Embree: closed meshes as bodies and as surfaces, by where rays begin. Prints the
- * table of docs/indirect.md. `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the ground. */
+/* How open points are by rays through voxels, against the same rays by Embree: closed meshes as
+ * bodies and as surfaces, by where rays begin. Prints the table of docs/indirect.md.
+ * `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the
+ * ground. */
 #include "tests/test.h"
 #include "runtime/indirect/voxels.h"
 #include "tests/frame/frame_draw.h"
@@ -11,12 +13,16 @@
 enum { WIDE = 96, HIGH = 72, PIXELS = WIDE * HIGH, ACROSS = 16, TEXT = 2048 };
 
 /* Closed, each a hair above the ground: where bodies cross, what both have is empty. */
-#define BODIES                                                                                                         \
-    "- { object: Sphere, radius: .5, detail: 96, material: m, transform: { translation: [-.5, .1, .501] } }\n"         \
-    "- { object: Cylinder, detail: 48, radius: .3, material: m, transform: { translation: [.5, .5, .001] } }\n"        \
-    "- { object: Box, material: m, size: [.5, .4, .7], transform: { translation: [.4, -.5, .36], rotation: [0, 0, "    \
-    ".5] } }\n"                                                                                                        \
-    "- { object: Cone, detail: 48, radius: .3, material: m, transform: { translation: [1.1, -.1, .001] } }\n"
+#define BODIES                                                                                     \
+    "- { object: Sphere, radius: .5, detail: 96, material: m, transform: { translation: [-.5, "    \
+    ".1, .501] } }\n"                                                                              \
+    "- { object: Cylinder, detail: 48, radius: .3, material: m, transform: { translation: [.5, "   \
+    ".5, .001] } }\n"                                                                              \
+    "- { object: Box, material: m, size: [.5, .4, .7], transform: { translation: [.4, -.5, .36], " \
+    "rotation: [0, 0, "                                                                            \
+    ".5] } }\n"                                                                                    \
+    "- { object: Cone, detail: 48, radius: .3, material: m, transform: { translation: [1.1, -.1, " \
+    ".001] } }\n"
 static const char *mesh_file, *mesh_lift = "0";
 static VoxelPoints points;
 static float said[PIXELS][4];
@@ -37,14 +43,17 @@ static Place place_of(int size)
     char text[TEXT], mesh[TEXT / 4] = BODIES;
     if (mesh_file)
         snprintf(mesh, sizeof mesh,
-                 "- { object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, 0], translation: [0, "
+                 "- { object: Mesh, file: %s, material: m, transform: { rotation: [1.5707963, 0, "
+                 "0], translation: [0, "
                  "0, %s] } }\n",
                  mesh_file, mesh_lift);
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [.6, -4.6, 2.6], target: [0, "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [.6, "
+             "-4.6, 2.6], target: [0, "
              "0, .7], angle: 40 }\n"
              "voxels: { size: %d }\nmaterials: { m: { material: Phong, diffuse: .6 } }\nobjects:\n"
-             "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, -.1] } }\n%s",
+             "- { object: Box, material: m, size: [3, 3, .2], transform: { translation: [0, 0, "
+             "-.1] } }\n%s",
              WIDE, HIGH, size, mesh);
     p.scene = frame_scene(text, &p.options, &p.document);
     p.render = render_open(p.gl, &(RenderOptions){.compile = &p.options, .view = "voxels"});
@@ -102,7 +111,8 @@ static void by_voxels(const Place *p, double off)
     VoxelPointsPass pass;
     if (!voxel_points_open(p->render, &points, (const char *[2]){voxel_points_ray, NULL}, &pass))
         fail_msg("%s", p->gl->error);
-    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels->grid.edge), (float)off);
+    voxel_points_run(p->render, &pass, (float)(p->radius / p->render->voxels->grid.edge),
+                     (float)off);
     assert_true(framebuffer_read(p->gl, &pass.target, 0, said[0]));
     voxel_points_close(p->render, &pass);
 }
@@ -149,7 +159,8 @@ static void rays_are_as_open_as_exact_ones(void **state)
 {
     (void)state;
     static const int sizes[] = {64, 128, 256};
-    static const double bounds[][2] = {{.032, .048}, {.017, .029}, {.013, .018}}; /* of bodies, of surfaces */
+    /* of bodies, of surfaces */
+    static const double bounds[][2] = {{.032, .048}, {.017, .029}, {.013, .018}};
     print_message("%-10s", "voxels");
     for (int k = 0; k < 2 * OFFS; k++)
         print_message(" %7s %4.2g", k < OFFS ? "body" : "surface", offs[k % OFFS]);

@@ -1,5 +1,6 @@
-/* Voxels of scenes, bit by bit, against triangles in double: middles within closed bodies by counting what lies before them, surfaces by lines through
- * middles; levels by those below; a room that nothing gets out of; what is moved. */
+/* Voxels of scenes, bit by bit, against triangles in double: middles within closed bodies by
+ * counting what lies before them, surfaces by lines through middles; levels by those below; a room
+ * that nothing gets out of; what is moved. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "runtime/indirect/voxels.h"
@@ -40,7 +41,8 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
             const float *p = shape.vertices[shape.indices[k]].position;
             for (int axis = 0; axis < 3; axis++)
                 made.corners[made.count + k / 3][k % 3][axis] =
-                    (m[axis] * p[0] + m[4 + axis] * p[1] + m[8 + axis] * p[2] + m[12 + axis] - grid->low[axis]) /
+                    (m[axis] * p[0] + m[4 + axis] * p[1] + m[8 + axis] * p[2] + m[12 + axis] -
+                     grid->low[axis]) /
                     grid->edge;
         }
         made.count += shape.index_count / 3;
@@ -61,11 +63,14 @@ static bool meets(const double corners[3][3], int axis, const double place[2], d
         whole += areas[i];
     }
     const double sign = whole < 0 ? -1 : 1;
-    *at = (areas[0] * corners[0][axis] + areas[1] * corners[1][axis] + areas[2] * corners[2][axis]) / whole;
+    *at =
+        (areas[0] * corners[0][axis] + areas[1] * corners[1][axis] + areas[2] * corners[2][axis]) /
+        whole;
     return sign * areas[0] > 0 && sign * areas[1] > 0 && sign * areas[2] > 0;
 }
 
-/* How often a voxel is full, of lines that pass its middle as closely as a rasteriser may put it elsewhere: 1/256 of a pixel to each side, and a depth. */
+/* How often a voxel is full, of lines that pass its middle as closely as a rasteriser may put it
+ * elsewhere: 1/256 of a pixel to each side, and a depth. */
 enum { LINES = 5, DEPTHS = 2, TRIES = LINES * DEPTHS };
 typedef struct {
     unsigned char *within, *surface;
@@ -146,7 +151,8 @@ static Count compare(const FrameVoxelsDrawn *d, const Expected *e)
 {
     Count count = {0};
     for (int i = 0; i < e->size * e->size * e->size; i++) {
-        const int at[3] = {i % e->size, i / e->size % e->size, i / e->size / e->size}, is = expected(e, at);
+        const int at[3] = {i % e->size, i / e->size % e->size, i / e->size / e->size},
+                  is = expected(e, at);
         count.full += is == 1;
         count.empty += is == 0;
         count.either += is == 2;
@@ -162,7 +168,8 @@ static void make_surfaces(FrameVoxelsDrawn *d)
         voxels->waves[i] = voxel_bodies_surface(d->render, i);
     voxels->wave_count = 0;
     voxels->drawn = false;
-    assert_true(voxel_bodies_has(voxels, &d->render->cache, VOXELS_FINE) && render_frame(d->render));
+    assert_true(voxel_bodies_has(voxels, &d->render->cache, VOXELS_FINE) &&
+                render_frame(d->render));
     free(d->words);
     d->words = frame_voxels_level(d, 0);
 }
@@ -189,8 +196,8 @@ static void voxels_are_those_of_the_triangles(void **state)
         expect_within(&e, &bodies);
         expect_surface(&e, &sheets);
         const Count count = compare(&d, &e);
-        print_message("%d voxels: %d full, %d empty, %d either, %d wrong\n", d.size, count.full, count.empty,
-                      count.either, count.wrong);
+        print_message("%d voxels: %d full, %d empty, %d either, %d wrong\n", d.size, count.full,
+                      count.empty, count.either, count.wrong);
         assert_int_equal(count.wrong, 0);
         assert_true(count.full > d.size * d.size && count.either < (int)all / 200);
         free(e.within);
@@ -203,7 +210,8 @@ static void voxels_are_those_of_the_triangles(void **state)
     }
 }
 
-/* A texel of a level has what any of the four below has; the last is one column. Also where a texel is not enough. */
+/* A texel of a level has what any of the four below has; the last is one column. Also where a texel
+ * is not enough. */
 static void levels_are_those_below(void **state)
 {
     (void)state;
@@ -233,8 +241,10 @@ static void levels_are_those_below(void **state)
     }
 }
 
-/* Six sheets, turned so that none lies along an axis: from a corner of the map, over the faces of empty voxels, the middle is not reached. */
-/* Bricks of all levels, as rays read them: a voxel of a level is full where any of the map's in it is; none else. */
+/* Six sheets, turned so that none lies along an axis: from a corner of the map, over the faces of
+ * empty voxels, the middle is not reached. */
+/* Bricks of all levels, as rays read them: a voxel of a level is full where any of the map's in it
+ * is; none else. */
 static void bricks_are_those_of_the_map(void **state)
 {
     (void)state;
@@ -247,14 +257,17 @@ static void bricks_are_those_of_the_map(void **state)
         assert_true(wanted && bricks);
         for (int k = 0; k < size * size * size; k++) {
             const int at[3] = {k % size, k / size % size, k / size / size};
-            for (int level = 0, edge; frame_voxels_bit(&d, at) && (edge = size >> level >> 2) > 0; level++) {
+            for (int level = 0, edge; frame_voxels_bit(&d, at) && (edge = size >> level >> 2) > 0;
+                 level++) {
                 const int x = at[0] >> level, y = at[1] >> level, z = at[2] >> level;
-                const int brick = (edge * edge * edge - 1) / 7 + (z / 4 * edge + y / 4) * edge + x / 4;
+                const int brick =
+                    (edge * edge * edge - 1) / 7 + (z / 4 * edge + y / 4) * edge + x / 4;
                 wanted[2 * brick + z / 2 % 2] |= 1u << (x % 4 + 4 * (y % 4) + 16 * (z % 2));
             }
         }
         d.gl->BindBuffer(GL_TEXTURE_BUFFER, d.render->voxels->buffer);
-        d.gl->GetBufferSubData(GL_TEXTURE_BUFFER, 0, (GLsizeiptr)((size_t)count * 2 * sizeof *bricks), bricks);
+        d.gl->GetBufferSubData(GL_TEXTURE_BUFFER, 0,
+                               (GLsizeiptr)((size_t)count * 2 * sizeof *bricks), bricks);
         d.gl->BindBuffer(GL_TEXTURE_BUFFER, 0);
         assert_int_equal(d.gl->GetError(), 0);
         assert_memory_equal(bricks, wanted, (size_t)count * 2 * sizeof *bricks);
@@ -267,15 +280,17 @@ static void bricks_are_those_of_the_map(void **state)
 static void nothing_gets_out_of_a_room(void **state)
 {
     (void)state;
-    static const char *const walls[3] = {"u: [2, 0, 0], v: [0, 2, 0], transform: { translation: [-1, -1, %d] }",
-                                         "u: [0, 2, 0], v: [0, 0, 2], transform: { translation: [%d, -1, -1] }",
-                                         "u: [0, 0, 2], v: [2, 0, 0], transform: { translation: [-1, %d, -1] }"};
-    char objects[TEXT] = "- object: Group\n  material: m\n  transform: { rotation: [.4, .7, .3] }\n  objects:\n",
+    static const char *const walls[3] = {
+        "u: [2, 0, 0], v: [0, 2, 0], transform: { translation: [-1, -1, %d] }",
+        "u: [0, 2, 0], v: [0, 0, 2], transform: { translation: [%d, -1, -1] }",
+        "u: [0, 0, 2], v: [2, 0, 0], transform: { translation: [-1, %d, -1] }"};
+    char objects[TEXT] =
+        "- object: Group\n  material: m\n  transform: { rotation: [.4, .7, .3] }\n  objects:\n",
          wall[TEXT / 8];
     for (int i = 0; i < 6; i++) {
         snprintf(wall, sizeof wall, walls[i / 2], i % 2 ? 1 : -1);
-        snprintf(objects + strlen(objects), sizeof objects - strlen(objects), "  - { object: Parallelogram, %s }\n",
-                 wall);
+        snprintf(objects + strlen(objects), sizeof objects - strlen(objects),
+                 "  - { object: Parallelogram, %s }\n", wall);
     }
     FrameVoxelsDrawn d = frame_voxels_drawn(objects, 64);
     const int n = d.size;
@@ -301,7 +316,8 @@ static void nothing_gets_out_of_a_room(void **state)
     frame_voxels_forget(&d);
 }
 
-/* What has moved is as if it had stood there from the start, and where nothing has, a frame makes no call but draws. */
+/* What has moved is as if it had stood there from the start, and where nothing has, a frame makes
+ * no call but draws. */
 static void what_moves_is_made_again(void **state)
 {
     (void)state;
@@ -330,8 +346,10 @@ static void what_moves_is_made_again(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(voxels_are_those_of_the_triangles), cmocka_unit_test(levels_are_those_below),
-        cmocka_unit_test(bricks_are_those_of_the_map),       cmocka_unit_test(nothing_gets_out_of_a_room),
+        cmocka_unit_test(voxels_are_those_of_the_triangles),
+        cmocka_unit_test(levels_are_those_below),
+        cmocka_unit_test(bricks_are_those_of_the_map),
+        cmocka_unit_test(nothing_gets_out_of_a_room),
         cmocka_unit_test(what_moves_is_made_again),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

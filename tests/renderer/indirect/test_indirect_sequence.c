@@ -1,4 +1,5 @@
-/* Samples of indirect light's rays: published values; that sets of them are nets; that those of tiles of pixels are. */
+/* Samples of indirect light's rays: published values; that sets of them are nets; that those of
+ * tiles of pixels are. */
 #include "tests/test.h"
 #include "runtime/indirect/indirect_sequence.h"
 #include <math.h>
@@ -14,7 +15,8 @@ static void sequences_are_as_they_are_published(void **state)
         Word sequence;
         double first[5][2];
     } cases[] = {{WORD_Sequence_hammersley, {{0, 0}, {.2, .5}, {.4, .25}, {.6, .75}, {.8, .125}}},
-                 {WORD_Sequence_halton, {{0, 0}, {.5, 1. / 3}, {.25, 2. / 3}, {.75, 1. / 9}, {.125, 4. / 9}}},
+                 {WORD_Sequence_halton,
+                  {{0, 0}, {.5, 1. / 3}, {.25, 2. / 3}, {.75, 1. / 9}, {.125, 4. / 9}}},
                  {WORD_Sequence_sobol, {{0, 0}, {.5, .5}, {.25, .75}, {.75, .25}, {.125, .625}}}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         indirect_sequence_samples(cases[i].sequence, 5, samples);
@@ -28,7 +30,8 @@ static void sequences_are_as_they_are_published(void **state)
 static void thirds_are_of_other_bases(void **state)
 {
     (void)state;
-    static const double five[6] = {0, .2, .4, .6, .8, .04}, three[6] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9, 7. / 9};
+    static const double five[6] = {0, .2, .4, .6, .8, .04},
+                        three[6] = {0, 1. / 3, 2. / 3, 1. / 9, 4. / 9, 7. / 9};
     for (int i = 0; i < 6; i++) {
         assert_true(fabs(indirect_sequence_third(WORD_Sequence_halton, i) - five[i]) < 1e-15);
         assert_true(fabs(indirect_sequence_third(WORD_Sequence_sobol, i) - three[i]) < 1e-15);
@@ -43,7 +46,8 @@ static void assert_net(int m)
     for (int a = 0; a <= m; a++) {
         memset(seen, 0, sizeof seen);
         for (int i = 0; i < 1 << m; i++)
-            seen[((int)(samples[i][0] * (1 << a)) << (m - a)) + (int)(samples[i][1] * (1 << (m - a)))]++;
+            seen[((int)(samples[i][0] * (1 << a)) << (m - a)) +
+                 (int)(samples[i][1] * (1 << (m - a)))]++;
         for (int i = 0; i < 1 << m; i++)
             assert_int_equal(seen[i], 1);
     }
@@ -66,7 +70,8 @@ static double turned(double sample, double shift)
     return ((unsigned)(sample * 65536) ^ (unsigned)(shift * 65536)) / 65536.;
 }
 
-/* Those of each 2^k x 2^k pixels of a tile are one net, at whichever multiple of that they begin: 1, 4, 16, 64 pixels. */
+/* Those of each 2^k x 2^k pixels of a tile are one net, at whichever multiple of that they begin:
+ * 1, 4, 16, 64 pixels. */
 static void tiles_of_sobol_are_nets(void **state)
 {
     (void)state;
@@ -92,8 +97,10 @@ static void tiles_of_sobol_are_nets(void **state)
     }
 }
 
-/* Any 4 x 4 pixels, wherever they begin, have the 16 n samples of one Hammersley set: i / 16 n, each once, with mirrored bits. */
-/* As the GLSL has it: set k is shifted by sample k n, too. The sets of a pixel from 0 on are one net, and so is each set of a tile. */
+/* Any 4 x 4 pixels, wherever they begin, have the 16 n samples of one Hammersley set: i / 16 n,
+ * each once, with mirrored bits. */
+/* As the GLSL has it: set k is shifted by sample k n, too. The sets of a pixel from 0 on are one
+ * net, and so is each set of a tile. */
 static void sets_of_frames_are_nets(void **state)
 {
     (void)state;
@@ -111,7 +118,8 @@ static void sets_of_frames_are_nets(void **state)
                 double shift[3];
                 indirect_sequence_shift(&of, pixel % 8, pixel / 8, shift);
                 for (int k = 0; k < 2; k++)
-                    samples[i][k] = turned(turned(sobol[i % COUNT][k], shift[k]), sobol[set * COUNT][k]);
+                    samples[i][k] =
+                        turned(turned(sobol[i % COUNT][k], shift[k]), sobol[set * COUNT][k]);
             }
             assert_net(LOG_COUNT + (one ? LOG_PIXELS : LOG_SETS));
         }
@@ -142,7 +150,8 @@ static void tiles_of_hammersley_are_one_set(void **state)
     }
 }
 
-/* Shifts of blue noise are three values of the mask that have nothing to do with each other; none and random have no table. */
+/* Shifts of blue noise are three values of the mask that have nothing to do with each other; none
+ * and random have no table. */
 static void blue_noise_and_none(void **state)
 {
     (void)state;
@@ -159,13 +168,17 @@ static void blue_noise_and_none(void **state)
     }
     for (int k = 0; k < 3; k++)
         assert_true(fabs(product[k]) < .06);
-    assert_int_equal(indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_none, 8}), 0);
-    assert_int_equal(indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_random, 8}), 0);
+    assert_int_equal(
+        indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_none, 8}), 0);
+    assert_int_equal(
+        indirect_sequence_edge(&(IndirectSequence){WORD_Sequence_sobol, WORD_Rotation_random, 8}),
+        0);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published), cmocka_unit_test(thirds_are_of_other_bases),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(sequences_are_as_they_are_published),
+                                       cmocka_unit_test(thirds_are_of_other_bases),
                                        cmocka_unit_test(sets_are_nets),
                                        cmocka_unit_test(tiles_of_sobol_are_nets),
                                        cmocka_unit_test(sets_of_frames_are_nets),

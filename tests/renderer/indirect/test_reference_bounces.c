@@ -1,6 +1,9 @@
-/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths: tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no edge is.
+/* Light by way of surfaces, of one bounce and of four, against Cycles, which traces paths:
+ * tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no
+ * edge is.
  *
- *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one bounce with each of these keys */
+ *     test_reference_bounces N KEYS... drawn N times as wide and high, and averaged: one bounce
+ *     with each of these keys */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -40,7 +43,8 @@ static float *draw(GlContext *gl, Render *render, int times, const char *keys)
     float *rgba = frame_floats_by(gl, render, scene), *mean = calloc(4 * EDGE * EDGE, sizeof *mean);
     assert_true(mean && scene->width == EDGE * times && scene->height == EDGE * times);
     for (int i = 0; i < 4 * EDGE * times * EDGE * times; i++) {
-        const int lane = i % 4, x = i / 4 % (EDGE * times) / times, y = i / 4 / (EDGE * times) / times;
+        const int lane = i % 4, x = i / 4 % (EDGE * times) / times,
+                  y = i / 4 / (EDGE * times) / times;
         mean[4 * (y * EDGE + x) + lane] += rgba[i] / (float)(times * times);
     }
     free(rgba);
@@ -48,7 +52,8 @@ static float *draw(GlContext *gl, Render *render, int times, const char *keys)
     return mean;
 }
 
-/* Over means of 4 x 4 pixels, as paths are noise: root of the mean square off, and how much more in the mean, both over the mean of light. */
+/* Over means of 4 x 4 pixels, as paths are noise: root of the mean square off, and how much more in
+ * the mean, both over the mean of light. */
 typedef struct {
     double off, more;
     int blocks;
@@ -66,7 +71,8 @@ static Result compare(const ReferencePicture *picture, const float *all, const f
                 const int pixel = (y + i / BLOCK) * picture->width + x + i % BLOCK;
                 even &= picture->rgba[4 * pixel + 3] == 1;
                 for (int k = 0; k < 3; k++) {
-                    mean[k] += ((double)all[4 * pixel + k] - (double)direct[4 * pixel + k]) / (BLOCK * BLOCK);
+                    mean[k] += ((double)all[4 * pixel + k] - (double)direct[4 * pixel + k]) /
+                               (BLOCK * BLOCK);
                     right[k] += (double)picture->rgba[4 * pixel + k] / (BLOCK * BLOCK);
                 }
             }
@@ -94,7 +100,8 @@ static void try_cases(int times, const Case *cases, int count)
 {
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .deep = true});
     float *direct = draw(gl, render, times, "");
     for (int i = 0; i < count; i++) {
         ReferencePicture picture;
@@ -102,8 +109,10 @@ static void try_cases(int times, const Case *cases, int count)
         float *all = draw(gl, render, times, cases[i].keys);
         const Result result = compare(&picture, all, direct);
         print_message("%s, %.*s: %.4f off, %.2f %% more in the mean, of %d blocks\n", cases[i].name,
-                      (int)strcspn(cases[i].keys, "\n"), cases[i].keys, result.off, 100 * result.more, result.blocks);
-        assert_true(result.blocks > 300 && result.off < cases[i].off && fabs(result.more) < cases[i].more);
+                      (int)strcspn(cases[i].keys, "\n"), cases[i].keys, result.off,
+                      100 * result.more, result.blocks);
+        assert_true(result.blocks > 300 && result.off < cases[i].off &&
+                    fabs(result.more) < cases[i].more);
         free(all);
         reference_picture_free(&picture);
     }
@@ -120,7 +129,8 @@ static void bounces_are_those_of_paths(void **state)
         {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .045, .02},
         {"cycles/bounced_4", "indirect: { bounces: 4, rays: 16, radius: 8 }\n", .04, .02},
     };
-    static const Case large = {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .02, .005};
+    static const Case large = {"cycles/bounced_1", "indirect: { bounces: 1, radius: 8 }\n", .02,
+                               .005};
     try_cases(1, cases, sizeof cases / sizeof *cases);
     try_cases(4, &large, 1);
 }

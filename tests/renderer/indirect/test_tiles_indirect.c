@@ -1,4 +1,5 @@
-/* Indirect light in tiles with as much around them as it looks at, against the same picture drawn at once; what has to be drawn at once. */
+/* Indirect light in tiles with as much around them as it looks at, against the same picture drawn
+ * at once; what has to be drawn at once. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -10,14 +11,20 @@
 enum { WIDTH = 128, HEIGHT = 96, PIXELS = WIDTH * HEIGHT, FEW = 4, TEXT = 2048 };
 
 /* Beside the axes: no edge runs through middles of pixels, where last bits decide. */
-#define CAMERA "camera: { camera: Perspective, position: [.13, -6, 1.21], target: [.02, 0, 1], angle: 30 }\n"
+#define CAMERA                                                                                     \
+    "camera: { camera: Perspective, position: [.13, -6, 1.21], target: [.02, 0, 1], angle: 30 }\n"
 static const char body[] =
-    "image: { width: 128, height: 96 }\nlights: [{ light: Point, position: [.1, -.4, 1.7], intensity: 1, shadows: none "
+    "image: { width: 128, height: 96 }\nlights: [{ light: Point, position: [.1, -.4, 1.7], "
+    "intensity: 1, shadows: none "
     "}]\nmaterials: { m: { material: Phong, diffuse: .7, specular: 0 } }\nobjects:\n"
-    "- { object: Box, size: [2.2, 2.2, .1], material: m, transform: { translation: [0, 0, -.05] } }\n"
-    "- { object: Box, size: [2.2, .1, 2.2], material: m, transform: { translation: [0, 1.05, 1] } }\n"
-    "- { object: Box, size: [.1, 2.2, 2.2], material: m, transform: { translation: [-1.05, 0, 1] } }\n"
-    "- { object: Box, size: [.6, .6, 1.2], material: m, transform: { translation: [-.35, .3, .6], rotation: [0, 0, .3] "
+    "- { object: Box, size: [2.2, 2.2, .1], material: m, transform: { translation: [0, 0, -.05] } "
+    "}\n"
+    "- { object: Box, size: [2.2, .1, 2.2], material: m, transform: { translation: [0, 1.05, 1] } "
+    "}\n"
+    "- { object: Box, size: [.1, 2.2, 2.2], material: m, transform: { translation: [-1.05, 0, 1] } "
+    "}\n"
+    "- { object: Box, size: [.6, .6, 1.2], material: m, transform: { translation: [-.35, .3, .6], "
+    "rotation: [0, 0, .3] "
     "} }\n"
     "- { object: Sphere, radius: .35, material: m, transform: { translation: [.4, -.4, .35] } }\n";
 
@@ -36,14 +43,16 @@ static int apart(const float *a, const float *b, double *most)
     return count;
 }
 
-static Scene *make_scene(const char *keys, const char *camera, const MatcOptions *options, MatcDocument **document)
+static Scene *make_scene(const char *keys, const char *camera, const MatcOptions *options,
+                         MatcDocument **document)
 {
     char text[TEXT];
     snprintf(text, sizeof text, "voxels: { size: 64 }\nindirect: { %s }\n%s%s", keys, camera, body);
     return frame_scene(text, options, document);
 }
 
-/* The rasteriser sums up from a tile's corner: depth is off by last bits (test_tiles.c), so that a ray may meet another voxel: of FEW pixels. */
+/* The rasteriser sums up from a tile's corner: depth is off by last bits (test_tiles.c), so that a
+ * ray may meet another voxel: of FEW pixels. */
 static void tiles_are_as_the_whole(void **state)
 {
     (void)state;
@@ -69,11 +78,13 @@ static void tiles_are_as_the_whole(void **state)
         float *whole = frame_floats(gl, scene, &render);
         memcpy(render.tile, (int[]){50, 38}, sizeof render.tile);
         Render *tiled = render_open(gl, &render);
-        assert_true(tiled && render_scene(tiled, scene) && render_tile_width(tiled) <= 50 && render_tile_height(tiled) <= 38);
+        assert_true(tiled && render_scene(tiled, scene) && render_tile_width(tiled) <= 50 &&
+                    render_tile_height(tiled) <= 38);
         render_close(tiled);
         float *parts = frame_tiles(gl, scene, &render);
         const int count = apart(whole, parts, &most);
-        print_message("%s, %s: %d pixels of tiles differ, by %.3f at most\n", cases[i].keys, cases[i].view, count, most);
+        print_message("%s, %s: %d pixels of tiles differ, by %.3f at most\n", cases[i].keys,
+                      cases[i].view, count, most);
         assert_true(count <= FEW);
         free(parts);
         free(whole);
@@ -82,28 +93,32 @@ static void tiles_are_as_the_whole(void **state)
     gl_close(gl);
 }
 
-/* What looks far, or goes on from frame to frame, is drawn at once; a camera that comes near makes the tiles anew. */
+/* What looks far, or goes on from frame to frame, is drawn at once; a camera that comes near makes
+ * the tiles anew. */
 static void what_looks_far_is_whole(void **state)
 {
     (void)state;
     static const struct {
         const char *keys, *camera;
         bool whole;
-    } cases[] = {{"method: voxels", CAMERA, false},
-                 {"method: voxels", "camera: { camera: Perspective, position: [0, -.9, 1], target: [0, 0, 1] }\n", false},
-                 {"method: hybrid", CAMERA, false},
-                 {"method: hybrid", "camera: { camera: Perspective, position: [0, -.9, 1], target: [0, 0, 1] }\n", true},
-                 {"method: march, radius: 3", CAMERA, true},
-                 {"method: voxels, samples: 2", CAMERA, true},
-                 {"method: march, radius: .1, bounces: 2", CAMERA, true},
-                 {"method: voxels, moving: half", CAMERA, true}};
+    } cases[] = {
+        {"method: voxels", CAMERA, false},
+        {"method: voxels",
+         "camera: { camera: Perspective, position: [0, -.9, 1], target: [0, 0, 1] }\n", false},
+        {"method: hybrid", CAMERA, false},
+        {"method: hybrid",
+         "camera: { camera: Perspective, position: [0, -.9, 1], target: [0, 0, 1] }\n", true},
+        {"method: march, radius: 3", CAMERA, true},
+        {"method: voxels, samples: 2", CAMERA, true},
+        {"method: march, radius: .1, bounces: 2", CAMERA, true},
+        {"method: voxels, moving: half", CAMERA, true}};
     const MatcOptions options = frame_exact_options();
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = make_scene(cases[i].keys, cases[i].camera, &options, &document);
-        Render *render =
-            render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .tile = {50, 38}});
+        Render *render = render_open(
+            gl, &(RenderOptions){.compile = &options, .view = "light", .tile = {50, 38}});
         assert_true(render && render_scene(render, scene));
         assert_int_equal(render_tile_height(render) == HEIGHT, cases[i].whole);
         if (!strcmp(cases[i].keys, "method: hybrid") && !cases[i].whole) {

@@ -1,5 +1,7 @@
-/* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both against a walk in double. Grids at random and hostile
- * ones; rays along axes, faces and edges, from outside, of any length, with lanes that are 0 or no numbers. Prints the bricks that a ray reads. */
+/* Rays through slice maps: voxelRay against the walk through single voxels, bit for bit, and both
+ * against a walk in double. Grids at random and hostile ones; rays along axes, faces and edges,
+ * from outside, of any length, with lanes that are 0 or no numbers. Prints the bricks that a ray
+ * reads. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -16,26 +18,29 @@ enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
 /* What it meets: t, or -1; the voxel, in two floats; bricks that were read. */
 static const char head[] =
     "uniform sampler2D rays;\n"
-    "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), 0); }\n"
+    "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), "
+    "0); }\n"
     "vec4 said(bool met, float t, ivec3 at, int steps)\n{\n"
     "    return met ? vec4(t, at.x + 1024 * at.y, at.z, steps) : vec4(-1.0, 0.0, 0.0, steps);\n}\n";
-static const char by_bricks[] =
+static const char by_bricks[] = "vec4 passPixel(ivec2 pixel)\n{\n"
+                                "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
+                                "    VoxelMeeting meeting;\n    float t;\n"
+                                "    bool met = voxelMeets(from.xyz, way.xyz, from.w, meeting);\n"
+                                "    if (met != voxelRay(from.xyz, way.xyz, from.w, t) || met && "
+                                "(t != meeting.t || !voxelIsFull(meeting.at))) "
+                                "return vec4(-9.0);\n"
+                                "    return said(met, meeting.t, meeting.at, meeting.bricks);\n}\n";
+static const char by_voxels[] =
     "vec4 passPixel(ivec2 pixel)\n{\n"
     "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
-    "    VoxelMeeting meeting;\n    float t;\n"
-    "    bool met = voxelMeets(from.xyz, way.xyz, from.w, meeting);\n"
-    "    if (met != voxelRay(from.xyz, way.xyz, from.w, t) || met && (t != meeting.t || !voxelIsFull(meeting.at))) "
-    "return vec4(-9.0);\n"
-    "    return said(met, meeting.t, meeting.at, meeting.bricks);\n}\n";
-static const char by_voxels[] = "vec4 passPixel(ivec2 pixel)\n{\n"
-                                "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n"
-                                "    VoxelHit hit = voxelWalk(from.xyz, way.xyz, from.w, 0, true);\n"
-                                "    return said(hit.way >= 0.0, hit.way, hit.at, 0);\n}\n";
+    "    VoxelHit hit = voxelWalk(from.xyz, way.xyz, from.w, 0, true);\n"
+    "    return said(hit.way >= 0.0, hit.way, hit.at, 0);\n}\n";
 
-static const char by_steps[] = "vec4 passPixel(ivec2 pixel)\n{\n"
-                               "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n    float t;\n"
-                               "    bool met = voxelMarch(from.xyz, from.w * way.xyz, 16, 0.25, t);\n"
-                               "    return said(met, t, ivec3(0), 0);\n}\n";
+static const char by_steps[] =
+    "vec4 passPixel(ivec2 pixel)\n{\n"
+    "    vec4 from = rayTexel(pixel, 0), way = rayTexel(pixel, 1);\n    float t;\n"
+    "    bool met = voxelMarch(from.xyz, from.w * way.xyz, 16, 0.25, t);\n"
+    "    return said(met, t, ivec3(0), 0);\n}\n";
 
 /* Texels of a ray: from and far, way. */
 typedef float Ray[2][4];
@@ -52,7 +57,8 @@ static double random_unit(void)
 /* -- grids */
 
 typedef enum { EMPTY, FULL, SPARSE, DENSE, SINGLES, BALL, SLABS, KINDS } Filling;
-static const char *const kinds[KINDS] = {"empty", "full", "sparse", "dense", "singles", "ball", "slabs"};
+static const char *const kinds[KINDS] = {"empty",   "full", "sparse", "dense",
+                                         "singles", "ball", "slabs"};
 
 static bool is_full(Filling kind, int size, const int at[3])
 {
@@ -86,7 +92,8 @@ static VoxelWords make_grid(Filling kind, int size)
             voxel_words_set(&words, at);
     }
     for (int i = 0; kind == SINGLES && i < 8; i++)
-        voxel_words_set(&words, (int[]){i & 1 ? size - 1 : 0, i & 2 ? size / 2 : 31, i & 4 ? size - 1 : size / 2 - 1});
+        voxel_words_set(&words, (int[]){i & 1 ? size - 1 : 0, i & 2 ? size / 2 : 31,
+                                        i & 4 ? size - 1 : size / 2 - 1});
     return words;
 }
 
@@ -95,11 +102,13 @@ typedef struct {
     GLuint slices, bricks, buffer;
 } Map;
 
-/* A full voxel is in a brick of each level: 4 x 4 x 4 voxels of it, which are 2^level wide. The highest level is the first in the buffer. */
+/* A full voxel is in a brick of each level: 4 x 4 x 4 voxels of it, which are 2^level wide. The
+ * highest level is the first in the buffer. */
 static void put_voxel(const int at[3], int size, uint64_t *bricks)
 {
     for (int level = 0, edge; (edge = size >> level >> 2) > 0; level++) {
-        const int above = (edge * edge * edge - 1) / 7; /* bricks of all levels above: 1 + 8 + 64 + .. */
+        /* bricks of all levels above: 1 + 8 + 64 + .. */
+        const int above = (edge * edge * edge - 1) / 7;
         const int voxel[3] = {at[0] >> level, at[1] >> level, at[2] >> level};
         bricks[above + (voxel[2] / 4 * edge + voxel[1] / 4) * edge + voxel[0] / 4] |=
             (uint64_t)1 << (voxel[0] % 4 + 4 * (voxel[1] % 4) + 16 * (voxel[2] % 4));
@@ -109,19 +118,22 @@ static void put_voxel(const int at[3], int size, uint64_t *bricks)
 /* Texels have two words, the lower first. */
 static void make_bricks(const GlContext *gl, const VoxelWords *words, Map *map)
 {
-    const int size = words->size, columns = size * size, high = size / 32, count = (size * size * size / 8 - 1) / 7;
+    const int size = words->size, columns = size * size, high = size / 32,
+              count = (size * size * size / 8 - 1) / 7;
     uint64_t *bricks = calloc((size_t)count, sizeof *bricks);
     uint32_t *halves = calloc((size_t)count, 2 * sizeof *halves);
     assert_true(bricks && halves);
     for (int i = 0; i < columns * high; i++)
         for (int bit = 0; words->words[i] && bit < 32; bit++)
             if (words->words[i] >> bit & 1)
-                put_voxel((int[]){i / high % size, i / high / size, i % high * 32 + bit}, size, bricks);
+                put_voxel((int[]){i / high % size, i / high / size, i % high * 32 + bit}, size,
+                          bricks);
     for (int i = 0; i < 2 * count; i++)
         halves[i] = (uint32_t)(bricks[i / 2] >> 32 * (i % 2));
     gl->GenBuffers(1, &map->buffer);
     gl->BindBuffer(GL_TEXTURE_BUFFER, map->buffer);
-    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)((size_t)count * sizeof *bricks), halves, GL_STATIC_DRAW);
+    gl->BufferData(GL_TEXTURE_BUFFER, (GLsizeiptr)((size_t)count * sizeof *bricks), halves,
+                   GL_STATIC_DRAW);
     gl->GenTextures(1, &map->bricks);
     gl->ActiveTexture(GL_TEXTURE0 + 1);
     gl->BindTexture(GL_TEXTURE_BUFFER, map->bricks);
@@ -140,7 +152,8 @@ static Map make_map(const GlContext *gl, const VoxelWords *words)
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32UI, words->size, words->size,
-                   (words->size / 32 + LANES - 1) / LANES, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT, texels);
+                   (words->size / 32 + LANES - 1) / LANES, 0, GL_RGBA_INTEGER, GL_UNSIGNED_INT,
+                   texels);
     make_bricks(gl, words, &map);
     free(texels);
     return map;
@@ -168,7 +181,8 @@ static void random_ray(int size, bool outside, Ray ray)
     ray[0][3] = (float)(size * (random_unit() < .5 ? .25 : 4) / sqrt(length));
 }
 
-/* Along axes, faces and edges; from corners; with lanes of 0 or nearly; lengths and lanes that no ray has. */
+/* Along axes, faces and edges; from corners; with lanes of 0 or nearly; lengths and lanes that no
+ * ray has. */
 static void hostile_ray(int number, int size, Ray ray)
 {
     static const float lanes[] = {0, -0.f, 1e-30f, -1e-30f, 1e-42f, 1, -1, 1, -1, .5f, 1e-4f, 3};
@@ -201,8 +215,10 @@ static void run(GlContext *gl, int size, const char *text, const char *body, flo
     ScreenPass pass;
     Framebuffer target;
     const bool compute = !strcmp(body, by_bricks);
-    const FramebufferSpec spec = {.width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
-    const TextureSpec texture = {.width = 2 * WIDE, .height = HIGH, .lanes = 4, .floats = rays[0][0]};
+    const FramebufferSpec spec = {
+        .width = WIDE, .height = HIGH, .color_count = 1, .color_format = GL_RGBA32F};
+    const TextureSpec texture = {
+        .width = 2 * WIDE, .height = HIGH, .lanes = 4, .floats = rays[0][0]};
     const ScreenPassText made = {
         .body = {render_text_voxel_map, text, head, body}, .format = "RGBA32F", .compute = compute};
     gl->ActiveTexture(GL_TEXTURE0);
@@ -234,7 +250,8 @@ typedef struct {
 /* The same in double, also of rays beside it; whether all meet one voxel, or none. */
 static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
 {
-    static const double beside[][3] = {{0, 0, 0}, {1, .4, -.7}, {-.6, 1, .3}, {.5, -.8, 1}, {-1, -.5, -.4}};
+    static const double beside[][3] = {
+        {0, 0, 0}, {1, .4, -.7}, {-.6, 1, .3}, {.5, -.8, 1}, {-1, -.5, -.4}};
     double longest = 0;
     for (int k = 0; k < 3; k++)
         longest = fmax(longest, fabs(ray[1][k]));
@@ -252,7 +269,8 @@ static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
     return true;
 }
 
-/* Of such a length, and in such a place, that what floats round off is as little as what rays are moved by. */
+/* Of such a length, and in such a place, that what floats round off is as little as what rays are
+ * moved by. */
 static bool is_plain(const Ray ray)
 {
     const double most = 1e4;
@@ -308,9 +326,10 @@ static void try_rays(GlContext *gl, Filling kind, const VoxelWords *words, bool 
     run(gl, size, render_text_voxel_ray, by_bricks, said[0]);
     run(gl, size, render_text_voxel_walk, by_voxels, said[1]);
     const Count count = compare(words);
-    print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f bricks a ray\n", size,
-                  kinds[kind], hostile ? "hostile" : "random ", count.met, RAYS, count.apart, count.wrong, count.unlike,
-                  count.bricks);
+    print_message("%3d %-7s %s: %4d of %d meet, %d apart; in double %d wrong, %d at an edge; %.1f "
+                  "bricks a ray\n",
+                  size, kinds[kind], hostile ? "hostile" : "random ", count.met, RAYS, count.apart,
+                  count.wrong, count.unlike, count.bricks);
     assert_int_equal(count.apart, 0);
     assert_int_equal(count.wrong, 0);
     if (!hostile)
@@ -336,7 +355,8 @@ static void rays_meet_what_a_walk_meets(void **state)
     gl_close(gl);
 }
 
-/* The march of the thesis: the first of 16 even places that is in a full voxel; places that are near a face may be on either side. */
+/* The march of the thesis: the first of 16 even places that is in a full voxel; places that are
+ * near a face may be on either side. */
 static int march(const VoxelWords *words, const Ray ray, bool *near_face)
 {
     for (int j = 1; j <= 16; j++) {

@@ -1,5 +1,6 @@
-/* Light of a parallelogram on a point: the GLSL against Lambert's formula and Arvo's moments in double, and those against sums over
- * triangles of the light. Points near, far, behind, on the light's plane and its edges. */
+/* Light of a parallelogram on a point: the GLSL against Lambert's formula and Arvo's moments in
+ * double, and those against sums over triangles of the light. Points near, far, behind, on the
+ * light's plane and its edges. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/area_reference.h"
@@ -13,11 +14,14 @@ enum { WIDE = 64, HIGH = 128, CASES = WIDE * HIGH, TEXELS = 5 };
 /* Texels of a case: corner, u, v and both sides, normal and exponent, axis. */
 static const char body[] =
     "uniform sampler2D cases;\n"
-    "vec4 caseTexel(ivec2 pixel, int i) { return texelFetch(cases, ivec2(5 * pixel.x + i, pixel.y), 0); }\n"
+    "vec4 caseTexel(ivec2 pixel, int i) { return texelFetch(cases, ivec2(5 * pixel.x + i, "
+    "pixel.y), 0); }\n"
     "vec4 passPixel(ivec2 pixel)\n{\n"
     "    vec4 v = caseTexel(pixel, 2), normal = caseTexel(pixel, 3);\n"
-    "    Area light = areaSeen(caseTexel(pixel, 0).xyz, caseTexel(pixel, 1).xyz, v.xyz, v.w > 0.0);\n"
-    "    return vec4(areaCosine(light, normal.xyz, AREA_ALL), areaLobe(light, areaHalf(light, normal.xyz), normal.xyz, caseTexel(pixel, 4).xyz, normal.w), "
+    "    Area light = areaSeen(caseTexel(pixel, 0).xyz, caseTexel(pixel, 1).xyz, v.xyz, v.w > "
+    "0.0);\n"
+    "    return vec4(areaCosine(light, normal.xyz, AREA_ALL), areaLobe(light, areaHalf(light, "
+    "normal.xyz), normal.xyz, caseTexel(pixel, 4).xyz, normal.w), "
     "0.0, 1.0);\n}\n";
 
 /* Its numbers, as the GLSL and the reference take them. */
@@ -66,12 +70,15 @@ static AreaCase case_of(const CaseTexels t)
     return c;
 }
 
-/* A light around a direction, 1 away, of edges 0.001 to 10; the lobe mostly near its middle; the normal on the lobe's side. */
+/* A light around a direction, 1 away, of edges 0.001 to 10; the lobe mostly near its middle; the
+ * normal on the lobe's side. */
 static void random_case(double exponent, CaseTexels t)
 {
     double middle[3], u[3], v[3], w[3], n[3], aside[3], corner[3];
-    const double size = pow(10, 4 * random_unit() - 3), other = size * pow(10, 2 * random_unit() - 1);
-    const double apart = (random_unit() < .3 ? 2 : 3 * random_unit() / sqrt(exponent + 1) + size * random_unit());
+    const double size = pow(10, 4 * random_unit() - 3),
+                 other = size * pow(10, 2 * random_unit() - 1);
+    const double apart =
+        (random_unit() < .3 ? 2 : 3 * random_unit() / sqrt(exponent + 1) + size * random_unit());
     random_direction(middle);
     random_direction(u);
     random_direction(v);
@@ -100,15 +107,18 @@ static void random_case(double exponent, CaseTexels t)
 /* What the GLSL says of CASES cases: x the cosine's integral, y the lobe's. */
 static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*said)[4])
 {
-    const TextureSpec texture = {.width = WIDE * TEXELS, .height = HIGH, .lanes = 4, .floats = cases[0][0]};
-    const ScreenPassText text = {.body = {render_text_light_area, body}, .format = "RGBA32F", .compute = compute};
+    const TextureSpec texture = {
+        .width = WIDE * TEXELS, .height = HIGH, .lanes = 4, .floats = cases[0][0]};
+    const ScreenPassText text = {
+        .body = {render_text_light_area, body}, .format = "RGBA32F", .compute = compute};
     frame_cases(gl, &text, &texture, (const int[]){WIDE, HIGH}, said[0]);
 }
 
 static CaseTexels cases[CASES];
 static float said[CASES][4];
 
-/* The most that its light could be: where it faces the surface, the lobe is all on it, or it fills all the lobe. */
+/* The most that its light could be: where it faces the surface, the lobe is all on it, or it fills
+ * all the lobe. */
 static double most_of(const AreaCase *c, double lobe)
 {
     const AreaPolygon seen = area_seen(c);
@@ -132,13 +142,14 @@ static void by_exponent(void **state)
         run(gl, (const CaseTexels *)cases, e % 2, said);
         for (int i = 0; i < CASES; i += 1 + exponents[e] / 500) {
             const AreaCase c = case_of((const float(*)[4])cases[i]);
-            const double cosine = fabs(said[i][0] - area_lambert(&c)), moment = fabs(said[i][1] - area_moment(&c));
+            const double cosine = fabs(said[i][0] - area_lambert(&c)),
+                         moment = fabs(said[i][1] - area_moment(&c));
             off[0] = fmax(off[0], fmax(cosine - ROUNDING, 0) / most_of(&c, 1));
             off[1] = fmax(off[1], moment / lobe);
             off[2] = fmax(off[2], fmax(moment - ROUNDING, 0) / most_of(&c, lobe));
         }
-        print_message("exponent %5d: cosine %.1e, lobe %.1e of its whole, %.1e of the light's\n", exponents[e], off[0],
-                      off[1], off[2]);
+        print_message("exponent %5d: cosine %.1e, lobe %.1e of its whole, %.1e of the light's\n",
+                      exponents[e], off[0], off[1], off[2]);
         faults += !(off[0] <= 1e-5) + !(off[2] <= 2e-3);
     }
     gl_close(gl);
@@ -162,7 +173,8 @@ static void by_triangles(void **state)
         const double integral = area_integral(&c), k = c.exponent;
         if (k == floor(k))
             off[0] = fmax(off[0], fabs((k > 0 ? area_moment(&c) : area_lambert(&c)) - integral));
-        off[1] = fmax(off[1], fmax(fabs(said[i][1] - integral) - ROUNDING, 0) / most_of(&c, 2 / (k + 2)));
+        off[1] = fmax(off[1],
+                      fmax(fabs(said[i][1] - integral) - ROUNDING, 0) / most_of(&c, 2 / (k + 2)));
     }
     print_message("moments are %.1e off the sum over triangles, the GLSL %.1e\n", off[0], off[1]);
     assert_true(off[0] <= 1e-7);
@@ -170,7 +182,8 @@ static void by_triangles(void **state)
     gl_close(gl);
 }
 
-/* A square of edge 2 a above a point that faces its middle, 1 away: 4 / pi * a / sqrt(1 + a^2) * atan(a / sqrt(1 + a^2)); a published form factor. */
+/* A square of edge 2 a above a point that faces its middle, 1 away: 4 / pi * a / sqrt(1 + a^2) *
+ * atan(a / sqrt(1 + a^2)); a published form factor. */
 static void closed_form(void **state)
 {
     (void)state;
@@ -188,13 +201,15 @@ static void closed_form(void **state)
     }
     run(gl, (const CaseTexels *)cases, true, said);
     for (int i = 0; i < HALVES; i++) {
-        const double x = halves[i] / sqrt(1 + halves[i] * halves[i]), share = 4 / AREA_PI * x * atan(x);
+        const double x = halves[i] / sqrt(1 + halves[i] * halves[i]),
+                     share = 4 / AREA_PI * x * atan(x);
         assert_true(fabs(said[i][0] - share) <= 1e-5 * share);
     }
     gl_close(gl);
 }
 
-/* Points on its plane, an edge, a corner; lights of no size that floats know; lobes along the horizon: numbers from 0 to 1. */
+/* Points on its plane, an edge, a corner; lights of no size that floats know; lobes along the
+ * horizon: numbers from 0 to 1. */
 static void stable(void **state)
 {
     (void)state;
@@ -204,7 +219,8 @@ static void stable(void **state)
     for (int i = 0; i < CASES; i++) {
         float(*t)[4] = cases[i];
         random_case(exponents[i % 6], t);
-        const float scale = (float)pow(10, 30 * random_unit() - 15), s = (float)(i / 6 % 3), half = .5f;
+        const float scale = (float)pow(10, 30 * random_unit() - 15), s = (float)(i / 6 % 3),
+                    half = .5f;
         for (int lane = 0; lane < 3; lane++) {
             if (i % 4 == 0) /* on a corner, an edge, or in the middle */
                 t[0][lane] = -half * s * t[1][lane] - (i % 3 ? half : 0) * t[2][lane];

@@ -1,5 +1,6 @@
-/* What far lights are taken for, at groups of surfaces made to be nasty: the series of their even light and the expansion of their gloss, as the GLSL
- * has them, against the light itself in double. What is left out is within the bounds that far_terms.glsl and far_lobe.glsl state. */
+/* What far lights are taken for, at groups of surfaces made to be nasty: the series of their even
+ * light and the expansion of their gloss, as the GLSL has them, against the light itself in double.
+ * What is left out is within the bounds that far_terms.glsl and far_lobe.glsl state. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -10,21 +11,31 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ACROSS = 32, HIGH = 128, CASES = ACROSS * HIGH, IN = 7, OUT = 3 /* texels of a case */, SURFACES = 24 };
+enum {
+    ACROSS = 32,
+    HIGH = 128,
+    CASES = ACROSS * HIGH,
+    IN = 7,
+    OUT = 3 /* texels of a case */,
+    SURFACES = 24
+};
 
 static const char head[] =
     "#define FAR_LIGHTS 512\n#define FAR_INVOCATIONS 8\n"
     "struct Lit { vec3 even, gloss; };\nvec3 surfaceEven(Lit m) { return m.even; }\n"
-    "vec3 surfaceGloss(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return false; }\n";
+    "vec3 surfaceGloss(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return false; "
+    "}\n";
 
 /* Of a lamp at a distance of 1, with a power of 1. */
 static const char body[] =
     "uniform sampler2D cases;\n"
     "vec4 passPixel(ivec2 pixel)\n{\n"
     "    vec4 t[7];\n"
-    "    for (int i = 0; i < 7; i++) t[i] = texelFetch(cases, ivec2(pixel.x / 3 * 7 + i, pixel.y), 0);\n"
+    "    for (int i = 0; i < 7; i++) t[i] = texelFetch(cases, ivec2(pixel.x / 3 * 7 + i, pixel.y), "
+    "0);\n"
     "    Group group;\n"
-    "    group.axis = t[1].xyz; group.exponent = t[1].w; group.view = t[2].xyz; group.radius = t[0].w;\n"
+    "    group.axis = t[1].xyz; group.exponent = t[1].w; group.view = t[2].xyz; group.radius = "
+    "t[0].w;\n"
     "    group.mirror = t[4].x; group.turn = t[4].y; group.lean = t[4].z; group.spread = t[4].w;\n"
     "    Far far = Far(t[0].xyz, vec3(1.0), t[0].w, t[3].w, t[3].x, t[3].y, t[3].z, true);\n"
     "    Lobe lobe = farLobe(far, group);\n"
@@ -37,12 +48,14 @@ static const char body[] =
     "    farSlopes(t[5].xyz, t[6].xyz, slopes);\n"
     "    for (int i = 0; i < FAR_TERMS; i++) even += slopes[i] * sums[i].x;\n"
     "    if (pixel.x % 3 == 0) return vec4(lobe.most, lobe.rest, gloss[0].x, even);\n"
-    "    return pixel.x % 3 == 1 ? vec4(gloss[1].x, gloss[2].x, gloss[3].x, farLeftOut(far.ratio))\n"
+    "    return pixel.x % 3 == 1 ? vec4(gloss[1].x, gloss[2].x, gloss[3].x, "
+    "farLeftOut(far.ratio))\n"
     "                            : vec4(gloss[4].x, gloss[5].x, gloss[6].x, 0.0);\n}\n";
 
 typedef double Vector[3];
 
-/* A surface of the group: where it is from the centre, in radii; its normal, mirrored view and exponent. */
+/* A surface of the group: where it is from the centre, in radii; its normal, mirrored view and
+ * exponent. */
 typedef struct {
     Vector at, normal, mirror;
     double exponent;
@@ -184,9 +197,10 @@ static void put_case(const Case *c, float t[IN][4])
 
 static void run(GlContext *gl, float (*in)[IN][4], float (*out)[OUT][4])
 {
-    const TextureSpec texture = {.width = ACROSS * IN, .height = HIGH, .lanes = 4, .floats = in[0][0]};
-    const ScreenPassText text = {.body = {head, render_text_far_terms, render_text_far_blocks, render_text_far_group,
-                                          render_text_far_lobe, body},
+    const TextureSpec texture = {
+        .width = ACROSS * IN, .height = HIGH, .lanes = 4, .floats = in[0][0]};
+    const ScreenPassText text = {.body = {head, render_text_far_terms, render_text_far_blocks,
+                                          render_text_far_group, render_text_far_lobe, body},
                                  .format = "RGBA32F",
                                  .compute = true};
     frame_cases(gl, &text, &texture, (const int[]){ACROSS * OUT, HIGH}, out[0][0]);
@@ -204,18 +218,21 @@ static double linear_of(const Case *c, const Patch *p, float (*said)[4])
     return sum;
 }
 
-/* The greatest share of the bound that gloss takes; every patch is within it, and the most is the most. Less than 0: it isn't expanded. */
+/* The greatest share of the bound that gloss takes; every patch is within it, and the most is the
+ * most. Less than 0: it isn't expanded. */
 static double check_gloss(const Case *c, float (*said)[4])
 {
     const double never = 1e29, rounding = 2e-6 * (1 + c->exponent);
     double share = -1;
     for (int i = 0; i < SURFACES; i++) {
-        const double gloss = gloss_of(c, &c->patches[i]), off = fabs(gloss - linear_of(c, &c->patches[i], said));
+        const double gloss = gloss_of(c, &c->patches[i]),
+                     off = fabs(gloss - linear_of(c, &c->patches[i], said));
         assert_true(gloss <= said[0][0] * (1 + rounding) + 1e-7);
         if (said[0][1] > never)
             continue;
         if (!(off <= said[0][1] + rounding))
-            fail_msg("exponent %g, ratio %g: off by %g, and the bound is %g", c->exponent, c->ratio, off, said[0][1]);
+            fail_msg("exponent %g, ratio %g: off by %g, and the bound is %g", c->exponent, c->ratio,
+                     off, said[0][1]);
         share = fmax(share, fmax(off - rounding, 0) / said[0][1]);
     }
     return share;
@@ -237,8 +254,9 @@ static void gloss_is_within_its_bound(void **state)
     for (int i = 0; i < CASES; i++)
         most[i % KINDS] = fmax(most[i % KINDS], check_gloss(&cases[i], out[i]));
     for (int kind = 1; kind < KINDS; kind++) {
-        print_message("wide %d, turned %d, leaning %d, sharper %d: %.2f of the bound\n", kind & WIDE, kind / TURNED & 1,
-                      kind / LEANING & 1, kind / SHARPER, most[kind]);
+        print_message("wide %d, turned %d, leaning %d, sharper %d: %.2f of the bound\n",
+                      kind & WIDE, kind / TURNED & 1, kind / LEANING & 1, kind / SHARPER,
+                      most[kind]);
         assert_true(most[kind] > .3);
     }
     gl_close(gl);
@@ -260,7 +278,8 @@ static void series_are_within_their_bound(void **state)
     for (int i = 0; i < CASES; i++) {
         const double q = cases[i].ratio, bound = pow(q, 6) * (7 - 6 * q) / pow(1 - q, 2);
         const double off = fabs(even_of(&cases[i], &cases[i].patches[1]) - out[i][0][3]);
-        assert_true(off <= bound + rounding && fabs(out[i][1][3] - bound) <= rounding * (1 + bound));
+        assert_true(off <= bound + rounding &&
+                    fabs(out[i][1][3] - bound) <= rounding * (1 + bound));
         most = fmax(most, (off - rounding) / bound);
     }
     print_message("series: %.2f of the bound\n", most);

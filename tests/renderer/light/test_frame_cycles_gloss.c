@@ -1,5 +1,8 @@
-/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Facets are GGX's in both, masked by height, and reflect light more than once; Fresnel's formula is Schlick's here, and there a
- * dielectric's of index 1.5, from the same colour to white: what was reflected once is taken from the one to the other by the angle between light and the facet, which is half of that between light and eye. */
+/* Principled balls in the sun against Cycles' Principled: tests/reference/README.md. Facets are
+ * GGX's in both, masked by height, and reflect light more than once; Fresnel's formula is Schlick's
+ * here, and there a dielectric's of index 1.5, from the same colour to white: what was reflected
+ * once is taken from the one to the other by the angle between light and the facet, which is half
+ * of that between light and eye. */
 /* ctest: alone */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
@@ -11,14 +14,17 @@
 enum { WIDTH = 192, HEIGHT = 144, PIXELS = WIDTH * HEIGHT, BALLS = 12, TEXT = 8000 };
 #define DOCUMENT SOURCE_FOLDER "/tests/reference/cycles/principled.yaml"
 
-static const double colors[3][3] = {{1, 1, 1}, {.9, .5, .3}, {.04, .04, .04}}, roughnesses[4] = {.25, .5, .75, 1};
+static const double colors[3][3] = {{1, 1, 1}, {.9, .5, .3}, {.04, .04, .04}},
+                    roughnesses[4] = {.25, .5, .75, 1};
 
-#define AGAIN                                                                                                          \
-    .85 /* what light that is reflected again may be off by: set by what is seen, where both lobes are lawful and none is the truth for the other */
+#define AGAIN                                                                                      \
+    .85 /* what light that is reflected again may be off by: set by what is seen, where both lobes \
+           are lawful and none is the truth for the other */
 #define STEP 3e-4 /* Cycles' noise, and 2^-14 of its file */
 
 /* The document, every `from` of its text replaced by a `to`; none where that is empty. */
-static Scene *open_scene(const char *from, const char *to, const MatcOptions *options, MatcDocument **document)
+static Scene *open_scene(const char *from, const char *to, const MatcOptions *options,
+                         MatcDocument **document)
 {
     char whole[TEXT] = "", text[TEXT] = "";
     Scene *scene = NULL;
@@ -31,7 +37,8 @@ static Scene *open_scene(const char *from, const char *to, const MatcOptions *op
     for (const char *at = whole; *at;) {
         const bool replaced = *from && !strncmp(at, from, strlen(from));
         assert_true(used + strlen(to) + 1 < TEXT);
-        used += (size_t)snprintf(text + used, TEXT - used, "%.*s", replaced ? (int)strlen(to) : 1, replaced ? to : at);
+        used += (size_t)snprintf(text + used, TEXT - used, "%.*s", replaced ? (int)strlen(to) : 1,
+                                 replaced ? to : at);
         at += replaced ? strlen(from) : 1;
     }
     *document = scene_read(DOCUMENT, text, strlen(text), options, &scene);
@@ -57,7 +64,8 @@ static double fresnel_ratio(double color, double cosine)
     return theirs / ours;
 }
 
-/* The cosines of eye and light on a ball, and of the angle between light and facet; false: the ray meets none. */
+/* The cosines of eye and light on a ball, and of the angle between light and facet; false: the ray
+ * meets none. */
 static bool place(const Scene *scene, int i, int *ball, double cosines[3])
 {
     const Ray ray = reference_ray(scene, i % WIDTH + .5, i / WIDTH + .5);
@@ -68,7 +76,8 @@ static bool place(const Scene *scene, int i, int *ball, double cosines[3])
         double from[3], n[3], h[3];
         for (int k = 0; k < 3; k++)
             from[k] = ray.at[k] - centre[k];
-        const double b = reference_dot(from, ray.way) / far, d = b * b - reference_dot(from, from) + .52 * .52;
+        const double b = reference_dot(from, ray.way) / far,
+                     d = b * b - reference_dot(from, from) + .52 * .52;
         if (d < 0)
             continue;
         const double t = -b - sqrt(d);
@@ -84,11 +93,14 @@ static bool place(const Scene *scene, int i, int *ball, double cosines[3])
     return false;
 }
 
-/* What GGX's facets reflect once of the sun's light, pi times the lobe and the cosine, by Schlick's formula. */
+/* What GGX's facets reflect once of the sun's light, pi times the lobe and the cosine, by Schlick's
+ * formula. */
 static double once(double color, double alpha, const double c[3])
 {
-    const double up = fmin((c[0] + c[1]) / (2 * c[2]), 1), wide = up * up * (alpha * alpha - 1) + 1, a2 = alpha * alpha;
-    const double seen = c[1] * sqrt(c[0] * c[0] * (1 - a2) + a2) + c[0] * sqrt(c[1] * c[1] * (1 - a2) + a2);
+    const double up = fmin((c[0] + c[1]) / (2 * c[2]), 1), wide = up * up * (alpha * alpha - 1) + 1,
+                 a2 = alpha * alpha;
+    const double seen =
+        c[1] * sqrt(c[0] * c[0] * (1 - a2) + a2) + c[0] * sqrt(c[1] * c[1] * (1 - a2) + a2);
     return a2 / (wide * wide) * .5 / seen * c[1] * (color + (1 - color) * pow(1 - c[2], 5));
 }
 
@@ -98,14 +110,18 @@ typedef struct {
     int count;
 } Judged;
 
-/* Light that was reflected once is within 2 %. What was reflected again goes by Kulla and Conty's lobe here, and by paths between facets there: as much in all directions together, but not in each. */
-static void judge(const float *wanted, const float *light, const double c[3], int ball, Judged *judged)
+/* Light that was reflected once is within 2 %. What was reflected again goes by Kulla and Conty's
+ * lobe here, and by paths between facets there: as much in all directions together, but not in
+ * each. */
+static void judge(const float *wanted, const float *light, const double c[3], int ball,
+                  Judged *judged)
 {
     for (int k = 0; k < 3; k++) {
-        const double color = colors[ball / 4][k], ratio = fresnel_ratio(color, c[2]), here = (double)light[k] * ratio,
-                     there = (double)wanted[k];
+        const double color = colors[ball / 4][k], ratio = fresnel_ratio(color, c[2]),
+                     here = (double)light[k] * ratio, there = (double)wanted[k];
         const double first = once(color, roughnesses[ball % 4] * roughnesses[ball % 4], c) * ratio;
-        judged->share[judged->count++] = fabs(here - there) / (.02 * first + AGAIN * fabs(here - first) + STEP);
+        judged->share[judged->count++] =
+            fabs(here - there) / (.02 * first + AGAIN * fabs(here - first) + STEP);
         judged->here += here;
         judged->there += there;
         judged->brightest[0] = fmax(judged->brightest[0], here);
@@ -120,7 +136,8 @@ static void draw(const char *from, const char *to, Judged judged[BALLS])
     ReferencePicture picture;
     MatcDocument *document;
     Scene *scene = open_scene(from, to, &options, &document);
-    float *light = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+    float *light = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
     assert_true(reference_picture_read("cycles/principled", &picture));
     memset(judged, 0, BALLS * sizeof *judged);
     for (int i = 0; i < PIXELS; i++) {
@@ -137,17 +154,23 @@ static void draw(const char *from, const char *to, Judged judged[BALLS])
     gl_close(gl);
 }
 
-static double quantile(const Judged *judged, double share) { return judged->share[(int)(share * (judged->count - 1))]; }
+static double quantile(const Judged *judged, double share)
+{
+    return judged->share[(int)(share * (judged->count - 1))];
+}
 
-/* Whether a ball is Cycles': each lane; all light; and the brightest, which is what facets reflect once, of smooth ones: of rough ones Cycles' noise. */
+/* Whether a ball is Cycles': each lane; all light; and the brightest, which is what facets reflect
+ * once, of smooth ones: of rough ones Cycles' noise. */
 static bool agrees(const Judged *judged, int ball, bool told)
 {
     static const double all[] = {.005, .05, .08, .12}, most[] = {.02, .02, 9, 9};
-    const double more = judged->here / judged->there - 1, brighter = judged->brightest[0] / judged->brightest[1] - 1;
+    const double more = judged->here / judged->there - 1,
+                 brighter = judged->brightest[0] / judged->brightest[1] - 1;
     if (told)
-        print_message(
-            "%5.2f %% more light, the brightest %5.2f %%; off by %.2f, 99 %% by %.2f of what may be; %d lanes\n",
-            100 * more, 100 * brighter, quantile(judged, .5), quantile(judged, .99), judged->count);
+        print_message("%5.2f %% more light, the brightest %5.2f %%; off by %.2f, 99 %% by %.2f of "
+                      "what may be; %d lanes\n",
+                      100 * more, 100 * brighter, quantile(judged, .5), quantile(judged, .99),
+                      judged->count);
     return judged->count > 3000 && quantile(judged, .99) < 1 && fabs(more) < all[ball % 4] &&
            fabs(brighter) < most[ball % 4];
 }

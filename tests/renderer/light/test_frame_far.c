@@ -1,5 +1,6 @@
-/* Far lights that are taken together, beside all that a renderer does otherwise: their memory, drivers that have too little for them, changes, tiles, edges,
- * layouts. That they are within their bound at all is test_frame_lights.c's. */
+/* Far lights that are taken together, beside all that a renderer does otherwise: their memory,
+ * drivers that have too little for them, changes, tiles, edges, layouts. That they are within their
+ * bound at all is test_frame_lights.c's. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -11,18 +12,19 @@
 
 enum { WIDTH = 72, HEIGHT = 100, PIXELS = WIDTH * HEIGHT, LIGHTS = 300 };
 
-static const FrameLamps hall = {"a hall",
-                                FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
-                                    "diffuse: [.6, .5, .4], specular: .2, shininess: .8") ", { object: Sphere, "
-                                                                                          "material: { material: "
-                                                                                          "Phong, diffuse: .7 } }]\n",
-                                "Point",
-                                LIGHTS,
-                                .3,
-                                2,
-                                4,
-                                20,
-                                1};
+static const FrameLamps hall = {
+    "a hall",
+    FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
+        "diffuse: [.6, .5, .4], specular: .2, shininess: .8") ", { object: Sphere, "
+                                                              "material: { material: "
+                                                              "Phong, diffuse: .7 } }]\n",
+    "Point",
+    LIGHTS,
+    .3,
+    2,
+    4,
+    20,
+    1};
 
 typedef struct {
     MatcOptions compile;
@@ -81,15 +83,18 @@ static void buffers_are_counted(void **state)
     render_close(all);
     for (size_t i = 0; i < sizeof memories / sizeof *memories; i++) {
         storage_bytes = 0;
-        Render *render = open_render(&h, &(RenderOptions){.compile = &h.compile, .memory = memories[i]});
-        const size_t pixels = (size_t)render_tile_width(render) * (size_t)render_tile_height(render);
+        Render *render =
+            open_render(&h, &(RenderOptions){.compile = &h.compile, .memory = memories[i]});
+        const size_t pixels =
+            (size_t)render_tile_width(render) * (size_t)render_tile_height(render);
         const size_t bytes = storage_bytes - before;
         assert_true(bytes > 2 * pixels); /* they are there */
         assert_int_equal(render_pixel_bytes(render), others + 4);
         if (render_tile_height(render) > RENDER_TILE_LEAST)
             assert_true(others * pixels + bytes <= (memories[i] ? memories[i] : RENDER_MEMORY));
         char *graph = frame_graph(render), said[128];
-        snprintf(said, sizeof said, "\nfar two buffers 4: %zu bytes for blocks of 32 x 32\n", bytes);
+        snprintf(said, sizeof said, "\nfar two buffers 4: %zu bytes for blocks of 32 x 32\n",
+                 bytes);
         assert_non_null(strstr(graph, said));
         free(graph);
         render_close(render);
@@ -110,7 +115,8 @@ static void get_less(GLenum name, GLint *value)
         *value = least;
 }
 
-/* Where a program may have too few storage buffers, or textures, all lights are summed; where a buffer may be too short, tiles are lower. */
+/* Where a program may have too few storage buffers, or textures, all lights are summed; where a
+ * buffer may be too short, tiles are lower. */
 static void drivers_with_less(void **state)
 {
     (void)state;
@@ -118,9 +124,12 @@ static void drivers_with_less(void **state)
         GLenum name;
         GLint most;
         bool enough;
-    } cases[] = {{GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 2, false},  {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 3, true},
-                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 5, false}, {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 6, true},
-                 {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 17, false},   {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 18, true}};
+    } cases[] = {{GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 2, false},
+                 {GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, 3, true},
+                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 5, false},
+                 {GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, 6, true},
+                 {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 17, false},
+                 {GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, 18, true}};
     Hall h = open_hall();
     RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
@@ -136,7 +145,9 @@ static void drivers_with_less(void **state)
     }
     scarce = GL_MAX_SHADER_STORAGE_BLOCK_SIZE;
     least =
-        3 * 3 * 2752 - 1; /* numbers of a block are 4 * 43 * 4 floats; three blocks are across, not quite three along */
+        /* numbers of a block are 4 * 43 * 4 floats; three blocks are across, not quite three
+         * along */
+        3 * 3 * 2752 - 1;
     Render *render = open_render(&h, &options);
     assert_int_equal(render_tile_height(render), 2 * 32);
     render_close(render);
@@ -153,13 +164,15 @@ static void drivers_with_less(void **state)
 
 static const double half_step = 1. / 510;
 
-/* Of two pictures of light, the most that a lane is apart as it is shown, in half steps; *differ: how many lanes do. */
+/* Of two pictures of light, the most that a lane is apart as it is shown, in half steps; *differ:
+ * how many lanes do. */
 static double most_apart(const float *a, const float *b, int *differ)
 {
     double most = 0;
     *differ = 0;
     for (int i = 0; i < PIXELS * 4; i++) {
-        most = fmax(most, fabs(frame_lamps_shown(SCENE_Clamp, 1, a[i]) - frame_lamps_shown(SCENE_Clamp, 1, b[i])));
+        most = fmax(most, fabs(frame_lamps_shown(SCENE_Clamp, 1, a[i]) -
+                               frame_lamps_shown(SCENE_Clamp, 1, b[i])));
         *differ += a[i] != b[i];
     }
     return most / half_step;
@@ -200,21 +213,23 @@ static void changes(void **state)
     close_hall(&h);
 }
 
-/* Tiles whose blocks are others than the picture's. A wall that faces the eye: its depth is the same in all of them, test_tiles.c. */
+/* Tiles whose blocks are others than the picture's. A wall that faces the eye: its depth is the
+ * same in all of them, test_tiles.c. */
 static void tiles(void **state)
 {
     (void)state;
     static const int sizes[][2] = {{WIDTH, 34}, {26, HEIGHT}, {14, 62}};
-    static const FrameLamps wall = {"a wall",
-                                    "camera: { camera: Perspective, position: [0, 0, 6], target: [0, 0, 0], up: [0, 1, "
-                                    "0] }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .3") "]\n",
-                                    "Point",
-                                    LIGHTS,
-                                    .3,
-                                    2,
-                                    4,
-                                    20,
-                                    1};
+    static const FrameLamps wall = {
+        "a wall",
+        "camera: { camera: Perspective, position: [0, 0, 6], target: [0, 0, 0], up: [0, 1, "
+        "0] }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .3") "]\n",
+        "Point",
+        LIGHTS,
+        .3,
+        2,
+        4,
+        20,
+        1};
     Hall h = open_lamps(&wall);
     RenderOptions options = {.compile = &h.compile, .view = "light", .lights = "all"};
     int differ;
@@ -233,8 +248,8 @@ static void tiles(void **state)
     close_hall(&h);
 }
 
-/* Other layouts than floats, of which test_frame_lights.c is: what is read there is the same for both sums. And groups that have as many invocations as
- * a GPU gives them. */
+/* Other layouts than floats, of which test_frame_lights.c is: what is read there is the same for
+ * both sums. And groups that have as many invocations as a GPU gives them. */
 static void layouts(void **state)
 {
     (void)state;
@@ -252,8 +267,8 @@ static void layouts(void **state)
         options.lights = "bounded";
         float *drawn = frame_floats(h.gl, h.scene, &options);
         const double most = most_apart(all, drawn, &differ);
-        print_message("%-8s %4.2f of half a step, %d lanes differ\n", cases[i].layout ? cases[i].layout : "default",
-                      most, differ);
+        print_message("%-8s %4.2f of half a step, %d lanes differ\n",
+                      cases[i].layout ? cases[i].layout : "default", most, differ);
         assert_true(most <= 1 && differ > 20); /* light as halves rounds most of it off */
         free(all);
         free(drawn);
@@ -261,12 +276,14 @@ static void layouts(void **state)
     close_hall(&h);
 }
 
-/* A blend of two pixels is within the bound of both: of a picture of 16 bits, whose own steps come on top. */
+/* A blend of two pixels is within the bound of both: of a picture of 16 bits, whose own steps come
+ * on top. */
 static void edges(void **state)
 {
     (void)state;
     Hall h = open_hall();
-    RenderOptions options = {.compile = &h.compile, .deep = true, .edges = RENDER_EDGES_coverage, .lights = "all"};
+    RenderOptions options = {
+        .compile = &h.compile, .deep = true, .edges = RENDER_EDGES_coverage, .lights = "all"};
     float *all = frame_floats(h.gl, h.scene, &options);
     options.lights = "bounded";
     float *drawn = frame_floats(h.gl, h.scene, &options);
@@ -285,14 +302,17 @@ static void edges(void **state)
     close_hall(&h);
 }
 
-/* Boxes so small that a block of pixels has the floor and three of their sides: each has sums of its own. */
+/* Boxes so small that a block of pixels has the floor and three of their sides: each has sums of
+ * its own. */
 static void sides_of_boxes(void **state)
 {
     (void)state;
     static const FrameLamps boxes = {
         "boxes",
-        "camera: { camera: Perspective, position: [3, -8, 6], target: [0, 0, 0] }\nobjects: [" FRAME_LAMPS_FLOOR(
-            "diffuse: .5") ", { object: Scatter, count: 400, size: [9, 9, 0], seed: 2, objects: [{ object: Box, "
+        "camera: { camera: Perspective, position: [3, -8, 6], target: [0, 0, 0] }\nobjects: "
+        "[" FRAME_LAMPS_FLOOR(
+            "diffuse: .5") ", { object: Scatter, count: 400, size: [9, 9, 0], seed: 2, objects: [{ "
+                           "object: Box, "
                            "size: [.2, .2, .3], material: { material: Phong, diffuse: .7 } }] }]\n",
         "Point",
         LIGHTS,

@@ -1,5 +1,5 @@
-/* Many lights: of every kind in any order, more than a block of numbers holds, against the reference in double; and far ones that are taken together,
- * against all of them. */
+/* Many lights: of every kind in any order, more than a block of numbers holds, against the
+ * reference in double; and far ones that are taken together, against all of them. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "runtime/frame/frame.h"
@@ -23,10 +23,12 @@ enum { TEXT = 1 << 20 };
 
 #define APPEND(...) size += (size_t)snprintf(text + size, TEXT - size, __VA_ARGS__)
 
-/* Behind the `size` characters that are there: a light above a plane, so that it shades nothing from it. Returns the new size. */
+/* Behind the `size` characters that are there: a light above a plane, so that it shades nothing
+ * from it. Returns the new size. */
 static size_t put_light(char *text, size_t size, const char *kind, int count)
 {
-    const bool directional = !strcmp(kind, "Directional"), area = !strcmp(kind, "Area"), spot = !strcmp(kind, "Spot");
+    const bool directional = !strcmp(kind, "Directional"), area = !strcmp(kind, "Area"),
+               spot = !strcmp(kind, "Spot");
     const double x = 6 * chance() - 3, y = 6 * chance() - 3, z = .3 + 2 * chance();
     const double red = chance(), green = chance(), blue = chance();
     APPEND("- { light: %s, color: [%.3f, %.3f, %.3f], intensity: %.5f", kind, red, green, blue,
@@ -52,21 +54,25 @@ static char *text_of(const char *const *kinds, int kind_count, int count)
     assert_non_null(text);
     state_of_lights = 1;
     size_t size = 0;
-    APPEND(
-        "image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, 0] "
-        "}\nobjects: [{ object: Plane, material: { material: Phong, diffuse: [.6, .5, .4], specular: .25, "
-        "shininess: .5 } }]\nlights:\n");
+    APPEND("image: { width: 96, height: 64 }\ncamera: { camera: Perspective, position: [.5, -6, "
+           "2.5], target: [0, 0, 0] "
+           "}\nobjects: [{ object: Plane, material: { material: Phong, diffuse: [.6, .5, .4], "
+           "specular: .25, "
+           "shininess: .5 } }]\nlights:\n");
     for (int i = 0; i < count; i++)
         size = put_light(text, size, kinds[i % kind_count], count);
     assert_true(size < TEXT);
     return text;
 }
 
-static const char *const every[] = {"Spot", "Point", "Area", "Directional", "Point", "Point", "Spot"};
-static const char *const without_areas[] = {"Spot", "Point", "Directional", "Point", "Point", "Spot"};
+static const char *const every[] = {"Spot",  "Point", "Area", "Directional",
+                                    "Point", "Point", "Spot"};
+static const char *const without_areas[] = {"Spot",  "Point", "Directional",
+                                            "Point", "Point", "Spot"};
 static const char *const spots[] = {"Spot"};
 
-/* Every light counts, wherever its numbers stand: in a block, or beyond its room in a texture; in both entries. */
+/* Every light counts, wherever its numbers stand: in a block, or beyond its room in a texture; in
+ * both entries. */
 static void every_light_counts(void **state)
 {
     (void)state;
@@ -88,7 +94,8 @@ static void every_light_counts(void **state)
         char *text = text_of(cases[i].kinds, cases[i].kind_count, cases[i].count);
         Scene *scene = frame_scene(text, &options, &document);
         float *rgba = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .fragment = cases[i].fragment});
+            gl, scene,
+            &(RenderOptions){.compile = &options, .view = "light", .fragment = cases[i].fragment});
         compare(scene, &options, rgba, &spread);
         assert_true(is_close(cases[i].name, 2e-6, &spread));
         free(rgba);
@@ -105,97 +112,116 @@ static const double half_step = 1. / 510;
 
 static const char halves[] = "light as halves";
 static const FrameLamps far_cases[] = {
-    {halves, FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400, .3, 1.2, 5,
-     20, 1},
+    {halves, FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n",
+     "Point", 400, .3, 1.2, 5, 20, 1},
     {"over the greatest",
      FRAME_LAMPS_CAMERA
-     "toneMapping: { toneMapping: Linear, exposure: 1 }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n",
+     "toneMapping: { toneMapping: Linear, exposure: 1 }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: [.6, .5, .4]") "]\n",
      "Point", 400, .3, 1.2, 5, 20, 3},
     {"as film is exposed",
-     FRAME_LAMPS_CAMERA
-     "toneMapping: { toneMapping: Exponential }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n",
+     FRAME_LAMPS_CAMERA "toneMapping: { toneMapping: Exponential }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: [.6, .5, .4]") "]\n",
      "Point", 400, .3, 1.2, 5, 20, 1},
     {"a shoulder",
-     FRAME_LAMPS_CAMERA
-     "toneMapping: { toneMapping: Shoulder }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n",
+     FRAME_LAMPS_CAMERA "toneMapping: { toneMapping: Shoulder }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: [.6, .5, .4]") "]\n",
      "Point", 400, .3, 1.2, 5, 20, 1},
-    {"above a floor", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400,
+    {"above a floor",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: [.6, .5, .4]") "]\n", "Point", 400,
      .3, 1.2, 5, 20, 1},
-    {"a dark floor", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .02") "]\n", "Point", 400, .3, 1.2, 5,
-     20, 1},
-    {"just above it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 300, .004, .03,
-     5, 2, 1},
-    {"below it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 300, -1, .2, 5, 9, 1},
+    {"a dark floor", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .02") "]\n",
+     "Point", 400, .3, 1.2, 5, 20, 1},
+    {"just above it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "Point", 300, .004, .03, 5, 2, 1},
+    {"below it", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point",
+     300, -1, .2, 5, 9, 1},
     {"seen at a grazing angle",
-     "camera: { camera: Perspective, position: [0, -7, .2], target: [0, 0, 0] }\nobjects: [" FRAME_LAMPS_FLOOR(
-         "diffuse: .5") "]\n",
+     "camera: { camera: Perspective, position: [0, -7, .2], target: [0, 0, 0] }\nobjects: "
+     "[" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
      "Point", 300, .3, 1, 5, 20, 1},
-    {"gloss", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .9, shininess: .95") "]\n",
+    {"gloss",
+     FRAME_LAMPS_CAMERA
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .9, shininess: .95") "]\n",
      "Point", 300, .3, 1.2, 5, 9, 1},
-    {"broad gloss", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n",
+    {"broad gloss",
+     FRAME_LAMPS_CAMERA
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .5, shininess: .2") "]\n",
      "Point", 120, .3, 1.2, 5, 9, 1},
     {"gloss of few pixels",
-     FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .7, shininess: .5") "]\n", "Point", 300,
-     .6, 3, 6, 9, 1},
-    {"sharper", FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .9, shininess: .8") "]\n",
+     FRAME_LAMPS_ZOOM
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .7, shininess: .5") "]\n",
+     "Point", 300, .6, 3, 6, 9, 1},
+    {"sharper",
+     FRAME_LAMPS_ZOOM
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .9, shininess: .8") "]\n",
      "Point", 300, 2, 6, 9, 30, 1},
     {"gloss of a ball",
-     FRAME_LAMPS_ZOOM "objects: [{ object: Sphere, radius: 1, material: { material: Phong, diffuse: .2, specular: .7, "
+     FRAME_LAMPS_ZOOM "objects: [{ object: Sphere, radius: 1, material: { material: Phong, "
+                      "diffuse: .2, specular: .7, "
                       "shininess: .4 } }]\n",
      "Point", 300, 4, 9, 9, 60, 1},
     {"parallel rays on gloss",
-     "camera: { camera: Orthographic, position: [.5, -6, 3], size: .5, depth: 40 }\nobjects: [" FRAME_LAMPS_FLOOR(
-         "diffuse: .2, specular: .7, shininess: .5") "]\n",
+     "camera: { camera: Orthographic, position: [.5, -6, 3], size: .5, depth: 40 }\nobjects: "
+     "[" FRAME_LAMPS_FLOOR("diffuse: .2, specular: .7, shininess: .5") "]\n",
      "Point", 300, .6, 3, 6, 9, 1},
     {"shininess that varies",
-     FRAME_LAMPS_ZOOM "objects: [" FRAME_LAMPS_FLOOR(
-         "diffuse: .3, specular: .7, shininess: { map: Checker, color1: .5, color2: .53, input: { map: UVTransform, "
-         "scaleU: 300, scaleV: 300 } }") "]\n",
+     FRAME_LAMPS_ZOOM
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .3, specular: .7, shininess: { map: Checker, color1: "
+                                    ".5, color2: .53, input: { map: UVTransform, "
+                                    "scaleU: 300, scaleV: 300 } }") "]\n",
      "Point", 300, .6, 3, 6, 9, 1},
     {"gloss from infinitely far",
-     "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0], angle: 12 }\nobjects: "
+     "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0], angle: 12 "
+     "}\nobjects: "
      "[" FRAME_LAMPS_FLOOR("diffuse: .1, specular: .9, shininess: .5") "]\n",
      "Directional", 100, 1, 2, 1, 1, 1},
-    {"borders of cones", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Spot", 200, 3, 6, 4,
-     200, 1},
+    {"borders of cones", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "Spot", 200, 3, 6, 4, 200, 1},
     {"spots among points",
-     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .2, shininess: .4") "]\n",
+     FRAME_LAMPS_CAMERA
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, specular: .2, shininess: .4") "]\n",
      FRAME_LAMPS_BOTH, 200, .5, 3, 5, 30, 1},
     {"from infinitely far",
      FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
          "diffuse: .5") ", { object: Sphere, material: { material: Phong, diffuse: .7 } }]\n",
      "Directional", 100, 1, 2, 1, 1, 1},
-    {"one is bright", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n", "Point", 500, .3, 1.2, 5,
-     3, 3000},
+    {"one is bright", FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "Point", 500, .3, 1.2, 5, 3, 3000},
     {"spheres before each other",
      FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
          "diffuse: .5") ", { object: Scatter, count: 40, size: [6, 6, 1], seed: 3, objects: "
-                        "[{ object: Sphere, radius: .2, material: { material: Phong, diffuse: [.9, .4, .2] } }] }]\n",
+                        "[{ object: Sphere, radius: .2, material: { material: Phong, diffuse: [.9, "
+                        ".4, .2] } }] }]\n",
      "Point", 300, .3, 3, 5, 20, 1},
     {"a checker of black and white",
-     FRAME_LAMPS_CAMERA
-     "objects: [" FRAME_LAMPS_FLOOR("diffuse: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: "
-                                    "40, scaleV: 40 } }, specular: { map: Checker, color1: 0, color2: .2 }") "]\n",
+     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: { map: Checker, color1: 1, color2: 0, input: { map: UVTransform, scaleU: "
+         "40, scaleV: 40 } }, specular: { map: Checker, color1: 0, color2: .2 }") "]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
     {"glass over it",
      FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR(
-         "diffuse: .5") ", { object: Box, size: [3, 3, .1], transform: { translation: [0, 0, .6] }, "
+         "diffuse: .5") ", { object: Box, size: [3, 3, .1], transform: { translation: [0, 0, .6] "
+                        "}, "
                         "material: { material: RGBA, r: .9, g: .5, b: .2, a: .3 } }]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
     {"light from behind",
-     FRAME_LAMPS_CAMERA "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, diffuseTransparency: [.5, .3, .1]") "]\n", "Point",
-     300, -1, 1, 5, 20, 1},
+     FRAME_LAMPS_CAMERA
+     "objects: [" FRAME_LAMPS_FLOOR("diffuse: .5, diffuseTransparency: [.5, .3, .1]") "]\n",
+     "Point", 300, -1, 1, 5, 20, 1},
     {"parallel rays",
-     "camera: { camera: Orthographic, position: [.5, -6, 3], size: 4, depth: 40 }\nobjects: [" FRAME_LAMPS_FLOOR(
-         "diffuse: .5") "]\n",
+     "camera: { camera: Orthographic, position: [.5, -6, 3], size: 4, depth: 40 }\nobjects: "
+     "[" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
      "Point", 300, .3, 1.2, 5, 20, 1},
     {"a film, brighter",
      FRAME_LAMPS_CAMERA
-     "toneMapping: { toneMapping: Filmic, exposure: 2 }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "toneMapping: { toneMapping: Filmic, exposure: 2 }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .5") "]\n",
      "Point", 400, .3, 1.2, 5, 3, 1},
     {"a film, darker",
      FRAME_LAMPS_CAMERA
-     "toneMapping: { toneMapping: Filmic, exposure: -3 }\nobjects: [" FRAME_LAMPS_FLOOR("diffuse: .5") "]\n",
+     "toneMapping: { toneMapping: Filmic, exposure: -3 }\nobjects: [" FRAME_LAMPS_FLOOR(
+         "diffuse: .5") "]\n",
      "Point", 400, .3, 1.2, 5, 60, 1},
 };
 
@@ -216,11 +242,14 @@ static double half_off(double all, double bounded)
     return fabs(bounded - all) / (.5 * ldexp(1, exponent - 11));
 }
 
-/* A pixel's lane as it is shown; `whole` is the picture's greatest: the tone mapping Linear makes 1 of it. */
+/* A pixel's lane as it is shown; `whole` is the picture's greatest: the tone mapping Linear makes 1
+ * of it. */
 static double shown(const Scene *scene, const float *pixel, int lane, double whole)
 {
-    const double greatest = scene->tone == SCENE_Linear ? whole : scene->exposure * greatest_of(pixel, 1);
-    return frame_lamps_encoded(frame_lamps_mapped(scene->tone, scene->exposure * pixel[lane], greatest));
+    const double greatest =
+        scene->tone == SCENE_Linear ? whole : scene->exposure * greatest_of(pixel, 1);
+    return frame_lamps_encoded(
+        frame_lamps_mapped(scene->tone, scene->exposure * pixel[lane], greatest));
 }
 
 /* The most that a pixel is off, in half steps; *apart: how many lanes are. */
@@ -258,7 +287,8 @@ static void far_lights_are_within_the_bound(void **state)
         int apart;
         Scene *scene = frame_scene(text, &options, &document);
         const bool linear = !strcmp(c->name, halves);
-        RenderOptions drawn = {.compile = &options, .view = "light", .lights = "all", .linear = linear};
+        RenderOptions drawn = {
+            .compile = &options, .view = "light", .lights = "all", .linear = linear};
         float *all = frame_floats(gl, scene, &drawn);
         drawn.lights = "bounded";
         float *bounded = frame_floats(gl, scene, &drawn);

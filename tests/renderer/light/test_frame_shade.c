@@ -1,6 +1,8 @@
-/* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over the ground. A picture with shadows over
- * one without is the share of light that arrives. It is that of the ray wherever no end of a shadow is near: where points of the surface's
- * tangent plane, a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what is dark is acne. */
+/* Shadows against rays of Embree, for each kind of light, from straight above to half a degree over
+ * the ground. A picture with shadows over one without is the share of light that arrives. It is
+ * that of the ray wherever no end of a shadow is near: where points of the surface's tangent plane,
+ * a few texels away as the light sees them, all agree. So what is lit wrongly there is a leak, what
+ * is dark is acne. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"
@@ -48,15 +50,16 @@ static void add_pixel(const Tracer *tracer, int pixel, double share, Count *coun
     count->leaks += expected == 0 && share > 1e-3;
 }
 
-static Count compare(GlContext *gl, const char *text, void (*add)(const Tracer *, int, double, Count *))
+static Count compare(GlContext *gl, const char *text,
+                     void (*add)(const Tracer *, int, double, Count *))
 {
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Count count = {0};
     Scene *scene = frame_scene(text, &options, &document);
     float *with = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
-    float *without =
-        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
+    float *without = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = true});
     Tracer tracer = reference_open(scene);
     for (int i = 0; i < PIXELS; i++)
         if (without[4 * i] > 1e-7f)
@@ -75,7 +78,8 @@ typedef struct {
 } Lamp;
 
 /* The light stands at an angle, 6 from the origin, and shines there. */
-static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], const char *objects, const char *maps)
+static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], const char *objects,
+                      const char *maps)
 {
     char text[4096], place_text[128] = "", direction_text[128] = "";
     double at[3];
@@ -83,13 +87,16 @@ static Count at_angle(GlContext *gl, const Lamp *lamp, const double angle[2], co
     if (lamp->placed)
         snprintf(place_text, sizeof place_text, ", position: [%g, %g, %g]", at[0], at[1], at[2]);
     if (lamp->directed)
-        snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    snprintf(text, sizeof text, VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" SHADOW_SCENE_THINGS(""), maps,
+        snprintf(direction_text, sizeof direction_text, ", direction: [%g, %g, %g]", -at[0], -at[1],
+                 -at[2]);
+    snprintf(text, sizeof text,
+             VIEW "shadowMaps: %s\nlights: [{ light: %s%s%s }]\n%s" SHADOW_SCENE_THINGS(""), maps,
              lamp->kind, place_text, direction_text, objects);
     return compare(gl, text, add_pixel);
 }
 
-static void by_every_angle(const char *name, const Lamp *lamp, const char *objects, const char *maps)
+static void by_every_angle(const char *name, const Lamp *lamp, const char *objects,
+                           const char *maps)
 {
     GlContext *gl = frame_context();
     Count all = {0};
@@ -97,8 +104,9 @@ static void by_every_angle(const char *name, const Lamp *lamp, const char *objec
         const Count count = at_angle(gl, lamp, shadow_angles[i], objects, maps);
         all.lit += count.lit, all.dark += count.dark, all.band += count.band;
         all.acne += count.acne, all.leaks += count.leaks;
-        print_message("%-12s %4g degrees: %5d lit, %5d dark, %5d in bands; acne %d, leaks %d\n", name,
-                      shadow_angles[i][0], count.lit, count.dark, count.band, count.acne, count.leaks);
+        print_message("%-12s %4g degrees: %5d lit, %5d dark, %5d in bands; acne %d, leaks %d\n",
+                      name, shadow_angles[i][0], count.lit, count.dark, count.band, count.acne,
+                      count.leaks);
     }
     gl_close(gl);
     assert_true(all.lit > 8000 && all.dark > 2000);
@@ -117,13 +125,15 @@ static void directional(void **state)
 static void spot(void **state)
 {
     (void)state;
-    by_every_angle("spot", &(Lamp){"Spot, innerAngle: 30, outerAngle: 45", true, true}, SHADOW_SCENE_GROUND, HARD);
+    by_every_angle("spot", &(Lamp){"Spot, innerAngle: 30, outerAngle: 45", true, true},
+                   SHADOW_SCENE_GROUND, HARD);
 }
 
 static void wide_spot(void **state)
 {
     (void)state;
-    by_every_angle("wide spot", &(Lamp){"Spot, innerAngle: 80, outerAngle: 100", true, true}, SHADOW_SCENE_PLANE, HARD);
+    by_every_angle("wide spot", &(Lamp){"Spot, innerAngle: 80, outerAngle: 100", true, true},
+                   SHADOW_SCENE_PLANE, HARD);
 }
 
 static void point(void **state)
@@ -136,20 +146,23 @@ static void point(void **state)
 static void filtered(void **state)
 {
     (void)state;
-    by_every_angle("filter 1", &(Lamp){"Directional", false, true}, SHADOW_SCENE_GROUND, "{ filter: 1 }");
+    by_every_angle("filter 1", &(Lamp){"Directional", false, true}, SHADOW_SCENE_GROUND,
+                   "{ filter: 1 }");
     by_every_angle("filter 3", &(Lamp){"Point", true, false}, SHADOW_SCENE_PLANE, "{ filter: 3 }");
 }
 
 /* -- where the eye is the light, all that is seen is lit */
 
-/* A neighbour is far behind or in front of it: within a texel, the map may have the one or the other. Where meshes meet there is no step. */
+/* A neighbour is far behind or in front of it: within a texel, the map may have the one or the
+ * other. Where meshes meet there is no step. */
 static bool has_step(const Tracer *tracer, int pixel, const Hit *hit)
 {
     for (int k = 0; k < 9; k++) {
-        const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + k % 3 - .5, pixel / WIDTH + k / 3 - .5);
+        const Ray ray =
+            reference_ray(tracer->scene, pixel % WIDTH + k % 3 - .5, pixel / WIDTH + k / 3 - .5);
         const Hit other = reference_hit(tracer, &ray, 0);
-        if (other.object < 0 ||
-            (other.object != hit->object && fabs(other.distance - hit->distance) > .03 * hit->distance))
+        if (other.object < 0 || (other.object != hit->object &&
+                                 fabs(other.distance - hit->distance) > .03 * hit->distance))
             return true;
     }
     return false;
@@ -169,18 +182,19 @@ static void add_dark(const Tracer *tracer, int pixel, double share, Count *count
 static void seen_from_the_light(void **state)
 {
     (void)state;
-    static const char *const lamps[] = {"Point", "Spot, direction: [-1.5, 7, -3.5], innerAngle: 40, outerAngle: 44"};
+    static const char *const lamps[] = {
+        "Point", "Spot, direction: [-1.5, 7, -3.5], innerAngle: 40, outerAngle: 44"};
     GlContext *gl = frame_context();
     for (int filter = 0; filter < 4; filter++)
         for (int i = 0; i < 2; i++) {
             char text[4096];
             snprintf(text, sizeof text,
-                     VIEW
-                     "shadowMaps: { filter: %d }\nlights: [{ light: %s, position: [1.5, -7, 4] }]\n" SHADOW_SCENE_GROUND
-                         SHADOW_SCENE_THINGS(""),
+                     VIEW "shadowMaps: { filter: %d }\nlights: [{ light: %s, position: [1.5, -7, "
+                          "4] }]\n" SHADOW_SCENE_GROUND SHADOW_SCENE_THINGS(""),
                      filter, lamps[i]);
             const Count count = compare(gl, text, add_dark);
-            print_message("filter %d, %.5s: %d lit, acne %d\n", filter, lamps[i], count.lit, count.acne);
+            print_message("filter %d, %.5s: %d lit, acne %d\n", filter, lamps[i], count.lit,
+                          count.acne);
             assert_true(count.lit > 4000);
             assert_int_equal(count.acne, 0);
         }
@@ -217,8 +231,10 @@ static void switches(void **state)
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char *graph = graph_of(gl, cases[i].switched, cases[i].none);
-        assert_int_equal(strstr(graph, "6 maps of 1024 x 1024, DEPTH32F, 25165824 bytes") != NULL, cases[i].maps);
-        assert_int_equal(strstr(graph, "shadow - shadow not run: nothing to do") == NULL, cases[i].maps);
+        assert_int_equal(strstr(graph, "6 maps of 1024 x 1024, DEPTH32F, 25165824 bytes") != NULL,
+                         cases[i].maps);
+        assert_int_equal(strstr(graph, "shadow - shadow not run: nothing to do") == NULL,
+                         cases[i].maps);
         free(graph);
     }
     gl_close(gl);

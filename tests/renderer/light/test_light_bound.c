@@ -1,5 +1,6 @@
-/* What is left out of far lights keeps the picture within half a step of 8 bits, or of halves: the claims of light_bound.c, proved by intervals and by
- * signs of polynomials where they are proved by numbers, tried where its comment proves them. */
+/* What is left out of far lights keeps the picture within half a step of 8 bits, or of halves: the
+ * claims of light_bound.c, proved by intervals and by signs of polynomials where they are proved by
+ * numbers, tried where its comment proves them. */
 #include "tests/test.h"
 #include "runtime/light/light_far.h"
 #include "tests/frame/frame_lamps.h"
@@ -12,7 +13,8 @@ typedef struct {
     double slope, start;
 } Line;
 
-/* By how much a lane y, as it is mapped, may be off: the lesser of two lines; for light that is off by r times itself and a. */
+/* By how much a lane y, as it is mapped, may be off: the lesser of two lines; for light that is off
+ * by r times itself and a. */
 typedef struct {
     SceneKind tone;
     Line lines[2]; /* in r and a */
@@ -34,8 +36,8 @@ static double most_off(const Off *off, double y)
                 off->lines[1].slope * budget[0] * y + off->lines[1].start * budget[1]);
 }
 
-/* The encoding rises: between two values y, off by less than at the upper one, it is off by less than this interval says. Below the first, where it is a
- * line, by 12.92 times what y is off. */
+/* The encoding rises: between two values y, off by less than at the upper one, it is off by less
+ * than this interval says. Below the first, where it is a line, by 12.92 times what y is off. */
 static void encoded_is_within_half_a_step(void **state)
 {
     (void)state;
@@ -46,7 +48,8 @@ static void encoded_is_within_half_a_step(void **state)
             const double above = fmin(y * step, 1), below = y - most_off(&offs[i], above);
             most = fmax(most, frame_lamps_encoded(above) - frame_lamps_encoded(fmax(below, 0)));
         }
-        print_message("%s: %.3f of half a step\n", scene_kind_table[offs[i].tone].name, most / half_step);
+        print_message("%s: %.3f of half a step\n", scene_kind_table[offs[i].tone].name,
+                      most / half_step);
         assert_true(most < half_step);
     }
 }
@@ -54,7 +57,8 @@ static void encoded_is_within_half_a_step(void **state)
 /* A lane, and the greatest one beside it, off to either side. */
 static void expect_mapped(const Off *off, const double budget[2], double x, double greatest)
 {
-    const double y = frame_lamps_mapped(off->tone, x, greatest), most = most_off(off, y) * (1 + 1e-9) + 1e-15;
+    const double y = frame_lamps_mapped(off->tone, x, greatest),
+                 most = most_off(off, y) * (1 + 1e-9) + 1e-15;
     for (int signs = 0; signs < 4; signs++) {
         const double a = signs & 1 ? 1 : -1, b = x < greatest ? (signs & 2 ? 1 : -1) : a;
         const double lane = fmax(x + a * (budget[0] * x + budget[1]), 0);
@@ -110,8 +114,8 @@ static Polynomial shifted(Polynomial a, double from, double by)
     return p;
 }
 
-/* It is above 0 from `low` to `high`, since all of Bernstein's coefficients are, of both halves if not of the whole. For example 1 - 2 t + 2 t^2 has 1, 0, 1,
- * on its left half 1, 1/2, 1/2. */
+/* It is above 0 from `low` to `high`, since all of Bernstein's coefficients are, of both halves if
+ * not of the whole. For example 1 - 2 t + 2 t^2 has 1, 0, 1, on its left half 1, 1/2, 1/2. */
 static bool is_above(Polynomial p, double low, double high, int depth)
 {
     static const double binomial[] = {1, 4, 6, 4, 1};
@@ -126,11 +130,13 @@ static bool is_above(Polynomial p, double low, double high, int depth)
         all = all && b > 0;
     }
     const double middle = .5 * (low + high);
-    return all || (depth > 0 && is_above(p, low, middle, depth - 1) && is_above(p, middle, high, depth - 1));
+    return all || (depth > 0 && is_above(p, low, middle, depth - 1) &&
+                   is_above(p, middle, high, depth - 1));
 }
 
-/* |m(x') - m(x)| < slope m(x) + start, times both denominators, for x' = x + sign (r x + a), to where the film is white. Below a / (1 - r), where light that
- * is off may be none, m(x) itself is less. */
+/* |m(x') - m(x)| < slope m(x) + start, times both denominators, for x' = x + sign (r x + a), to
+ * where the film is white. Below a / (1 - r), where light that is off may be none, m(x) itself is
+ * less. */
 static bool film_is_off_by_less(Line line, const double budget[2], int sign)
 {
     const double white = 7.25, dark = budget[1] / (1 - budget[0]);

@@ -1,5 +1,6 @@
-/* A coat with a normal of its own: what the slot says, by OpenPBR's words; the coat's lobe about it against GGX in double; light that changes places with the eye;
- * a surface that sends no more than arrives. */
+/* A coat with a normal of its own: what the slot says, by OpenPBR's words; the coat's lobe about it
+ * against GGX in double; light that changes places with the eye; a surface that sends no more than
+ * arrives. */
 #include "tests/slot_values.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
@@ -11,24 +12,37 @@ enum { SIDE = 20 };
 
 /* Coats are tilted by up to 40 degrees. */
 static const char head[] =
-    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, coat, coatRoughness, coatReflectance; vec3 coatNormal; };\n"
-    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
-    "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n#define SURFACE_HAS_coatNormal\n";
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, "
+    "coat, coatRoughness, coatReflectance; vec3 coatNormal; };\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define "
+    "SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
+    "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_coat\n#define "
+    "SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n#define "
+    "SURFACE_HAS_coatNormal\n";
 static const char tools[] =
-    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
+    "vec3 toward(float cosine, float turn) { float s = sqrt(max(1.0 - cosine * cosine, 0.0)); "
+    "return vec3(s * cos(turn), s * sin(turn), cosine); }\n"
     "float varied(ivec2 p, float step) { return fract(0.5 + step * float(p.x + 20 * p.y)); }\n"
     "vec3 eyeOf(ivec2 p) { return toward(0.3 + 0.7 * varied(p, 0.618), 0.0); }\n"
-    "vec3 lightOf(ivec2 p) { return toward(0.3 + 0.7 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91)); }\n"
-    "vec3 tiltOf(ivec2 p) { return toward(cos(0.7 * varied(p, 0.382)), 6.2831853 * varied(p, 0.733)); }\n"
-    "Surface made(ivec2 p, float base) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(base), 0.0, 0.2 + 0.8 * varied(p, 0.29), 0.04, 1.0, 0.2 + 0.8 * varied(p, 0.137), "
+    "vec3 lightOf(ivec2 p) { return toward(0.3 + 0.7 * varied(p, 0.5701), 6.2831853 * varied(p, "
+    "0.91)); }\n"
+    "vec3 tiltOf(ivec2 p) { return toward(cos(0.7 * varied(p, 0.382)), 6.2831853 * varied(p, "
+    "0.733)); }\n"
+    "Surface made(ivec2 p, float base) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), "
+    "vec3(base), 0.0, 0.2 + 0.8 * varied(p, 0.29), 0.04, 1.0, 0.2 + 0.8 * varied(p, 0.137), "
     "0.0533, tiltOf(p)); }\n";
-/* Of a black base: the coat alone. Of a white one, over what it is without the coat's: both ways. */
+/* Of a black base: the coat alone. Of a white one, over what it is without the coat's: both
+ * ways. */
 static const char parts[] =
-    "float coatAlone(ivec2 p, vec3 v, vec3 l) { return surfaceLobe(surfaceLit(made(p, 0.0), v), l).x; }\n"
-    "float below_(ivec2 p, vec3 v, vec3 l) { return surfaceLobe(surfaceLit(made(p, 1.0), v), l).x - coatAlone(p, v, l); }\n"
+    "float coatAlone(ivec2 p, vec3 v, vec3 l) { return surfaceLobe(surfaceLit(made(p, 0.0), v), "
+    "l).x; }\n"
+    "float below_(ivec2 p, vec3 v, vec3 l) { return surfaceLobe(surfaceLit(made(p, 1.0), v), l).x "
+    "- coatAlone(p, v, l); }\n"
     "vec4 passPixel(ivec2 p) { vec3 v = eyeOf(p), l = lightOf(p), n = tiltOf(p);\n"
-    "    float a = coatAlone(p, v, l) / max(dot(n, l), 1e-3), b = coatAlone(p, l, v) / max(dot(n, v), 1e-3), c = below_(p, v, l) / l.z, d = below_(p, l, v) / v.z;\n"
-    "    return vec4(coatAlone(p, v, l), abs(a - b) / max(a + b, 1e-3), abs(c - d) / (c + d), 1.0); }\n";
+    "    float a = coatAlone(p, v, l) / max(dot(n, l), 1e-3), b = coatAlone(p, l, v) / max(dot(n, "
+    "v), 1e-3), c = below_(p, v, l) / l.z, d = below_(p, l, v) / v.z;\n"
+    "    return vec4(coatAlone(p, v, l), abs(a - b) / max(a + b, 1e-3), abs(c - d) / (c + d), "
+    "1.0); }\n";
 static const char furnace[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    Lit m = surfaceLit(made(p, 1.0), eyeOf(p));\n"
@@ -43,7 +57,9 @@ static const char furnace[] =
 static void run(const char *body, float (*said)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
-    const ScreenPassText text = {.body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {
+        .body = {head, model->text, model->more[0], model->more[1], model->more[2], tools, body},
+        .format = "RGBA32F"};
     GlContext *gl = frame_context();
     pass_values(gl, &text, SIDE, said);
     gl_close(gl);
@@ -58,13 +74,17 @@ static void toward(double cosine, double turn, double v[3])
 }
 
 /* GGX about n, by Fresnel's term of Schlick, times the cosine and pi. */
-static double coat_of(double rough, double reflectance, const double n[3], const double v[3], const double l[3])
+static double coat_of(double rough, double reflectance, const double n[3], const double v[3],
+                      const double l[3])
 {
-    const double sum[3] = {v[0] + l[0], v[1] + l[1], v[2] + l[2]}, size = sqrt(dot(sum, sum)), a2 = pow(rough, 4);
-    const double high = dot(n, sum) / size, facing = dot(v, sum) / size, cv = dot(n, v), cl = dot(n, l);
+    const double sum[3] = {v[0] + l[0], v[1] + l[1], v[2] + l[2]}, size = sqrt(dot(sum, sum)),
+                 a2 = pow(rough, 4);
+    const double high = dot(n, sum) / size, facing = dot(v, sum) / size, cv = dot(n, v),
+                 cl = dot(n, l);
     if (cl <= 0)
         return 0;
-    const double d = a2 / (LOBE_PI * pow(high * high * (a2 - 1) + 1, 2)), masked = cl * sqrt(a2 + (1 - a2) * cv * cv) + cv * sqrt(a2 + (1 - a2) * cl * cl);
+    const double d = a2 / (LOBE_PI * pow(high * high * (a2 - 1) + 1, 2)),
+                 masked = cl * sqrt(a2 + (1 - a2) * cv * cv) + cv * sqrt(a2 + (1 - a2) * cl * cl);
     return LOBE_PI * d / (2 * masked) * cl * (reflectance + (1 - reflectance) * pow(1 - facing, 5));
 }
 
@@ -73,7 +93,9 @@ static void coats_lie_as_they_say(void **state)
     (void)state;
     static float said[SIDE * SIDE][4];
     double worst = 0, turned[2] = {0};
-    int seen = 0; /* angles are fractions of floats up to 400, 3e-5 off: what a lobe of width 0.04 shows as 1e-3 */
+    /* angles are fractions of floats up to 400, 3e-5 off: what a lobe of width 0.04 shows as
+     * 1e-3 */
+    int seen = 0;
     run(parts, said);
     for (int i = 0; i < SIDE * SIDE; i++) {
         double v[3], l[3], n[3];
@@ -88,7 +110,8 @@ static void coats_lie_as_they_say(void **state)
         turned[1] = fmax(turned[1], (double)said[i][2]);
         seen++;
     }
-    print_message("of %d coats: within %.1e; changed places: the coat %.1e, what lies below %.1e\n", seen, worst, turned[0], turned[1]);
+    print_message("of %d coats: within %.1e; changed places: the coat %.1e, what lies below %.1e\n",
+                  seen, worst, turned[0], turned[1]);
     assert_true(seen > 300 && worst < 2e-3 && turned[0] < 2e-5 && turned[1] < 2e-5);
 }
 
@@ -103,7 +126,8 @@ static void sends_no_more_than_arrives(void **state)
         most = fmax(most, (double)said[i][0]);
         around = fmax(around, fabs((double)said[i][1] - 1));
     }
-    print_message("white under tilted coats: at most %.4f; of ambient light 1 within %.4f\n", most, around);
+    print_message("white under tilted coats: at most %.4f; of ambient light 1 within %.4f\n", most,
+                  around);
     assert_true(most < 1.05 && around < .01);
 }
 
@@ -122,22 +146,43 @@ static void slots_are_openpbrs(void **state)
     expect_coat(BASE "coat: 1\n", "u=0.3 v=0.4", (double[]){0, 0, 1});
     expect_coat(BASE "coat: 0\n", "u=0.3 v=0.4", (double[]){0, 0, 0});
     expect_coat("material: Principled\ncoat: 1\n", "u=0.3 v=0.4", (double[]){0, 0, 0});
-    expect_coat("material: Principled\ncoat: 1\ncoatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] }\n", "u=0.3", (double[]){.6, 0, .8});
-    expect_coat("material: glTF\nclearcoatFactor: 1\nclearcoatNormalTexture: [0.5, 0.8, 0.9]\n", "u=0.3", (double[]){0, .6, .8});
-    expect_coat("material: Layer\nbase: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoat: '= step(.5, u)'\n",
+    expect_coat(
+        "material: Principled\ncoat: 1\ncoatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] }\n",
+        "u=0.3", (double[]){.6, 0, .8});
+    expect_coat("material: glTF\nclearcoatFactor: 1\nclearcoatNormalTexture: [0.5, 0.8, 0.9]\n",
+                "u=0.3", (double[]){0, .6, .8});
+    expect_coat("material: Layer\nbase: { material: Principled, coat: 1, coatNormal: { map: "
+                "NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoat: '= step(.5, u)'\n",
                 "u=0.3 v=0.4", (double[]){.6, 0, .8});
-    expect_coat("material: Layer\nbase: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoat: '= step(.5, u)'\n",
+    expect_coat("material: Layer\nbase: { material: Principled, coat: 1, coatNormal: { map: "
+                "NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoat: '= step(.5, u)'\n",
                 "u=0.7 v=0.4", (double[]){0, 0, 0});
-    expect_coat("material: Layer\nbase: { material: Principled, input: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
-    expect_coat("material: Layer\nbase: { material: Phong, input: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
-    expect_coat("material: Layer\nbase: { material: Phong, input: &a { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\ncoatNormal: *a\n", "u=0.3", (double[]){0, 0, 0});
-    expect_coat("material: Layer\nbase: { material: Phong }\ncoatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] }\n", "u=0.3", (double[]){.6, 0, .8});
-    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong, input: { map: BumpMap } }, b: { material: Phong } }\n", "u=0.3", (double[]){0, 0, 1});
-    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong }, b: { material: Principled } }\n", "u=0.3", (double[]){0, 0, 0});
-    expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\n"
-                "b: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.2, 0.5, 0.9] } }\n", "u=0.3", (double[]){0, 0, 1});
-    expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.8, 0.5, 0.9] } }\nb: { material: Principled }\n", "u=0.3",
-                (double[]){.6, 0, .8});
+    expect_coat("material: Layer\nbase: { material: Principled, input: { map: NormalMap, normal: "
+                "[0.8, 0.5, 0.9] } }\n",
+                "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Phong, input: { map: NormalMap, normal: [0.8, "
+                "0.5, 0.9] } }\n",
+                "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Phong, input: &a { map: NormalMap, normal: "
+                "[0.8, 0.5, 0.9] } }\ncoatNormal: *a\n",
+                "u=0.3", (double[]){0, 0, 0});
+    expect_coat("material: Layer\nbase: { material: Phong }\ncoatNormal: { map: NormalMap, normal: "
+                "[0.8, 0.5, 0.9] }\n",
+                "u=0.3", (double[]){.6, 0, .8});
+    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong, input: { "
+                "map: BumpMap } }, b: { material: Phong } }\n",
+                "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Layer\nbase: { material: Mix, mask: 1, a: { material: Phong }, b: { "
+                "material: Principled } }\n",
+                "u=0.3", (double[]){0, 0, 0});
+    expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: "
+                "NormalMap, normal: [0.8, 0.5, 0.9] } }\n"
+                "b: { material: Principled, coat: 1, coatNormal: { map: NormalMap, normal: [0.2, "
+                "0.5, 0.9] } }\n",
+                "u=0.3", (double[]){0, 0, 1});
+    expect_coat("material: Mix\nmask: 0.5\na: { material: Principled, coat: 1, coatNormal: { map: "
+                "NormalMap, normal: [0.8, 0.5, 0.9] } }\nb: { material: Principled }\n",
+                "u=0.3", (double[]){.6, 0, .8});
 }
 
 /* A value that counts for nothing is not seen, however great it is. */
@@ -152,8 +197,15 @@ static void what_does_not_count_is_not_seen(void **state)
         {"material: Principled\nroughness: 1e20\ncoat: 1\n", "roughness", {1}, 1},
         {"material: Layer\nbase: { material: Principled, roughness: 1e20 }\n", "roughness", {1}, 1},
         {"material: Principled\nior: 1e20\ncoat: 0\n", "reflectance", {1}, 1},
-        {"material: Principled\nspecular: 1e20\ntransmission: 1\nthinWalled: true\n", "reflectance", {2}, 1},
-        {"material: Principled\nbaseColor: [1e20, 1, 0]\nsubsurface: 1\nsubsurfaceColor: [0.2, 0.4, 0.6]\n", "diffuse", {.2, .4, .6}, 3},
+        {"material: Principled\nspecular: 1e20\ntransmission: 1\nthinWalled: true\n",
+         "reflectance",
+         {2},
+         1},
+        {"material: Principled\nbaseColor: [1e20, 1, 0]\nsubsurface: 1\nsubsurfaceColor: [0.2, "
+         "0.4, 0.6]\n",
+         "diffuse",
+         {.2, .4, .6},
+         3},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char *values = values_at(rows[i].text, "u=0.3 v=0.4", NULL);
@@ -164,6 +216,8 @@ static void what_does_not_count_is_not_seen(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(what_does_not_count_is_not_seen), cmocka_unit_test(coats_lie_as_they_say), cmocka_unit_test(sends_no_more_than_arrives), cmocka_unit_test(slots_are_openpbrs)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(what_does_not_count_is_not_seen), cmocka_unit_test(coats_lie_as_they_say),
+        cmocka_unit_test(sends_no_more_than_arrives), cmocka_unit_test(slots_are_openpbrs)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

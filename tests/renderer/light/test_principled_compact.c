@@ -1,4 +1,5 @@
-/* The four most common kinds of Principled in compact's 16 bytes a pixel: slots within what their bits may lose, and light against that of whole floats. */
+/* The four most common kinds of Principled in compact's 16 bytes a pixel: slots within what their
+ * bits may lose, and light against that of whole floats. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -12,8 +13,10 @@ static const char *const materials[MATERIALS][2] = {
 #include "tests/bench/surfaces.def"
 };
 
-/* What a slot may be off by its bits in the case that a material takes, and in `integer`, which it is held against: half a step; of a root at most a step and the
- * square of half a one; of a normal, whose octahedral coordinates are each half a step off, 4.25 of these, as far as a face of the octahedron turns. */
+/* What a slot may be off by its bits in the case that a material takes, and in `integer`, which it
+ * is held against: half a step; of a root at most a step and the square of half a one; of a normal,
+ * whose octahedral coordinates are each half a step off, 4.25 of these, as far as a face of the
+ * octahedron turns. */
 #define HALF_STEP(bits) (.5 / ((1 << (bits)) - 1))
 #define ROOT(bits)      (2 * HALF_STEP(bits) + HALF_STEP(bits) * HALF_STEP(bits))
 static const double normal_bound = 4.25 * 2 * HALF_STEP(12);
@@ -40,17 +43,19 @@ typedef struct {
     MatcOptions compact, whole;
 } Rig;
 
-static float *draw(const Rig *rig, const MatcOptions *options, const char *material, const char *view)
+static float *draw(const Rig *rig, const MatcOptions *options, const char *material,
+                   const char *view)
 {
     char text[1024];
     MatcDocument *document;
-    snprintf(
-        text, sizeof text,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -40, 0], target: [0, 0, 0], "
-        "angle: 3 }\nlights: [{ light: Directional, direction: [.5, .7, -.4], intensity: 3 }, { light: Ambient, "
-        "intensity: .3 }]\n"
-        "objects: [{ object: Sphere, material: { material: Principled, %s } }]\n",
-        SIDE, SIDE, material);
+    snprintf(text, sizeof text,
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, -40, "
+             "0], target: [0, 0, 0], "
+             "angle: 3 }\nlights: [{ light: Directional, direction: [.5, .7, -.4], intensity: 3 }, "
+             "{ light: Ambient, "
+             "intensity: .3 }]\n"
+             "objects: [{ object: Sphere, material: { material: Principled, %s } }]\n",
+             SIDE, SIDE, material);
     Scene *scene = frame_scene(text, options, &document);
     float *rgba = frame_floats(rig->gl, scene, &(RenderOptions){.compile = options, .view = view});
     frame_forget(scene, document);
@@ -60,7 +65,8 @@ static float *draw(const Rig *rig, const MatcOptions *options, const char *mater
 /* The ball's rim is left out. */
 static bool on_ball(int pixel)
 {
-    const double half = tan(1.5 * 3.14159265358979 / 180), x = (2 * (pixel % SIDE) + 1. - SIDE) / SIDE * half,
+    const double half = tan(1.5 * 3.14159265358979 / 180),
+                 x = (2 * (pixel % SIDE) + 1. - SIDE) / SIDE * half,
                  y = (2 * (pixel / SIDE) + 1. - SIDE) / SIDE * half;
     return 40 * sqrt(1 - 1 / (x * x + y * y + 1)) < .97;
 }
@@ -98,7 +104,8 @@ static void slots_are_within_their_bits(void **state)
             const double may = slots[k].bound[i] + (k ? HALF_STEP(bits) : 4.25 * 2 * HALF_STEP(16));
             differ(draw(rig, &rig->compact, materials[i][1], slots[k].slot),
                    draw(rig, &rig->whole, materials[i][1], slots[k].slot), found);
-            print_message("%-8s %-15s off by %.5f, may be %.5f\n", materials[i][0], slots[k].slot, found[0], may);
+            print_message("%-8s %-15s off by %.5f, may be %.5f\n", materials[i][0], slots[k].slot,
+                          found[0], may);
             faults += !(found[0] <= may + 1e-6);
         }
     assert_int_equal(faults, 0);
@@ -111,10 +118,11 @@ static void light_is_near(void **state)
     int faults = 0;
     for (int i = 0; i < MATERIALS; i++) {
         double found[3];
-        differ(draw(rig, &rig->compact, materials[i][1], "light"), draw(rig, &rig->whole, materials[i][1], "light"),
-               found);
-        print_message("%-8s light off by %.2f %% at most, %.3f %% in the mean, of the greatest, %.2f\n",
-                      materials[i][0], 100 * found[0] / found[2], 100 * found[1] / found[2], found[2]);
+        differ(draw(rig, &rig->compact, materials[i][1], "light"),
+               draw(rig, &rig->whole, materials[i][1], "light"), found);
+        print_message(
+            "%-8s light off by %.2f %% at most, %.3f %% in the mean, of the greatest, %.2f\n",
+            materials[i][0], 100 * found[0] / found[2], 100 * found[1] / found[2], found[2]);
         faults += !(found[0] <= most[i] * found[2]);
     }
     assert_int_equal(faults, 0);
@@ -122,7 +130,8 @@ static void light_is_near(void **state)
 
 int main(void)
 {
-    Rig rig = {.gl = frame_context(), .compact = frame_exact_options(), .whole = frame_exact_options()};
+    Rig rig = {
+        .gl = frame_context(), .compact = frame_exact_options(), .whole = frame_exact_options()};
     rig.compact.layout = "compact";
     rig.compact.pixels = rig.whole.pixels = true;
     const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(slots_are_within_their_bits, &rig),

@@ -1,5 +1,5 @@
-/* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white furnaces below facets, a coat and fuzz, light that changes places
- * with the eye. */
+/* A Principled's rough diffuse base: the lobe and what it loses against sums in double, white
+ * furnaces below facets, a coat and fuzz, light that changes places with the eye. */
 /* ctest: seconds=12 */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
@@ -10,30 +10,41 @@
 
 enum { SIDE = 20 };
 
-/* A pixel is a roughness of facets, by its row, and an angle, by its column: cosines from 0.1 on. */
+/* A pixel is a roughness of facets, by its row, and an angle, by its column: cosines from 0.1
+ * on. */
 static const char head[] =
-    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, diffuseRoughness, coat, coatRoughness, coatReflectance, fuzz; "
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance, "
+    "diffuseRoughness, coat, coatRoughness, coatReflectance, fuzz; "
     "vec3 fuzzColor; float fuzzRoughness; };\n"
-    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define "
+    "SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
     "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_diffuseRoughness\n";
-static const char layers[] = "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n"
-                             "#define SURFACE_HAS_fuzz\n#define SURFACE_HAS_fuzzColor\n#define SURFACE_HAS_fuzzRoughness\n";
+static const char layers[] =
+    "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatRoughness\n#define "
+    "SURFACE_HAS_coatReflectance\n"
+    "#define SURFACE_HAS_fuzz\n#define SURFACE_HAS_fuzzColor\n#define SURFACE_HAS_fuzzRoughness\n";
 static const char tools[] =
-    LOBE_PIXELS
-    "vec3 lightOf(ivec2 p) { return toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91)); }\n"
-    "Surface made(float base, float reflectance, float rough, float facets) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base, 0.5 * base, 0.9 * base), vec3(1.0), 0.0, "
-    "facets, reflectance, rough, 0.0, 0.0, 0.0, 0.0, vec3(1.0), 0.5); }\n";
-/* Below nothing: the lobe over what an even white base sends; and what it loses where little of light that grazes comes in. */
-static const char bare[] =
-    "vec4 passPixel(ivec2 p) {\n"
-    "    vec3 l = lightOf(p), v = toward(cosineOf(p), 0.0), color = vec3(varied(p, 0.618), 1.0, varied(p, 0.733));\n"
-    "    Grain g = grainOf(varied(p, 0.382), 1.0, 1.0, 1.0);\n"
-    "    return vec4(grained(g, color, grainAgain(g, color) * grainLost(g, v.z), dot(l, v), vec2(l.z, v.z), grainLost(g, l.z)), "
-    "grainLost(grainOf(varied(p, 0.382), 1.0, 1.0 - 0.2373046875 * varied(p, 0.29), 1.0 - varied(p, 0.29) / 21.0), v.z));\n}\n";
+    LOBE_PIXELS "vec3 lightOf(ivec2 p) { return toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 "
+                "* varied(p, 0.91)); }\n"
+                "Surface made(float base, float reflectance, float rough, float facets) { return "
+                "Surface(vec3(0.0, 0.0, 1.0), vec3(base, 0.5 * base, 0.9 * base), vec3(1.0), 0.0, "
+                "facets, reflectance, rough, 0.0, 0.0, 0.0, 0.0, vec3(1.0), 0.5); }\n";
+/* Below nothing: the lobe over what an even white base sends; and what it loses where little of
+ * light that grazes comes in. */
+static const char bare[] = "vec4 passPixel(ivec2 p) {\n"
+                           "    vec3 l = lightOf(p), v = toward(cosineOf(p), 0.0), color = "
+                           "vec3(varied(p, 0.618), 1.0, varied(p, 0.733));\n"
+                           "    Grain g = grainOf(varied(p, 0.382), 1.0, 1.0, 1.0);\n"
+                           "    return vec4(grained(g, color, grainAgain(g, color) * grainLost(g, "
+                           "v.z), dot(l, v), vec2(l.z, v.z), grainLost(g, l.z)), "
+                           "grainLost(grainOf(varied(p, 0.382), 1.0, 1.0 - 0.2373046875 * "
+                           "varied(p, 0.29), 1.0 - varied(p, 0.29) / 21.0), v.z));\n}\n";
 static const char lobes[] =
-    "vec4 passPixel(ivec2 p) { Surface s = made(0.2 + 0.8 * varied(p, 0.618), 0.1 * varied(p, 0.137), varied(p, 0.382), roughOf(p)); s.specular = vec3(0.0);\n"
+    "vec4 passPixel(ivec2 p) { Surface s = made(0.2 + 0.8 * varied(p, 0.618), 0.1 * varied(p, "
+    "0.137), varied(p, 0.382), roughOf(p)); s.specular = vec3(0.0);\n"
     "    return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), lightOf(p)), 1.0); }\n";
-/* Of the base alone, which sends evenly, nearly: directions by the cosine. What facets and layers reflect is what is left out of tests of theirs. */
+/* Of the base alone, which sends evenly, nearly: directions by the cosine. What facets and layers
+ * reflect is what is left out of tests of theirs. */
 static const char furnace[] =
     "vec3 sent(Surface s, vec3 v) {\n"
     "    Surface flat_ = s; flat_.diffuseRoughness = 0.0;\n"
@@ -48,26 +59,34 @@ static const char furnace[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 v = toward(cosineOf(p), 0.0);\n"
     "    Surface s = made(1.0, 0.04, 1.0, roughOf(p)); s.diffuse = vec3(1.0);\n"
-    "    Surface t = s; t.diffuseRoughness = varied(p, 0.618); t.reflectance = 0.3 * varied(p, 0.382);\n"
-    "#ifdef LIT_COAT\n    s.coat = 1.0; s.coatRoughness = varied(p, 0.29); s.coatReflectance = 0.0533; t.fuzz = 1.0; t.fuzzRoughness = 0.2 + 0.8 * varied(p, 0.733);\n#endif\n"
+    "    Surface t = s; t.diffuseRoughness = varied(p, 0.618); t.reflectance = 0.3 * varied(p, "
+    "0.382);\n"
+    "#ifdef LIT_COAT\n    s.coat = 1.0; s.coatRoughness = varied(p, 0.29); s.coatReflectance = "
+    "0.0533; t.fuzz = 1.0; t.fuzzRoughness = 0.2 + 0.8 * varied(p, 0.733);\n#endif\n"
     "    vec3 a = sent(s, v), b = sent(t, v);\n"
     "    return vec4(a.x, b.x, 0.0, 1.0);\n}\n";
 static const char turned[] =
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 v = toward(cosineOf(p), 0.0), l = lightOf(p);\n"
     "    Surface s = made(0.8, 0.04, varied(p, 0.382), roughOf(p));\n"
-    "#ifdef LIT_COAT\n    s.coat = varied(p, 0.27); s.coatRoughness = varied(p, 0.29); s.coatReflectance = 0.05; s.fuzz = varied(p, 0.733);\n#endif\n"
-    "    vec3 a = surfaceLobe(surfaceLit(s, v), l) / l.z, b = surfaceLobe(surfaceLit(s, l), v) / v.z;\n"
+    "#ifdef LIT_COAT\n    s.coat = varied(p, 0.27); s.coatRoughness = varied(p, 0.29); "
+    "s.coatReflectance = 0.05; s.fuzz = varied(p, 0.733);\n#endif\n"
+    "    vec3 a = surfaceLobe(surfaceLit(s, v), l) / l.z, b = surfaceLobe(surfaceLit(s, l), v) / "
+    "v.z;\n"
     "    return vec4(abs(a - b) / (a + b), 1.0);\n}\n";
 static const char around[] =
-    "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.04, varied(p, 0.382), roughOf(p)); s.diffuse = vec3(1.0);\n"
-    "#ifdef LIT_COAT\n    s.coat = varied(p, 0.27); s.coatRoughness = varied(p, 0.29); s.coatReflectance = 0.05; s.fuzz = varied(p, 0.733);\n#endif\n"
+    "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.04, varied(p, 0.382), roughOf(p)); "
+    "s.diffuse = vec3(1.0);\n"
+    "#ifdef LIT_COAT\n    s.coat = varied(p, 0.27); s.coatRoughness = varied(p, 0.29); "
+    "s.coatReflectance = 0.05; s.fuzz = varied(p, 0.733);\n#endif\n"
     "    return vec4(surfaceAmbient(surfaceLit(s, toward(cosineOf(p), 0.0)), vec3(1.0)), 1.0); }\n";
 
 static void run(const char *more, const char *body, float (*said)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
-    const ScreenPassText text = {.body = {head, more, model->text, model->more[0], model->more[1], model->more[2], tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {head, more, model->text, model->more[0], model->more[1],
+                                          model->more[2], tools, body},
+                                 .format = "RGBA32F"};
     GlContext *gl = frame_context();
     pass_values(gl, &text, SIDE, said);
     gl_close(gl);
@@ -84,7 +103,8 @@ static double once_of(double rough, double l, double v, double turn)
     return (1 + rough * s / t) / (1 + (.5 - 2 / (3 * LOBE_PI)) * rough);
 }
 
-/* Of a body below something, what of light from a direction comes to it; by the numbers that say how. */
+/* Of a body below something, what of light from a direction comes to it; by the numbers that say
+ * how. */
 typedef double Arrives(const double *numbers, double cosine);
 
 /* The integral of that lobe over all directions, and the mean of what arrives. */
@@ -119,7 +139,10 @@ static double all_arrives(const double *numbers, double cosine)
     return 1;
 }
 
-static double less_that_grazes(const double *most, double cosine) { return 1 - *most * pow(1 - cosine, 5); }
+static double less_that_grazes(const double *most, double cosine)
+{
+    return 1 - *most * pow(1 - cosine, 5);
+}
 
 typedef struct {
     double rough, cosines[2], turn;
@@ -132,8 +155,10 @@ static double lobe_of(const Grained *of, double color)
 {
     const double rough = of->rough, *cosines = of->cosines, *numbers = of->numbers;
     Arrives *arrives = of->arrives;
-    const double all = once_from_all(rough, arrives, numbers), again = color * color * all / (1 - color * (1 - all));
-    const double lost = (1 - once_from(rough, cosines[0], arrives, numbers)) * (1 - once_from(rough, cosines[1], arrives, numbers));
+    const double all = once_from_all(rough, arrives, numbers),
+                 again = color * color * all / (1 - color * (1 - all));
+    const double lost = (1 - once_from(rough, cosines[0], arrives, numbers)) *
+                        (1 - once_from(rough, cosines[1], arrives, numbers));
     return color * once_of(rough, cosines[0], cosines[1], of->turn) + again * lost / (1 - all);
 }
 
@@ -146,13 +171,16 @@ static void base_is_its_definition(void **state)
     double worst[2] = {0};
     run("", bare, said);
     for (int i = 0; i < SIDE * SIDE; i += 7) {
-        const double rough = varied(i, .382), cosines[2] = {light_cosine(i), cosine_of(i % SIDE)}, color[3] = {varied(i, .618), 1, varied(i, .733)}, most = varied(i, .29);
+        const double rough = varied(i, .382), cosines[2] = {light_cosine(i), cosine_of(i % SIDE)},
+                     color[3] = {varied(i, .618), 1, varied(i, .733)}, most = varied(i, .29);
         for (int lane = 0; lane < 3; lane++) {
-            const Grained of = {rough, {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL};
+            const Grained of = {
+                rough, {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), all_arrives, NULL};
             const double want = lobe_of(&of, color[lane]);
             worst[0] = fmax(worst[0], fabs((double)said[i][lane] - want) / (.25 + want));
         }
-        worst[1] = fmax(worst[1], fabs((double)said[i][3] - 1 + once_from(rough, cosines[1], less_that_grazes, &most)));
+        worst[1] = fmax(worst[1], fabs((double)said[i][3] - 1 +
+                                       once_from(rough, cosines[1], less_that_grazes, &most)));
     }
     print_message("the lobe: within %.4f; what it loses: %.4f\n", worst[0], worst[1]);
     assert_true(worst[0] < .003 && worst[1] < .001);
@@ -165,9 +193,13 @@ static double albedos[SIDE][ANGLES][2], means[SIDE][2];
 static double between_facets(const double *numbers, double cosine)
 {
     const int row = (int)numbers[0];
-    const double place = fmin(sqrt(cosine) * (ANGLES - 1), ANGLES - 1.001), f = place - floor(place), *a = albedos[row][(int)place], *b = albedos[row][(int)place + 1];
-    const double own[2] = {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1])}, *m = means[row], mean_f = numbers[1] + (1 - numbers[1]) / 21;
-    return 1 - (numbers[1] * (1 - own[0] - own[1]) + own[1] + own[0] * mean_f * mean_f * (1 - m[0]) / (1 - mean_f * m[0]));
+    const double place = fmin(sqrt(cosine) * (ANGLES - 1), ANGLES - 1.001),
+                 f = place - floor(place), *a = albedos[row][(int)place],
+                 *b = albedos[row][(int)place + 1];
+    const double own[2] = {a[0] + f * (b[0] - a[0]), a[1] + f * (b[1] - a[1])}, *m = means[row],
+                 mean_f = numbers[1] + (1 - numbers[1]) / 21;
+    return 1 - (numbers[1] * (1 - own[0] - own[1]) + own[1] +
+                own[0] * mean_f * mean_f * (1 - m[0]) / (1 - mean_f * m[0]));
 }
 
 static void lobes_are_below_facets(void **state)
@@ -182,15 +214,22 @@ static void lobes_are_below_facets(void **state)
         lobe_mean(pow(rough_of(y), 2), means[y]);
     }
     for (int i = 0; i < SIDE * SIDE; i += 7) {
-        const double numbers[2] = {i / SIDE, .1 * varied(i, .137)}, cosines[2] = {light_cosine(i), cosine_of(i % SIDE)}, base = .2 + .8 * varied(i, .618);
+        const double numbers[2] = {i / SIDE, .1 * varied(i, .137)},
+                     cosines[2] = {light_cosine(i), cosine_of(i % SIDE)},
+                     base = .2 + .8 * varied(i, .618);
         double mean = 0;
         for (int k = 0; k < ANGLES; k++)
             mean += between_facets(numbers, sqrt((k + .5) / ANGLES)) / ANGLES;
         for (int lane = 0; lane < 3; lane++) {
             const double tone = base * (lane == 0 ? 1 : lane == 1 ? .5 : .9);
-            const Grained of = {varied(i, .382), {cosines[0], cosines[1]}, 2 * LOBE_PI * varied(i, .91), between_facets, numbers};
+            const Grained of = {varied(i, .382),
+                                {cosines[0], cosines[1]},
+                                2 * LOBE_PI * varied(i, .91),
+                                between_facets,
+                                numbers};
             const double lobe = lobe_of(&of, tone);
-            const double want = cosines[0] * between_facets(numbers, cosines[0]) * between_facets(numbers, cosines[1]) / mean * lobe;
+            const double want = cosines[0] * between_facets(numbers, cosines[0]) *
+                                between_facets(numbers, cosines[1]) / mean * lobe;
             worst = fmax(worst, fabs((double)said[i][lane] - want) / (.25 + want));
         }
     }
@@ -228,7 +267,8 @@ static void light_and_eye_change_places(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(base_is_its_definition), cmocka_unit_test(lobes_are_below_facets), cmocka_unit_test(white_sends_all),
-                                       cmocka_unit_test(light_and_eye_change_places)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(base_is_its_definition), cmocka_unit_test(lobes_are_below_facets),
+        cmocka_unit_test(white_sends_all), cmocka_unit_test(light_and_eye_change_places)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

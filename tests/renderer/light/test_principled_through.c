@@ -1,5 +1,7 @@
-/* Light that goes through a Principled surface: as a dielectric lets it, and scattered within thin walls. What is reflected and what goes through are
- * all of white together, light from behind is as integrals in double have it, and changes places with the eye; each surface alone has its program. */
+/* Light that goes through a Principled surface: as a dielectric lets it, and scattered within thin
+ * walls. What is reflected and what goes through are all of white together, light from behind is as
+ * integrals in double have it, and changes places with the eye; each surface alone has its
+ * program. */
 #include "tests/test.h"
 #include "runtime/surface/surface_model.h"
 #include "tests/frame/frame_draw.h"
@@ -11,59 +13,77 @@ enum { SIDE = 20 };
 
 /* A pixel is a roughness, by its row, and an angle, by its column: cosines from 0.1 on. */
 static const char head[] =
-    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance; vec3 transparency; float transmission; vec3 diffuseTransparency;\n"
+    "struct Surface { vec3 normal, diffuse, specular; float metalness, roughness, reflectance; "
+    "vec3 transparency; float transmission; vec3 diffuseTransparency;\n"
     "    float coat; vec3 coatTint; float coatRoughness, coatReflectance; };\n"
-    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
-    "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_transparency\n#define SURFACE_HAS_transmission\n#define SURFACE_HAS_diffuseTransparency\n"
-    "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatTint\n#define SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n";
-static const char tools[] =
-    LOBE_PIXELS
-    "Surface made(float base, float behind, float clear, float rough, float reflectance, vec2 coat) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), 0.0, rough,\n"
+    "#define SURFACE_HAS_normal\n#define SURFACE_HAS_diffuse\n#define "
+    "SURFACE_HAS_specular\n#define SURFACE_HAS_metalness\n#define SURFACE_HAS_roughness\n"
+    "#define SURFACE_HAS_reflectance\n#define SURFACE_HAS_transparency\n#define "
+    "SURFACE_HAS_transmission\n#define SURFACE_HAS_diffuseTransparency\n"
+    "#define SURFACE_HAS_coat\n#define SURFACE_HAS_coatTint\n#define "
+    "SURFACE_HAS_coatRoughness\n#define SURFACE_HAS_coatReflectance\n";
+static const char tools[] = LOBE_PIXELS
+    "Surface made(float base, float behind, float clear, float rough, float reflectance, vec2 "
+    "coat) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), vec3(1.0), 0.0, rough,\n"
     "    reflectance, vec3(clear), clear, vec3(behind), coat.x, vec3(1.0), coat.y, 0.0533); }\n"
-    "Surface leaf(ivec2 p) { return made(0.7 * varied(p, 0.618), varied(p, 0.382), 0.0, roughOf(p), 0.2 * varied(p, 0.137), vec2(0.0)); }\n";
-static const char furnace[] =
-    LOBE_FACET LOBE_SEEN
+    "Surface leaf(ivec2 p) { return made(0.7 * varied(p, 0.618), varied(p, 0.382), 0.0, "
+    "roughOf(p), 0.2 * varied(p, 0.137), vec2(0.0)); }\n";
+static const char furnace[] = LOBE_FACET LOBE_SEEN
     "float sent(Surface surface, vec3 v) {\n"
     "    Lit m = surfaceLit(surface, v);\n"
     "    float sum = 0.0;\n"
     "    for (int i = 0; i < 1536; i++) {\n"
     "        vec2 u = fract(vec2(0.7548776662, 0.5698402910) * float(i) + 0.5);\n"
     "        int of = i % 3;\n"
-    "        vec3 even = toward(sqrt(u.x), 6.2831853 * u.y), l = of == 2 ? even : reflect(-v, facet(v, of == 0 ? m.alpha : m.coatAlpha, u));\n"
-    "        if (l.z > 0.0) sum += surfaceLobe(m, l).x / (seen(v, l, m.alpha) + seen(v, l, m.coatAlpha) + l.z) * 3.0;\n"
+    "        vec3 even = toward(sqrt(u.x), 6.2831853 * u.y), l = of == 2 ? even : reflect(-v, "
+    "facet(v, of == 0 ? m.alpha : m.coatAlpha, u));\n"
+    "        if (l.z > 0.0) sum += surfaceLobe(m, l).x / (seen(v, l, m.alpha) + seen(v, l, "
+    "m.coatAlpha) + l.z) * 3.0;\n"
     "        if (of == 2) sum += 3.0 * surfaceLobe(m, -even).x / even.z;\n"
     "    }\n"
     "    return sum / 1536.0 + surfaceThrough(surface, v).x;\n}\n"
     "vec4 passPixel(ivec2 p) {\n"
     "    vec3 v = toward(cosineOf(p), 0.0);\n"
     "    float rough = roughOf(p), other = 0.1 + 0.9 * varied(p, 0.29), g = varied(p, 0.618);\n"
-    "    return vec4(sent(made(1.0 - g, g, 0.0, rough, 0.04, vec2(0.0, 0.5)), v), sent(made(0.0, 0.0, 1.0, rough, 0.04, vec2(0.0, 0.5)), v),\n"
-    "        sent(made(1.0 - g, g, 0.0, rough, 0.04, vec2(1.0, other)), v), surfaceThrough(made(0.0, 0.0, 1.0, rough, 0.1, vec2(0.0, 0.5)), v).x);\n}\n";
+    "    return vec4(sent(made(1.0 - g, g, 0.0, rough, 0.04, vec2(0.0, 0.5)), v), sent(made(0.0, "
+    "0.0, 1.0, rough, 0.04, vec2(0.0, 0.5)), v),\n"
+    "        sent(made(1.0 - g, g, 0.0, rough, 0.04, vec2(1.0, other)), v), "
+    "surfaceThrough(made(0.0, 0.0, 1.0, rough, 0.1, vec2(0.0, 0.5)), v).x);\n}\n";
 static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Lit m = surfaceLit(leaf(p), toward(cosineOf(p), 0.0)); "
-    "return vec4(surfaceLobe(m, toward(-0.05 - 0.9 * varied(p, 0.5701), 6.28 * varied(p, 0.91))).x, surfaceEven(m).x, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
-/* The eye on the other side sees the other normal. Of light behind by lane 0, before by lane 1; through by lane 2. */
+    "return vec4(surfaceLobe(m, toward(-0.05 - 0.9 * varied(p, 0.5701), 6.28 * varied(p, "
+    "0.91))).x, surfaceEven(m).x, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
+/* The eye on the other side sees the other normal. Of light behind by lane 0, before by lane 1;
+ * through by lane 2. */
 static const char turned[] =
     "vec4 passPixel(ivec2 p) {\n"
-    "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 * varied(p, 0.91)), back = l * vec3(1.0, 1.0, -1.0);\n"
+    "    vec3 v = toward(cosineOf(p), 0.0), l = toward(0.05 + 0.95 * varied(p, 0.5701), 6.2831853 "
+    "* varied(p, 0.91)), back = l * vec3(1.0, 1.0, -1.0);\n"
     "    Surface s = leaf(p), other = s;\n"
     "    s.coat = other.coat = varied(p, 0.43);\n"
     "    other.normal = -s.normal;\n"
-    "    float a = surfaceLobe(surfaceLit(s, v), back).x / l.z, b = surfaceLobe(surfaceLit(other, back), v).x / v.z;\n"
-    "    float c = surfaceLobe(surfaceLit(s, v), l).x / l.z, d = surfaceLobe(surfaceLit(s, l), v).x / v.z;\n"
+    "    float a = surfaceLobe(surfaceLit(s, v), back).x / l.z, b = surfaceLobe(surfaceLit(other, "
+    "back), v).x / v.z;\n"
+    "    float c = surfaceLobe(surfaceLit(s, v), l).x / l.z, d = surfaceLobe(surfaceLit(s, l), "
+    "v).x / v.z;\n"
     "    Surface glass = made(0.1, 0.0, 0.7, roughOf(p), 0.05, vec2(0.3)), behind = glass;\n"
     "    behind.normal = -glass.normal;\n"
     "    float e = surfaceThrough(glass, v).x, f = surfaceThrough(behind, -v).x;\n"
-    "    return vec4(abs(a - b) / (a + b + 1e-6), abs(c - d) / (c + d), abs(e - f) / (e + f), 1.0);\n}\n";
+    "    return vec4(abs(a - b) / (a + b + 1e-6), abs(c - d) / (c + d), abs(e - f) / (e + f), "
+    "1.0);\n}\n";
 /* Holes and glass in one: half of the surface is there, four fifths of that let light through. */
 static const char holes[] =
-    "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.0, 0.5 + 0.4, 0.0, 0.04, vec2(0.0)); s.transmission = 0.4; s.diffuse = vec3(0.2);\n"
-    "    vec3 v = vec3(0.0, 0.0, 1.0); Lit m = surfaceLit(s, v); return vec4(surfaceThrough(s, v).x, m.kept, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
+    "vec4 passPixel(ivec2 p) { Surface s = made(1.0, 0.0, 0.5 + 0.4, 0.0, 0.04, vec2(0.0)); "
+    "s.transmission = 0.4; s.diffuse = vec3(0.2);\n"
+    "    vec3 v = vec3(0.0, 0.0, 1.0); Lit m = surfaceLit(s, v); return vec4(surfaceThrough(s, "
+    "v).x, m.kept, surfaceAmbient(m, vec3(1.0)).x, 1.0); }\n";
 
 static void run(GlContext *gl, const char *lacks, const char *body, float (*said)[4])
 {
     const SurfaceModel *model = &surface_model_principled;
-    const ScreenPassText text = {.body = {head, lacks, model->text, model->more[0], model->more[1], model->more[2], model->more[3], tools, body}, .format = "RGBA32F"};
+    const ScreenPassText text = {.body = {head, lacks, model->text, model->more[0], model->more[1],
+                                          model->more[2], model->more[3], tools, body},
+                                 .format = "RGBA32F"};
     pass_values(gl, &text, SIDE, said);
 }
 
@@ -90,14 +110,18 @@ static void white_is_all(void **state)
     }
     print_message("through glass: within %.4f\n", through);
     for (int k = 0; k < 3; k++)
-        print_message("white, %s: %.4f to %.4f\n", (const char *[]){"leaf", "glass", "leaf under a coat"}[k], least[k], most[k]);
+        print_message("white, %s: %.4f to %.4f\n",
+                      (const char *[]){"leaf", "glass", "leaf under a coat"}[k], least[k], most[k]);
     for (int k = 0; k < 3; k++)
         assert_true(least[k] > .99 && most[k] < 1.01);
     assert_true(through < .005);
 }
 
 /* Of albedos of a dielectric: what is reflected toward v, in the mean, and what is sent again. */
-static double reflected(const double own[2], double f0, double again) { return f0 * (1 - own[0] - own[1]) + own[1] + own[0] * again; }
+static double reflected(const double own[2], double f0, double again)
+{
+    return f0 * (1 - own[0] - own[1]) + own[1] + own[0] * again;
+}
 
 static void light_from_behind_is_an_integral(void **state)
 {
@@ -108,14 +132,16 @@ static void light_from_behind_is_an_integral(void **state)
     run(gl, "#define SURFACE_LACKS_coat\n", lobes, said);
     gl_close(gl);
     for (int i = 0; i < SIDE * SIDE; i += 3) {
-        const double a = pow(rough_of(i / SIDE), 2), f0 = .2 * varied(i, .137), l = .05 + .9 * varied(i, .5701), behind = varied(i, .382);
+        const double a = pow(rough_of(i / SIDE), 2), f0 = .2 * varied(i, .137),
+                     l = .05 + .9 * varied(i, .5701), behind = varied(i, .382);
         const double f = f0 + (1 - f0) / 21;
         double v[2], w[2], m[2];
         lobe_albedo(cosine_of(i % SIDE), a, v);
         lobe_albedo(l, a, w);
         lobe_mean(a, m);
         const double again = f * f * (1 - m[0]) / (1 - f * m[0]);
-        const double out = 1 - reflected(v, f0, again), in = 1 - reflected(w, f0, again), mean = 1 - reflected(m, f0, again);
+        const double out = 1 - reflected(v, f0, again), in = 1 - reflected(w, f0, again),
+                     mean = 1 - reflected(m, f0, again);
         worst = fmax(worst, fabs(said[i][0] - l * behind * in * out / mean));
         whole = fmax(whole, fabs(said[i][2] - said[i][1] - behind * out - reflected(v, f0, again)));
     }
@@ -139,16 +165,20 @@ static void holes_reflect_nothing(void **state)
     static float said[SIDE * SIDE][4];
     GlContext *gl = frame_context();
     run(gl, "#define SURFACE_LACKS_diffuseTransparency\n", holes, said);
-    assert_true(fabs((double)said[0][1] - .5) < 1e-6 && fabs((double)said[0][0] - (.5 + .4 * .96)) < 1e-3);
+    assert_true(fabs((double)said[0][1] - .5) < 1e-6 &&
+                fabs((double)said[0][0] - (.5 + .4 * .96)) < 1e-3);
     assert_true(fabs((double)said[0][2] - .5 * (.04 + .2 * .96)) < 1e-3);
-    run(gl, "#define SURFACE_LACKS_transmission\n#define SURFACE_LACKS_diffuseTransparency\n", holes, said); /* all of it is a hole then */
+    /* all of it is a hole then */
+    run(gl, "#define SURFACE_LACKS_transmission\n#define SURFACE_LACKS_diffuseTransparency\n",
+        holes, said);
     gl_close(gl);
     assert_true(fabs((double)said[0][0] - .9) < 1e-6 && fabs((double)said[0][1] - .1) < 1e-6);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(white_is_all), cmocka_unit_test(light_from_behind_is_an_integral),
-                                       cmocka_unit_test(light_and_eye_change_places), cmocka_unit_test(holes_reflect_nothing)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(white_is_all), cmocka_unit_test(light_from_behind_is_an_integral),
+        cmocka_unit_test(light_and_eye_change_places), cmocka_unit_test(holes_reflect_nothing)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,7 @@
-/* Principled surfaces in the light of a picture: integrals in double that draw directions where it is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and what is drawn
- * against them; of brushed ones sums over even directions; white under white. The picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
+/* Principled surfaces in the light of a picture: integrals in double that draw directions where it
+ * is bright and where facets look (frame/sky_reference.h), against themselves by other sums, and
+ * what is drawn against them; of brushed ones sums over even directions; white under white. The
+ * picture is a studio by formulas: two windows, 60 and 12 times as bright as its walls. */
 /* ctest: seconds=36 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -12,8 +14,9 @@
 #include <string.h>
 
 enum { SIDE = 96, PIXELS = SIDE * SIDE };
-#define VIEW                                                                                                           \
-    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, -40, 0], target: [0, 0, 0], "      \
+#define VIEW                                                                                       \
+    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, -40, 0], "     \
+    "target: [0, 0, 0], "                                                                          \
     "angle: 3 }\n"
 
 static double texel(const ReferencePicture *picture, int x, int y, int lane)
@@ -23,7 +26,8 @@ static double texel(const ReferencePicture *picture, int x, int y, int lane)
     return (double)picture->rgba[4 * (row * picture->width + column) + lane];
 }
 
-/* semantics.md 5.3 says where a direction is on the sky; texels have their colours in their middles. */
+/* semantics.md 5.3 says where a direction is on the sky; texels have their colours in their
+ * middles. */
 static void picture_light(const void *sky, const double way[3], double rgb[3])
 {
     const ReferencePicture *picture = sky;
@@ -31,8 +35,10 @@ static void picture_light(const void *sky, const double way[3], double rgb[3])
                  y = acos(-way[2]) / PI * picture->height - .5;
     const int i = (int)floor(x), j = (int)floor(y);
     for (int k = 0; k < 3; k++)
-        rgb[k] = (i + 1 - x) * ((j + 1 - y) * texel(picture, i, j, k) + (y - j) * texel(picture, i, j + 1, k)) +
-                 (x - i) * ((j + 1 - y) * texel(picture, i + 1, j, k) + (y - j) * texel(picture, i + 1, j + 1, k));
+        rgb[k] = (i + 1 - x) * ((j + 1 - y) * texel(picture, i, j, k) +
+                                (y - j) * texel(picture, i, j + 1, k)) +
+                 (x - i) * ((j + 1 - y) * texel(picture, i + 1, j, k) +
+                            (y - j) * texel(picture, i + 1, j + 1, k));
 }
 
 static void white_light(const void *sky, const double way[3], double rgb[3])
@@ -42,8 +48,8 @@ static void white_light(const void *sky, const double way[3], double rgb[3])
 }
 
 /* A sum over even directions, without any drawing by density. */
-static void sum_evenly(const SkyReference *reference, const SkyReferenceSurface *surface, const double eye[3],
-                       double rgb[3])
+static void sum_evenly(const SkyReference *reference, const SkyReferenceSurface *surface,
+                       const double eye[3], double rgb[3])
 {
     enum { HEIGHTS = 600, TURNS = 1200 };
     memset(rgb, 0, 3 * sizeof *rgb);
@@ -58,7 +64,8 @@ static void sum_evenly(const SkyReference *reference, const SkyReferenceSurface 
     }
 }
 
-/* White metal sends all of white light; a picture's light is that of a sum over even directions, and half as many directions give the same. */
+/* White metal sends all of white light; a picture's light is that of a sum over even directions,
+ * and half as many directions give the same. */
 static void the_reference_is_right(void **state)
 {
     (void)state;
@@ -70,12 +77,15 @@ static void the_reference_is_right(void **state)
     double worst[3] = {0};
     for (int i = 0; i < 12; i++) {
         const double cosine = .2 + .25 * (i % 4);
-        double ways[2][3] = {{0, 0, 1},
-                             {sqrt(1 - cosine * cosine) * cos(i), sqrt(1 - cosine * cosine) * sin(i), cosine}};
+        double ways[2][3] = {
+            {0, 0, 1},
+            {sqrt(1 - cosine * cosine) * cos(i), sqrt(1 - cosine * cosine) * sin(i), cosine}};
         SkyReferenceSurface metal = {
             .base = {1, 1, 1}, .metalness = 1, .roughness = .1 + .4 * (i / 4), .reflectance = .04};
-        SkyReferenceSurface mixed = {
-            .base = {.9, .5, .1}, .metalness = .5, .roughness = .4 + .3 * (i / 4), .reflectance = .04};
+        SkyReferenceSurface mixed = {.base = {.9, .5, .1},
+                                     .metalness = .5,
+                                     .roughness = .4 + .3 * (i / 4),
+                                     .reflectance = .04};
         double all[3], drawn[3], half[3], even[3];
         sky_reference_surface(&metal);
         sky_reference_surface(&mixed);
@@ -89,19 +99,21 @@ static void the_reference_is_right(void **state)
             worst[2] = fmax(worst[2], fabs(drawn[k] / half[k] - 1));
         }
     }
-    print_message(
-        "white from all around: within %.4f; a picture, against even directions: within %.4f, by half as many: %.4f\n",
-        worst[0], worst[1], worst[2]);
+    print_message("white from all around: within %.4f; a picture, against even directions: within "
+                  "%.4f, by half as many: %.4f\n",
+                  worst[0], worst[1], worst[2]);
     assert_true(worst[0] < .01 && worst[1] < .01 && worst[2] < .01);
     reference_picture_free(&picture);
 }
 
-/* The normal that the pixel has, and the direction to the eye; false: not on the ball, or at its rim. */
+/* The normal that the pixel has, and the direction to the eye; false: not on the ball, or at its
+ * rim. */
 static bool ways_of(const float *normals, int pixel, double ways[2][3])
 {
     const float *e = normals + 4 * pixel;
-    const double half = tan(1.5 * PI / 180), view[3] = {(2 * (pixel % SIDE) + 1. - SIDE) / SIDE * half, 1,
-                                                        (2 * (pixel / SIDE) + 1. - SIDE) / SIDE * half};
+    const double half = tan(1.5 * PI / 180),
+                 view[3] = {(2 * (pixel % SIDE) + 1. - SIDE) / SIDE * half, 1,
+                            (2 * (pixel / SIDE) + 1. - SIDE) / SIDE * half};
     const double far = sqrt(view[0] * view[0] + 1 + view[2] * view[2]),
                  length = sqrt((double)(e[0] * e[0] + e[1] * e[1] + e[2] * e[2]));
     if (40 * sqrt(1 - 1 / (far * far)) > .97)
@@ -120,7 +132,8 @@ typedef struct {
 } Case;
 
 /* Of pixels spread evenly. */
-static void compare(const SkyReference *reference, const Case *of, const float *light, const float *normals)
+static void compare(const SkyReference *reference, const Case *of, const float *light,
+                    const float *normals)
 {
     enum { STEP = 163, SAMPLES = 4000 };
     SkyReferenceSurface surface = {.base = {of->base[0], of->base[1], of->base[2]},
@@ -143,24 +156,28 @@ static void compare(const SkyReference *reference, const Case *of, const float *
         }
         count++;
     }
-    print_message("%-10s roughness %.2f: %.2f %% off in the mean, %.1f %% at most, of the greatest, %.3g\n",
-                  of->metalness > 0 ? "metal" : "plastic", of->roughness, 100 * sum / count / greatest,
-                  100 * most / greatest, greatest);
+    print_message(
+        "%-10s roughness %.2f: %.2f %% off in the mean, %.1f %% at most, of the greatest, %.3g\n",
+        of->metalness > 0 ? "metal" : "plastic", of->roughness, 100 * sum / count / greatest,
+        100 * most / greatest, greatest);
     assert_true(count > 30 && sum / count < of->mean * greatest && most < of->most * greatest);
 }
 
 static const char studio_sky[] = "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: "
                                  "tests/reference/studio.exr, texels: centre } }";
 
-/* A ball of a Principled with such parameters under a sky: its light, and its normals unless NULL. */
-static void draw_ball(GlContext *gl, const char *material, const char *sky, float **light, float **normals)
+/* A ball of a Principled with such parameters under a sky: its light, and its normals unless
+ * NULL. */
+static void draw_ball(GlContext *gl, const char *material, const char *sky, float **light,
+                      float **normals)
 {
     char text[1024];
     MatcDocument *document;
     MatcOptions options = frame_exact_options();
     options.pixels = true;
     snprintf(text, sizeof text,
-             VIEW "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: { material: Principled, %s } }]\n"
+             VIEW "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: { material: "
+                  "Principled, %s } }]\n"
                   "sky: %s\n",
              material, sky);
     Scene *scene = frame_scene(text, &options, &document);
@@ -169,14 +186,16 @@ static void draw_ball(GlContext *gl, const char *material, const char *sky, floa
     frame_forget(scene, document);
 }
 
-/* Bounds are what is seen and a tenth to a half. The last is a coat of index 1.5 over what reflects nothing. */
+/* Bounds are what is seen and a tenth to a half. The last is a coat of index 1.5 over what reflects
+ * nothing. */
 static void balls_are_those_of_the_reference(void **state)
 {
     (void)state;
-    static const Case cases[] = {{{.9, .7, .5}, 1, .1, .0006, .015}, {{.9, .7, .5}, 1, .2, .001, .01},
-                                 {{.9, .7, .5}, 1, .4, .0025, .035}, {{.9, .7, .5}, 1, .7, .011, .04},
-                                 {{.9, .7, .5}, 1, 1, .02, .09},     {{.5, .3, .1}, 0, .3, .006, .025},
-                                 {{.5, .3, .1}, 0, .8, .004, .013},  {{0, 0, 0}, 0, .4, .005, .035}};
+    static const Case cases[] = {
+        {{.9, .7, .5}, 1, .1, .0006, .015}, {{.9, .7, .5}, 1, .2, .001, .01},
+        {{.9, .7, .5}, 1, .4, .0025, .035}, {{.9, .7, .5}, 1, .7, .011, .04},
+        {{.9, .7, .5}, 1, 1, .02, .09},     {{.5, .3, .1}, 0, .3, .006, .025},
+        {{.5, .3, .1}, 0, .8, .004, .013},  {{0, 0, 0}, 0, .4, .005, .035}};
     static SkyReference studio;
     ReferencePicture picture;
     GlContext *gl = frame_context();
@@ -186,11 +205,12 @@ static void balls_are_those_of_the_reference(void **state)
         const double *base = cases[i].base;
         char material[256];
         float *light, *normals;
-        snprintf(material, sizeof material, "baseColor: [%g, %g, %g], metalness: %g, roughness: %g", base[0], base[1],
-                 base[2], cases[i].metalness, cases[i].roughness);
+        snprintf(material, sizeof material, "baseColor: [%g, %g, %g], metalness: %g, roughness: %g",
+                 base[0], base[1], base[2], cases[i].metalness, cases[i].roughness);
         if (base[0] == 0)
             snprintf(material, sizeof material,
-                     "baseColor: 0, specular: 0, roughness: 0.7, coat: 1, coatIor: 1.5, coatRoughness: %g",
+                     "baseColor: 0, specular: 0, roughness: 0.7, coat: 1, coatIor: 1.5, "
+                     "coatRoughness: %g",
                      cases[i].roughness);
         draw_ball(gl, material, studio_sky, &light, &normals);
         compare(&studio, &cases[i], light, normals);
@@ -201,7 +221,8 @@ static void balls_are_those_of_the_reference(void **state)
     gl_close(gl);
 }
 
-/* pi times what black facets of two widths, of index 1.5, send once, and the light's cosine; the axes are along, across and the normal. */
+/* pi times what black facets of two widths, of index 1.5, send once, and the light's cosine; the
+ * axes are along, across and the normal. */
 static double brushed_lobe(const double widths[2], const double eye[3], const double way[3])
 {
     double half[3], masked = 1;
@@ -216,16 +237,19 @@ static double brushed_lobe(const double widths[2], const double eye[3], const do
     }
     const double x = half[0] / widths[0], y = half[1] / widths[1],
                  wide = (x * x + y * y + half[2] * half[2]) / (length * length);
-    return (.04 + .96 * pow(1 - facing, 5)) / (widths[0] * widths[1] * wide * wide * masked * 4 * eye[2]);
+    return (.04 + .96 * pow(1 - facing, 5)) /
+           (widths[0] * widths[1] * wide * wide * masked * 4 * eye[2]);
 }
 
 /* Of a ball whose facets are wider around its axis, z: a sum over even directions. */
-static double brushed_light(const ReferencePicture *picture, const double widths[2], double ways[2][3])
+static double brushed_light(const ReferencePicture *picture, const double widths[2],
+                            double ways[2][3])
 {
     enum { HEIGHTS = 250, TURNS = 500 };
     const double *n = ways[0], flat = hypot(n[0], n[1]);
-    const double axes[3][3] = {
-        {-n[1] / flat, n[0] / flat, 0}, {-n[2] * n[0] / flat, -n[2] * n[1] / flat, flat}, {n[0], n[1], n[2]}};
+    const double axes[3][3] = {{-n[1] / flat, n[0] / flat, 0},
+                               {-n[2] * n[0] / flat, -n[2] * n[1] / flat, flat},
+                               {n[0], n[1], n[2]}};
     double eye[3], sum = 0;
     for (int k = 0; k < 3; k++)
         eye[k] = axes[k][0] * ways[1][0] + axes[k][1] * ways[1][1] + axes[k][2] * ways[1][2];
@@ -294,7 +318,8 @@ static void white_stays_white(void **state)
         char material[256];
         double ways[2][3], here = 0;
         float *light, *normals;
-        snprintf(material, sizeof material, "baseColor: 1, roughness: %g, %s", roughnesses[i % 5], more[i / 5]);
+        snprintf(material, sizeof material, "baseColor: 1, roughness: %g, %s", roughnesses[i % 5],
+                 more[i / 5]);
         draw_ball(gl, material, "{ material: RGBA, r: 1, g: 1, b: 1 }", &light, &normals);
         for (int pixel = 0; pixel < PIXELS; pixel++)
             for (int k = 0; k < 3 && ways_of(normals, pixel, ways); k++, count++)
@@ -314,6 +339,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(the_reference_is_right),
                                        cmocka_unit_test(balls_are_those_of_the_reference),
-                                       cmocka_unit_test(brushed_balls_are_too), cmocka_unit_test(white_stays_white)};
+                                       cmocka_unit_test(brushed_balls_are_too),
+                                       cmocka_unit_test(white_stays_white)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

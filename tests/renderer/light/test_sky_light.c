@@ -1,5 +1,6 @@
-/* The sky as a light: irradiance and lobes on a sphere against integrals in double of what the oracle says the sky is; closed forms under skies
- * of one colour; the sun that goes with it, in scenes and in the reflection. */
+/* The sky as a light: irradiance and lobes on a sphere against integrals in double of what the
+ * oracle says the sky is; closed forms under skies of one colour; the sun that goes with it, in
+ * scenes and in the reflection. */
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "compiler/evaluate.h"
@@ -13,8 +14,9 @@
 
 enum { SIDE = 96, PIXELS = SIDE * SIDE };
 /* The camera's axes are the world's: right x, up z, and it looks along y. */
-#define VIEW                                                                                                           \
-    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, -40, 0], target: [0, 0, 0], "      \
+#define VIEW                                                                                       \
+    "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, -40, 0], "     \
+    "target: [0, 0, 0], "                                                                          \
     "angle: 3 }\n"
 #define HALF_ANGLE (1.5 * PI / 180)
 
@@ -45,9 +47,11 @@ static void forget(Read *r)
 
 static float *draw(GlContext *gl, const Read *r, const char *view, bool fragment)
 {
-    Render *render = render_open(gl, &(RenderOptions){.compile = &r->options, .view = view, .fragment = fragment});
+    Render *render = render_open(
+        gl, &(RenderOptions){.compile = &r->options, .view = view, .fragment = fragment});
     float *rgba = calloc(PIXELS, 4 * sizeof *rgba);
-    if (!render || !rgba || !render_scene(render, r->scene) || !render_frame(render) || !render_read(render, rgba))
+    if (!render || !rgba || !render_scene(render, r->scene) || !render_frame(render) ||
+        !render_read(render, rgba))
         fail_msg("%s", gl->error);
     render_close(render);
     return rgba;
@@ -68,7 +72,8 @@ static void trace(const Read *r)
     for (int i = 0; i < HEIGHTS * TURNS; i++) {
         SlotValues slots;
         Surface surface;
-        const double z = 2 * (i / TURNS + .5) / HEIGHTS - 1, turn = 2 * PI * (i % TURNS + .5) / TURNS;
+        const double z = 2 * (i / TURNS + .5) / HEIGHTS - 1,
+                     turn = 2 * PI * (i % TURNS + .5) / TURNS;
         double *way = rays[i].way;
         way[0] = sqrt(1 - z * z) * cos(turn);
         way[1] = sqrt(1 - z * z) * sin(turn);
@@ -76,9 +81,11 @@ static void trace(const Read *r)
         oracle_surface_default(&surface);
         for (int k = 0; k < 3; k++)
             surface.root[channel_id(GROUP_P, k)] = surface.root[channel_id(GROUP_X, k)] = way[k];
-        surface.root[channel_id(GROUP_U, 0)] = atan2(way[1], -way[0]) / (2 * PI) + .5; /* semantics.md 5.3 */
+        /* semantics.md 5.3 */
+        surface.root[channel_id(GROUP_U, 0)] = atan2(way[1], -way[0]) / (2 * PI) + .5;
         surface.root[channel_id(GROUP_U, 1)] = acos(-z) / PI;
-        evaluate_material(sky->document, sky->index, &r->options, (SurfacePoints){&surface, 1}, &slots);
+        evaluate_material(sky->document, sky->index, &r->options, (SurfacePoints){&surface, 1},
+                          &slots);
         for (int k = 0; k < 3; k++)
             rays[i].light[k] = slots.lane[SLOT_diffuse][k] + slots.lane[SLOT_emissive][k];
     }
@@ -92,14 +99,15 @@ static void integrate(const double n[3], const double w[3], double exponent, dou
         const double cosine = dot(n, rays[i].way), along = dot(w, rays[i].way);
         if (cosine <= 0 || (exponent > 0 && along <= 0))
             continue;
-        const double weight = cosine * (exponent > 0 ? pow(along, exponent) : 1) * 4 * PI / (HEIGHTS * TURNS) / PI;
+        const double weight =
+            cosine * (exponent > 0 ? pow(along, exponent) : 1) * 4 * PI / (HEIGHTS * TURNS) / PI;
         for (int k = 0; k < 3; k++)
             sum[k] += weight * rays[i].light[k];
     }
 }
 
-/* The same as prefiltered levels would have it: the mean of the light by the power alone, which is one look-up, times what the cosine leaves of light
- * that is the same all around. */
+/* The same as prefiltered levels would have it: the mean of the light by the power alone, which is
+ * one look-up, times what the cosine leaves of light that is the same all around. */
 static void blur(const double n[3], const double w[3], double exponent, double sum[3])
 {
     double all = 0, left = 0;
@@ -141,9 +149,10 @@ static bool spot_of(const float *normals, int pixel, Spot *spot)
     return true;
 }
 
-/* The greatest difference on the sphere, over the greatest value there; *blurred: that of prefiltered levels. */
-static double off_by(const float *light, const float *normals, const double specular[3], double exponent,
-                     double *blurred)
+/* The greatest difference on the sphere, over the greatest value there; *blurred: that of
+ * prefiltered levels. */
+static double off_by(const float *light, const float *normals, const double specular[3],
+                     double exponent, double *blurred)
 {
     enum { STEP = 163 };
     double off = 0, other = 0, greatest = 0;
@@ -169,14 +178,17 @@ static double off_by(const float *light, const float *normals, const double spec
 
 static void put_scene(char *text, size_t room, const char *material, const char *sky)
 {
-    snprintf(text, room, VIEW "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: %s }]\nsky: %s\n",
+    snprintf(text, room,
+             VIEW
+             "lights: [{ light: Sky }]\nobjects: [{ object: Sphere, material: %s }]\nsky: %s\n",
              material, sky);
 }
 
 /* An exponent of a shininess, semantics.md 4.1. */
 static double exponent_of(double shininess) { return -2 / log(shininess * (2 - shininess)); }
 
-/* Clear skies by the height of their sun; disableSun leaves the sky alone. 0.3 % for diffuse, 4 % for lobes, of the greatest. */
+/* Clear skies by the height of their sun; disableSun leaves the sky alone. 0.3 % for diffuse, 4 %
+ * for lobes, of the greatest. */
 static void clear_skies(void **state)
 {
     (void)state;
@@ -186,12 +198,14 @@ static void clear_skies(void **state)
     int faults = 0;
     for (int i = 0; i < 2; i++) {
         char sky[256], text[1024];
-        snprintf(sky, sizeof sky, "{ material: SunSkyLight, sun: [%.9f, 0, %.9f], turbidity: 3, disableSun: true }",
+        snprintf(sky, sizeof sky,
+                 "{ material: SunSkyLight, sun: [%.9f, 0, %.9f], turbidity: 3, disableSun: true }",
                  cos(heights[i] * PI / 180), sin(heights[i] * PI / 180));
         for (int k = -1; k < 2; k++) {
             char material[128] = "{ material: Phong, diffuse: 1 }";
             if (k >= 0)
-                snprintf(material, sizeof material, "{ material: Phong, diffuse: 0, specular: 1, shininess: %g }",
+                snprintf(material, sizeof material,
+                         "{ material: Phong, diffuse: 0, specular: 1, shininess: %g }",
                          shininesses[k]);
             put_scene(text, sizeof text, material, sky);
             Read r = read_scene(text);
@@ -200,9 +214,12 @@ static void clear_skies(void **state)
             float *light = draw(gl, &r, "light", k == 1), *normals = draw(gl, &r, "normal", false);
             const double exponent = k < 0 ? 0 : exponent_of(shininesses[k]);
             double blurred;
-            const double off = off_by(light, normals, (const double[]){1, 1, 1}, exponent, &blurred);
-            print_message("sun at %2d degrees, exponent %5.1f: %.3f %%", heights[i], exponent, 100 * off);
-            print_message(k < 0 ? "\n" : "; prefiltered levels would be off by %.1f %%\n", 100 * blurred);
+            const double off =
+                off_by(light, normals, (const double[]){1, 1, 1}, exponent, &blurred);
+            print_message("sun at %2d degrees, exponent %5.1f: %.3f %%", heights[i], exponent,
+                          100 * off);
+            print_message(k < 0 ? "\n" : "; prefiltered levels would be off by %.1f %%\n",
+                          100 * blurred);
             faults += !(off <= (k < 0 ? .003 : .04));
             free(light);
             free(normals);
@@ -219,8 +236,9 @@ static void pictures(void **state)
     (void)state;
     char text[1024];
     GlContext *gl = frame_context();
-    put_scene(text, sizeof text, "{ material: Phong, diffuse: [1, .5, .25] }",
-              "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: examples/tiles.png } }");
+    put_scene(
+        text, sizeof text, "{ material: Phong, diffuse: [1, .5, .25] }",
+        "{ material: Phong, diffuse: 0, emissive: { map: ImageMap, image: examples/tiles.png } }");
     Read r = read_scene(text);
     trace(&r);
     float *light = draw(gl, &r, "light", false), *normals = draw(gl, &r, "normal", false);
@@ -234,7 +252,8 @@ static void pictures(void **state)
     gl_close(gl);
 }
 
-/* Of one colour, twice as bright as it is seen: diffuse 1 sends back just that, a mirror 2 (n.w) / (exponent + 2), less at its horizon. */
+/* Of one colour, twice as bright as it is seen: diffuse 1 sends back just that, a mirror 2 (n.w) /
+ * (exponent + 2), less at its horizon. */
 static void one_color(void **state)
 {
     (void)state;
@@ -242,11 +261,12 @@ static void one_color(void **state)
     GlContext *gl = frame_context();
     for (int mirror = 0; mirror < 2; mirror++) {
         snprintf(text, sizeof text,
-                 VIEW
-                 "lights: [{ light: Sky, intensity: .5 }, { light: Sky, color: [1.5, 0, 1.5] }]\nobjects: [{ object: "
-                 "Sphere, "
-                 "material: { material: Phong, diffuse: %d, specular: %d, shininess: .99 } }]\nsky: { material: RGBA, "
-                 "r: .25, g: .5, b: 0 }\n",
+                 VIEW "lights: [{ light: Sky, intensity: .5 }, { light: Sky, color: [1.5, 0, 1.5] "
+                      "}]\nobjects: [{ object: "
+                      "Sphere, "
+                      "material: { material: Phong, diffuse: %d, specular: %d, shininess: .99 } "
+                      "}]\nsky: { material: RGBA, "
+                      "r: .25, g: .5, b: 0 }\n",
                  !mirror, mirror);
         Read r = read_scene(text);
         float *light = draw(gl, &r, "light", false), *normals = draw(gl, &r, "normal", false);
@@ -267,14 +287,16 @@ static void one_color(void **state)
     gl_close(gl);
 }
 
-/* What a white plane that lies flat sends back of SunSkyLight, summed over red, green and blue, times pi / 3: the sky's scale is such that sky
- * and sun give 10. */
+/* What a white plane that lies flat sends back of SunSkyLight, summed over red, green and blue,
+ * times pi / 3: the sky's scale is such that sky and sun give 10. */
 static double flat(GlContext *gl, const char *more)
 {
     char text[1024];
     snprintf(text, sizeof text,
-             "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, 0, 5], up: [0, 1, 0] }\n"
-             "lights: [{ light: Sky }]\nobjects: [{ object: Plane, material: { material: Phong, diffuse: 1 } }]\n"
+             "image: { width: 96, height: 96 }\ncamera: { camera: Perspective, position: [0, 0, "
+             "5], up: [0, 1, 0] }\n"
+             "lights: [{ light: Sky }]\nobjects: [{ object: Plane, material: { material: Phong, "
+             "diffuse: 1 } }]\n"
              "sky: { material: SunSkyLight, sun: [3, 4, 5], turbidity: 4%s }\n",
              more);
     Read r = read_scene(text);
@@ -310,12 +332,14 @@ static double number_after(const char *json, const char *key, int index)
     return strtod(at + 1, NULL);
 }
 
-/* The sun's direction, of length 1, and what it gives: with the sky, 10 on the horizontal plane. No other material has one, nor another pass. */
+/* The sun's direction, of length 1, and what it gives: with the sky, 10 on the horizontal plane. No
+ * other material has one, nor another pass. */
 static void reflected(void **state)
 {
     (void)state;
     static const char text[] =
-        "materials: { sky: { material: AlgorithmSwitch, radiationShader: { material: SunSkyLight, sun: [3, 4, "
+        "materials: { sky: { material: AlgorithmSwitch, radiationShader: { material: SunSkyLight, "
+        "sun: [3, 4, "
         "5], turbidity: 4, disableSun: true } }, other: { material: RGBA } }\n";
     MatcOptions options;
     matc_options_init(&options);
@@ -328,7 +352,8 @@ static void reflected(void **state)
         assert_int_equal(strstr(json, "\"sunIrradiance\"") != NULL, i == 0);
         if (i == 0) {
             const double unit = sqrt(50);
-            assert_non_null(strstr(json, "\"sky\": {\"disableLight\": false, \"disableSun\": true"));
+            assert_non_null(
+                strstr(json, "\"sky\": {\"disableLight\": false, \"disableSun\": true"));
             for (int k = 0; k < 3; k++)
                 assert_true(fabs(number_after(json, "\"sun\":", k) - (3 + k) / unit) <= 1e-12);
             GlContext *gl = frame_context();

@@ -1,4 +1,5 @@
-/* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and as glass before them lets them through; a glow with tiles behind the glass. */
+/* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and
+ * as glass before them lets them through; a glow with tiles behind the glass. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -10,14 +11,17 @@ static float *draw(GlContext *gl, const char *text, int samples, bool fragment)
     MatcDocument *document;
     const MatcOptions options = frame_exact_options();
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba =
-        frame_floats(gl, scene, &(RenderOptions){.compile = &options, .samples = samples, .fragment = fragment});
+    float *rgba = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .samples = samples, .fragment = fragment});
     frame_forget(scene, document);
     return rgba;
 }
 
 /* IEC 61966-2-1. */
-static double encode(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055; }
+static double encode(double c)
+{
+    return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
+}
 
 /* Grey tiles of 16 pixels where nothing is; none on an object, black as it is. */
 static void tiles(void **state)
@@ -27,7 +31,8 @@ static void tiles(void **state)
     GlContext *gl = frame_context();
     float *shown =
         draw(gl,
-             "image: { width: 64, height: 64, tiles: true }\ncamera: { camera: Orthographic, position: [0, -5, 0], "
+             "image: { width: 64, height: 64, tiles: true }\ncamera: { camera: Orthographic, "
+             "position: [0, -5, 0], "
              "size: 4 }\nobjects: [{ object: Box, material: { material: Phong, diffuse: 0 } }]\n"
              "toneMapping: { toneMapping: Drago }\n",
              1, false);
@@ -41,7 +46,8 @@ static void tiles(void **state)
     gl_close(gl);
 }
 
-/* A glow by its formula; and what is seen through a pane of it, or of tiles, is as much of it as the pane lets through, whatever the exposure. */
+/* A glow by its formula; and what is seen through a pane of it, or of tiles, is as much of it as
+ * the pane lets through, whatever the exposure. */
 static void through_glass(void **state)
 {
     (void)state;
@@ -52,9 +58,12 @@ static void through_glass(void **state)
         char text[1024];
         double most = 0;
         snprintf(text, sizeof text,
-                 "image: { width: 60, height: 40, %s: true }\ncamera: { camera: Orthographic, position: [0, -5, 0], "
-                 "size: 4 }\nobjects: [{ object: Parallelogram, u: [2, 0, 0], v: [0, 0, 2], material: { material: "
-                 "Phong, diffuse: 0, transparency: [.5, .25, 1] }, transform: { translation: [-1, 0, -1] } }]\n"
+                 "image: { width: 60, height: 40, %s: true }\ncamera: { camera: Orthographic, "
+                 "position: [0, -5, 0], "
+                 "size: 4 }\nobjects: [{ object: Parallelogram, u: [2, 0, 0], v: [0, 0, 2], "
+                 "material: { material: "
+                 "Phong, diffuse: 0, transparency: [.5, .25, 1] }, transform: { translation: [-1, "
+                 "0, -1] } }]\n"
                  "toneMapping: { toneMapping: Clamp, exposure: %d }\n",
                  k == 4  ? "glow: true, tiles"
                  : k % 2 ? "tiles"
@@ -64,12 +73,15 @@ static void through_glass(void **state)
         for (int i = 0; i < 3 * WIDTH * HEIGHT; i++) {
             const int x = i / 3 % WIDTH, y = i / 3 / WIDTH, lane = i % 3;
             const bool pane = x >= 20 && x < 40 && y >= 10 && y < 30;
-            const double right = (2 * x + 1 - WIDTH) / (double)HEIGHT, up = (2 * y + 1 - HEIGHT) / (double)HEIGHT - .1;
-            const double glow = exp(-1.6 * (right * right + up * up)), grey = (x / 16 + y / 16) % 2 ? .4 : .6;
+            const double right = (2 * x + 1 - WIDTH) / (double)HEIGHT,
+                         up = (2 * y + 1 - HEIGHT) / (double)HEIGHT - .1;
+            const double glow = exp(-1.6 * (right * right + up * up)),
+                         grey = (x / 16 + y / 16) % 2 ? .4 : .6;
             const bool tiled = k == 4 ? pane : k % 2;
-            const double behind =
-                tiled ? pow((grey + .055) / 1.055, 2.4) : edge[0][lane] + glow * (edge[1][lane] - edge[0][lane]);
-            most = fmax(most, fabs(shown[i / 3 * 4 + lane] - encode(pane ? lets[lane] * behind : behind)));
+            const double behind = tiled ? pow((grey + .055) / 1.055, 2.4)
+                                        : edge[0][lane] + glow * (edge[1][lane] - edge[0][lane]);
+            most = fmax(
+                most, fabs(shown[i / 3 * 4 + lane] - encode(pane ? lets[lane] * behind : behind)));
         }
         print_message("%s: %.3f steps of 8 bits\n", k % 2 ? "tiles" : "glow", 255 * most);
         assert_true(255 * most <= .6);
@@ -96,7 +108,8 @@ static void parts_have_the_picture_s_backdrop(void **state)
                  WIDTH, HEIGHT, kinds[kind]);
         Scene *scene = frame_scene(text, &options, &document);
         float *whole = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
-        float *parts = frame_tiles(gl, scene, &(RenderOptions){.compile = &options, .tile = {24, 24}});
+        float *parts =
+            frame_tiles(gl, scene, &(RenderOptions){.compile = &options, .tile = {24, 24}});
         for (int i = 0; i < 4 * WIDTH * HEIGHT; i++)
             assert_true(fabsf(whole[i] - parts[i]) < .51f / 255);
         free(whole);

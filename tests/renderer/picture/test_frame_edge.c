@@ -1,5 +1,5 @@
-/* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of objects mapped one by one; lines of the picture by
- * closed forms; what hides them; tiles. */
+/* Edges blended by coverage, against 8 x 8 rays of Embree through each pixel, flat colours of
+ * objects mapped one by one; lines of the picture by closed forms; what hides them; tiles. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "runtime/cache/edge_list.h"
@@ -11,13 +11,17 @@
 
 enum { WIDTH = 240, HEIGHT = 160, SAMPLES = 8 };
 
-#define CAMERA                                                                                                         \
-    "image: { width: 240, height: 160 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], " \
+#define CAMERA                                                                                     \
+    "image: { width: 240, height: 160 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], " \
+    "target: [0, 0, .5], "                                                                         \
     "angle: 40 }\n"
 #define GLOWS(rgb) "material: { material: Phong, emissive: " rgb " }"
 
 /* IEC 61966-2-1 */
-static double encoded(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055; }
+static double encoded(double c)
+{
+    return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
+}
 
 /* -- against samples */
 
@@ -33,11 +37,15 @@ static const EdgeCase cases[] = {
      CAMERA "objects:\n- { object: Sphere, " GLOWS(
          "[1, 1, 1]") " }\n"
                       "- { object: Box, " GLOWS(
-                          "[.125, .5, .875]") ", transform: { translation: [1.9, 0, 0], rotation: [.3, .4, .5] } }\n"
-                                              "- { object: Parallelogram, u: [2, 0, 0], v: [0, .5, 2], " GLOWS(
-                                                  "[.875, .5, .125]") ", transform: { translation: [-2.5, 0, 0], "
+                          "[.125, .5, .875]") ", transform: { translation: [1.9, 0, 0], rotation: "
+                                              "[.3, .4, .5] } }\n"
+                                              "- { object: Parallelogram, u: [2, 0, 0], v: [0, .5, "
+                                              "2], " GLOWS(
+                                                  "[.875, .5, .125]") ", transform: { translation: "
+                                                                      "[-2.5, 0, 0], "
                                                                       "rotation: [.3, .4, .5] } }\n"
-                                                                      "sky: { material: RGBA, r: 0, g: 0, b: 0 }\n",
+                                                                      "sky: { material: RGBA, r: "
+                                                                      "0, g: 0, b: 0 }\n",
      {{1, 1, 1}, {.125, .5, .875}, {.875, .5, .125}, {0}},
      .0125,
      2},
@@ -47,35 +55,44 @@ static const EdgeCase cases[] = {
                             "- { object: Cylinder, " GLOWS(
                                 "[.75, 0, 0]") ", transform: { translation: [-1, 0, 0] } }\n"
                                                "- { object: Cone, " GLOWS(
-                                                   "[1, 1, .25]") ", transform: { translation: [1, .3, 0], scale: [1, "
+                                                   "[1, 1, .25]") ", transform: { translation: [1, "
+                                                                  ".3, 0], scale: [1, "
                                                                   "1, 2] } }\n"
-                                                                  "sky: { material: RGBA, r: .25, g: .5, b: 1 }\n",
+                                                                  "sky: { material: RGBA, r: .25, "
+                                                                  "g: .5, b: 1 }\n",
      {{.25, .5, .125}, {.75, 0, 0}, {1, 1, .25}, {.25, .5, 1}},
      .02,
      3},
-    {"a lamp: 64 times what is white", /* blended before it is mapped, nearly all of the edge would be white */
-     CAMERA
-     "objects: [{ object: Sphere, " GLOWS("[64, 64, 64]") " }]\nsky: { material: RGBA, r: .125, g: .125, b: .125 }\n",
+    /* blended before it is mapped, nearly all of the edge would be white */
+    {"a lamp: 64 times what is white",
+     CAMERA "objects: [{ object: Sphere, " GLOWS(
+         "[64, 64, 64]") " }]\nsky: { material: RGBA, r: .125, g: .125, b: .125 }\n",
      {{1, 1, 1}, {.125, .125, .125}},
      .0085,
      1},
     {"orthographic, mirrored",
-     "image: { width: 240, height: 160 }\ncamera: { camera: Orthographic, position: [.5, -6, 2.5], size: 3, depth: 20 "
+     "image: { width: 240, height: 160 }\ncamera: { camera: Orthographic, position: [.5, -6, 2.5], "
+     "size: 3, depth: 20 "
      "}\n"
      "objects:\n- { object: Box, " GLOWS(
          "[.5, .25, 0]") ", transform: { rotation: [.3, .2, .7], scale: [-1, 1, 1] } }\n"
                          "- { object: Sphere, radius: .5, " GLOWS(
-                             "[0, 1, 1]") ", transform: { translation: [1.5, 0, 0], scale: [1, -1, 1.2] } }\n",
+                             "[0, 1, 1]") ", transform: { translation: [1.5, 0, 0], scale: [1, -1, "
+                                          "1.2] } }\n",
      {{.5, .25, 0}, {0, 1, 1}, {0}},
      .0165,
      3},
     {"arches: outlines that a volume hides itself, beside those that it shows",
-     "image: { width: 240, height: 160 }\ncamera: { camera: Perspective, position: [-.6, -6.2, 1.1], target: [-1, 0, "
+     "image: { width: 240, height: 160 }\ncamera: { camera: Perspective, position: [-.6, -6.2, "
+     "1.1], target: [-1, 0, "
      ".7], "
      "angle: 20 }\ndisplacement: { triangles: 60000 }\ndefs: { rough: '= fbm(3 * p, 5)' }\n"
-     "objects:\n- { object: Parallelogram, u: [7, 0, 0], v: [0, 5, 0], transform: { translation: [-3.5, -2.5, 0] }, "
-     "material: { material: Phong, emissive: [.875, .5, .125], displacementBound: 3, displacementVolume: '= "
-     "wall = .32 + .06 * rough - abs(y - 3.4 - .1 * sin(2 * x)); across = x % 1.75 - .875; gate = .36 - across^2 + .05 "
+     "objects:\n- { object: Parallelogram, u: [7, 0, 0], v: [0, 5, 0], transform: { translation: "
+     "[-3.5, -2.5, 0] }, "
+     "material: { material: Phong, emissive: [.875, .5, .125], displacementBound: 3, "
+     "displacementVolume: '= "
+     "wall = .32 + .06 * rough - abs(y - 3.4 - .1 * sin(2 * x)); across = x % 1.75 - .875; gate = "
+     ".36 - across^2 + .05 "
      "* rough; "
      "top = wall > 0 ? .95 + .12 * rough + .3 * sqrt(wall) : -1; "
      "[-.3, .05 * rough, gate > 0 ? 1.3 * sqrt(gate) : -.2, top]' } }\n"
@@ -93,8 +110,8 @@ static bool reference(const EdgeCase *c, const Tracer *tracer, const int at[2], 
     int first = -2;
     bool edge = false;
     for (int i = 0; i < SAMPLES * SAMPLES; i++) {
-        const Ray ray =
-            reference_ray(scene, at[0] + (i % SAMPLES + .5) / SAMPLES, at[1] + (i / SAMPLES + .5) / SAMPLES);
+        const Ray ray = reference_ray(scene, at[0] + (i % SAMPLES + .5) / SAMPLES,
+                                      at[1] + (i / SAMPLES + .5) / SAMPLES);
         const int object = reference_hit(tracer, &ray, 0).object;
         edge |= first > -2 && object != first;
         first = object;
@@ -112,7 +129,8 @@ typedef struct {
     int spoiled;   /* where none does, and another colour is blended in all the same */
 } EdgeSum;
 
-static void compare(const EdgeCase *c, const Tracer *tracer, float *const pictures[2], EdgeSum *band)
+static void compare(const EdgeCase *c, const Tracer *tracer, float *const pictures[2],
+                    EdgeSum *band)
 {
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         double mean[3];
@@ -142,13 +160,15 @@ static void edges_are_coverage(void **state)
         for (int edges = 0; edges < 2; edges++)
             pictures[edges] = frame_floats(
                 gl, scene,
-                &(RenderOptions){
-                    .compile = &options, .deep = true, .edges = edges ? RENDER_EDGES_coverage : RENDER_EDGES_none});
+                &(RenderOptions){.compile = &options,
+                                 .deep = true,
+                                 .edges = edges ? RENDER_EDGES_coverage : RENDER_EDGES_none});
         Tracer tracer = reference_open(scene);
         compare(&cases[k], &tracer, pictures, &band);
-        const double none = sqrt(band.sum[0] / band.count), coverage = sqrt(band.sum[1] / band.count);
-        print_message("%s: %d pixels, RMSE %.4f, blended %.4f; %d others spoiled\n", cases[k].name, band.count, none,
-                      coverage, band.spoiled);
+        const double none = sqrt(band.sum[0] / band.count),
+                     coverage = sqrt(band.sum[1] / band.count);
+        print_message("%s: %d pixels, RMSE %.4f, blended %.4f; %d others spoiled\n", cases[k].name,
+                      band.count, none, coverage, band.spoiled);
         assert_true(band.count > 200 && none > .1);
         assert_true(coverage <= cases[k].most && band.spoiled <= cases[k].spoiled);
         reference_close(&tracer);
@@ -161,22 +181,27 @@ static void edges_are_coverage(void **state)
 
 /* -- what is left alone */
 
-/* A wall before all of a box and a sphere: a picture without an edge, and with a pattern that a line through it would blur. */
+/* A wall before all of a box and a sphere: a picture without an edge, and with a pattern that a
+ * line through it would blur. */
 static void hidden_lines_are_not_seen(void **state)
 {
     (void)state;
-    static const char text[] = CAMERA
-        "lights: [{ light: Ambient }]\nobjects:\n- { object: Box, material: { material: Phong, ambient: .5 } }\n"
-        "- { object: Sphere, material: { material: Phong, ambient: .25 }, transform: { translation: [1, 1, 0] } }\n"
-        "- { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20], transform: { translation: [-10, -2, -10] }, "
-        "material: { material: Phong, ambient: { map: Checker, input: { map: UVTransform, scaleU: 40, scaleV: 40 } } } "
-        "}\n";
+    static const char text[] = CAMERA "lights: [{ light: Ambient }]\nobjects:\n- { object: Box, "
+                                      "material: { material: Phong, ambient: .5 } }\n"
+                                      "- { object: Sphere, material: { material: Phong, ambient: "
+                                      ".25 }, transform: { translation: [1, 1, 0] } }\n"
+                                      "- { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20], "
+                                      "transform: { translation: [-10, -2, -10] }, "
+                                      "material: { material: Phong, ambient: { map: Checker, "
+                                      "input: { map: UVTransform, scaleU: 40, scaleV: 40 } } } "
+                                      "}\n";
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
     GlContext *gl = frame_context();
     float *none = frame_floats(gl, scene, &(RenderOptions){.compile = &options});
-    float *coverage = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+    float *coverage = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
     assert_memory_equal(none, coverage, (size_t)WIDTH * HEIGHT * 4 * sizeof *none);
     free(none);
     free(coverage);
@@ -190,7 +215,8 @@ static void tiles_and_light(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = frame_scene(CAMERA "objects: [{ object: Sphere, " GLOWS("[8, 4, 2]") " }]\n", &options, &document);
+    Scene *scene = frame_scene(CAMERA "objects: [{ object: Sphere, " GLOWS("[8, 4, 2]") " }]\n",
+                               &options, &document);
     GlContext *gl = frame_context();
     RenderOptions choice = {.compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
     float *whole = frame_floats(gl, scene, &choice), *tile = calloc(64 * 64, 4 * sizeof *tile);
@@ -210,7 +236,8 @@ static void tiles_and_light(void **state)
                 const float *seen = tile + 4 * i;
                 apart += fabsf(seen[0] - whole[4 * at]) > .01f;
                 between += seen[3] > 0 && seen[3] < 1;
-                assert_true(fabsf(seen[0] - 8 * seen[3]) < 1e-5f && fabsf(seen[2] - 2 * seen[3]) < 1e-5f);
+                assert_true(fabsf(seen[0] - 8 * seen[3]) < 1e-5f &&
+                            fabsf(seen[2] - 2 * seen[3]) < 1e-5f);
             }
         }
     assert_true(between > 100);
@@ -228,10 +255,11 @@ static void edges_move(void **state)
     (void)state;
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene =
-        frame_scene(CAMERA "objects: [{ object: Box, " GLOWS("1") " }, { object: Sphere, " GLOWS(".5") " }]\n",
-                    &options, &document);
-    const RenderOptions choice = {.compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
+    Scene *scene = frame_scene(
+        CAMERA "objects: [{ object: Box, " GLOWS("1") " }, { object: Sphere, " GLOWS(".5") " }]\n",
+        &options, &document);
+    const RenderOptions choice = {
+        .compile = &options, .edges = RENDER_EDGES_coverage, .linear = true};
     GlContext *gl = frame_context();
     Render *render = render_open(gl, &choice);
     float *seen = calloc((size_t)WIDTH * HEIGHT, 4 * sizeof *seen);
@@ -273,21 +301,26 @@ static void sum_lines(const char *text, int (*size)[2], EdgeList *list, double *
     frame_forget(scene, document);
 }
 
-/* 100 pixels a unit: a square that is faced, a box's creases, the part of a square that is in view and what is a pixel beside it,
- * and a horizon in the middle. */
+/* 100 pixels a unit: a square that is faced, a box's creases, the part of a square that is in view
+ * and what is a pixel beside it, and a horizon in the middle. */
 static void lines_have_their_lengths(void **state)
 {
     (void)state;
-#define FACED                                                                                                          \
-    "image: { width: 400, height: 400 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 4, depth: 20 }\n"
+#define FACED                                                                                      \
+    "image: { width: 400, height: 400 }\ncamera: { camera: Orthographic, position: [0, -5, 0], "   \
+    "size: 4, depth: 20 }\n"
     static const struct {
         const char *text;
         double length, within;
     } rows[] = {
-        {FACED "objects: [{ object: Parallelogram, u: [2, 0, 0], v: [0, 0, 1], " GLOWS("1") " }]\n", 600, .01},
-        {FACED "objects: [{ object: Box, size: [1, 1, 2], " GLOWS("1") " }]\n", 1200, .01}, /* front and back */
-        {FACED "objects: [{ object: Parallelogram, u: [9, 0, 0], v: [0, 0, 9], " GLOWS("1") " }]\n", 402, .01},
-        {"image: { width: 400, height: 300 }\ncamera: { camera: Perspective, position: [0, 0, 1], target: [0, 1, 1] }\n"
+        {FACED "objects: [{ object: Parallelogram, u: [2, 0, 0], v: [0, 0, 1], " GLOWS("1") " }]\n",
+         600, .01},
+        /* front and back */
+        {FACED "objects: [{ object: Box, size: [1, 1, 2], " GLOWS("1") " }]\n", 1200, .01},
+        {FACED "objects: [{ object: Parallelogram, u: [9, 0, 0], v: [0, 0, 9], " GLOWS("1") " }]\n",
+         402, .01},
+        {"image: { width: 400, height: 300 }\ncamera: { camera: Perspective, position: [0, 0, 1], "
+         "target: [0, 1, 1] }\n"
          "objects: [{ object: Plane, " GLOWS("1") " }]\n",
          402, .01}};
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
@@ -310,8 +343,9 @@ static void outlines_are_where_they_are_seen(void **state)
     EdgeList list;
     int size[2];
     double length;
-    sum_lines(FACED "objects: [{ object: Sphere, transform: { rotation: [.1, .2, .02] }, " GLOWS("1") " }]\n", &size,
-              &list, &length);
+    sum_lines(FACED "objects: [{ object: Sphere, transform: { rotation: [.1, .2, .02] }, " GLOWS(
+                  "1") " }]\n",
+              &size, &list, &length);
     assert_true(length > 600);
     for (int i = 0; i < 2 * list.count; i++) {
         const EdgeEnd *end = &list.lines[i / 2][i % 2];
@@ -331,8 +365,9 @@ static void reason(void **state)
     Scene *scene = frame_scene("objects: []\n", &options, &document);
     GlContext *gl = frame_context();
     for (int i = 0; i < 4; i++) {
-        const RenderOptions how = {
-            .compile = &options, .edges = i & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none, .fragment = i >> 1};
+        const RenderOptions how = {.compile = &options,
+                                   .edges = i & 1 ? RENDER_EDGES_coverage : RENDER_EDGES_none,
+                                   .fragment = i >> 1};
         Render *render = render_open(gl, &how);
         assert_true(render && render_scene(render, scene));
         char *graph = frame_graph(render);
@@ -342,7 +377,8 @@ static void reason(void **state)
     }
     const int major = gl->major, minor = gl->minor;
     gl->major = 3, gl->minor = 3;
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = &options, .edges = RENDER_EDGES_coverage});
     assert_true(render && render_scene(render, scene));
     char *graph = frame_graph(render);
     assert_non_null(strstr(graph, "not run: it takes compute, which the driver lacks"));

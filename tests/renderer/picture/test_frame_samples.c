@@ -1,5 +1,6 @@
-/* Samples of a pixel: a picture is the mean of one that is as many times as large, as a screen sends light; of light, depth and slots the mean is
- * plain, and what is no surface has no share in a slot. In tiles, with edges, in compute and in fragments. */
+/* Samples of a pixel: a picture is the mean of one that is as many times as large, as a screen
+ * sends light; of light, depth and slots the mean is plain, and what is no surface has no share in
+ * a slot. In tiles, with edges, in compute and in fragments. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -11,15 +12,21 @@ enum { WIDTH = 42, HEIGHT = 30, PIXELS = WIDTH * HEIGHT };
 
 static const char text[] =
     "image: { width: 42, height: 30 }\ncamera: { camera: Perspective, position: [.5, -5, 2] }\n"
-    "toneMapping: { toneMapping: Shoulder }\nlights: [{ light: Point, position: [1, -4, 4], intensity: 30 }]\n"
-    "objects: [{ object: Sphere, material: { material: Phong, diffuse: { map: Checker, color1: .9, color2: .2, "
+    "toneMapping: { toneMapping: Shoulder }\nlights: [{ light: Point, position: [1, -4, 4], "
+    "intensity: 30 }]\n"
+    "objects: [{ object: Sphere, material: { material: Phong, diffuse: { map: Checker, color1: .9, "
+    "color2: .2, "
     "input: { map: UVTransform, scaleU: 8, scaleV: 8 } } } },\n"
-    "  { object: Box, size: [3, .1, .2], material: { material: Phong, diffuse: [.3, .1, .9], transparency: .5 }, "
+    "  { object: Box, size: [3, .1, .2], material: { material: Phong, diffuse: [.3, .1, .9], "
+    "transparency: .5 }, "
     "transform: { translation: [0, -1.5, .4] } }]\n";
 
 /* IEC 61966-2-1. */
 static double decoded(double c) { return c <= .04045 ? c / 12.92 : pow((c + .055) / 1.055, 2.4); }
-static double encoded(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055; }
+static double encoded(double c)
+{
+    return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
+}
 
 /* From tiles, each read by itself, from malloc. */
 static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *options)
@@ -48,7 +55,8 @@ static float *draw(GlContext *gl, const Scene *scene, const RenderOptions *optio
 /* The n x n texels of a large picture that are a pixel's; of a slot, those of a surface. */
 static double mean(const float *large, int n, int pixel, int lane, const char *view)
 {
-    const bool shown = !view, slot = view && strcmp(view, "light") && strcmp(view, "depth") && lane < 3;
+    const bool shown = !view,
+               slot = view && strcmp(view, "light") && strcmp(view, "depth") && lane < 3;
     double sum = 0, count = 0;
     for (int i = 0; i < n * n; i++) {
         const int x = pixel % WIDTH * n + i % n, y = pixel / WIDTH * n + i / n;
@@ -71,9 +79,12 @@ static void pixels_are_means(void **state)
         bool fragment;
         const char *layout; /* of compact's codes, those of nothing mean something, too */
     } cases[] = {
-        {NULL, 2, 0, RENDER_EDGES_none, false, "integer"},      {NULL, 3, 12, RENDER_EDGES_coverage, false, "integer"},
-        {NULL, 4, 16, RENDER_EDGES_none, true, "integer"},      {"light", 2, 10, RENDER_EDGES_none, false, "integer"},
-        {"diffuse", 3, 0, RENDER_EDGES_none, false, "integer"}, {"depth", 2, 0, RENDER_EDGES_none, false, "integer"},
+        {NULL, 2, 0, RENDER_EDGES_none, false, "integer"},
+        {NULL, 3, 12, RENDER_EDGES_coverage, false, "integer"},
+        {NULL, 4, 16, RENDER_EDGES_none, true, "integer"},
+        {"light", 2, 10, RENDER_EDGES_none, false, "integer"},
+        {"diffuse", 3, 0, RENDER_EDGES_none, false, "integer"},
+        {"depth", 2, 0, RENDER_EDGES_none, false, "integer"},
         {"normal", 2, 0, RENDER_EDGES_none, false, "compact"},
     };
     MatcDocument *document;
@@ -122,6 +133,7 @@ static void too_many(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(pixels_are_means), cmocka_unit_test(too_many)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(pixels_are_means),
+                                       cmocka_unit_test(too_many)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,5 @@
-/* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes, what is there and what is refused. That light is right,
- * test_frame_cast.c says. */
+/* Planes whose transparency varies, as what casts shadows: what a second frame calls, what changes,
+ * what is there and what is refused. That light is right, test_frame_cast.c says. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"
@@ -12,16 +12,21 @@ enum { WIDTH = 32, HEIGHT = 24, FLOATS = 4 * WIDTH * HEIGHT };
 
 /* Two sheets over the ground, two lights above. */
 static const char text[] =
-    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -6, 2], target: [0, 0, .5], angle: "
+    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -6, 2], "
+    "target: [0, 0, .5], angle: "
     "50 }\n"
-    "lights: [{ light: Directional, direction: [.3, .4, -1] }, { light: Point, position: [1, 2, 5], intensity: 20, "
+    "lights: [{ light: Directional, direction: [.3, .4, -1] }, { light: Point, position: [1, 2, "
+    "5], intensity: 20, "
     "shadows: map }, { light: Spot, position: [-1, 2, 2], intensity: 5, shadows: none }]\n"
-    "materials: { cells: { material: Phong, transparency: { map: Checker, color1: { param: clear, default: .8 }, "
-    "color2: [.1, .2, .6] } }, waves: { material: Phong, transparency: { map: Checker, color1: [.9, .5, .7], "
+    "materials: { cells: { material: Phong, transparency: { map: Checker, color1: { param: clear, "
+    "default: .8 }, "
+    "color2: [.1, .2, .6] } }, waves: { material: Phong, transparency: { map: Checker, color1: "
+    "[.9, .5, .7], "
     "color2: 1 } } }\n"
     "objects:\n- { object: Plane, material: { material: Phong, diffuse: .5 } }\n"
     "- { object: Plane, material: cells, transform: { translation: [0, 0, 4] } }\n"
-    "- { object: Plane, material: waves, transform: { rotation: [.1, 0, .3], translation: [0, 0, 3] } }\n";
+    "- { object: Plane, material: waves, transform: { rotation: [.1, 0, .3], translation: [0, 0, "
+    "3] } }\n";
 
 typedef struct {
     MatcOptions compile;
@@ -94,7 +99,8 @@ static void changes(void **state)
         float *before = frame_change_next(d.render);
         assert_true(moves[i](&d));
         float *moved = frame_change_next(d.render);
-        float *new = frame_floats(d.gl, d.scene, &(RenderOptions){.compile = &d.compile, .view = "light"});
+        float *new =
+            frame_floats(d.gl, d.scene, &(RenderOptions){.compile = &d.compile, .view = "light"});
         assert_memory_equal(moved, new, FLOATS * sizeof *new);
         assert_memory_not_equal(before, new, FLOATS * sizeof *new);
         free(before);
@@ -104,7 +110,8 @@ static void changes(void **state)
     }
 }
 
-/* A param of the material is one of its shadow's: light falls elsewhere, though the sheet is out of view. */
+/* A param of the material is one of its shadow's: light falls elsewhere, though the sheet is out of
+ * view. */
 static void params(void **state)
 {
     (void)state;
@@ -121,7 +128,8 @@ static void params(void **state)
     forget(&d);
 }
 
-/* Tiles give the picture, but for some ULP of depth: light of each pixel is asked at its own place. */
+/* Tiles give the picture, but for some ULP of depth: light of each pixel is asked at its own
+ * place. */
 static void tiles(void **state)
 {
     (void)state;
@@ -135,7 +143,8 @@ static void tiles(void **state)
             float *tile = frame_change_next(tiled.render);
             for (int row = 0; row < 8; row++)
                 for (int i = 0; i < 4 * 16; i++)
-                    assert_float_equal(tile[4 * 16 * row + i], picture[4 * (WIDTH * (y + row) + x) + i], 1e-5);
+                    assert_float_equal(tile[4 * 16 * row + i],
+                                       picture[4 * (WIDTH * (y + row) + x) + i], 1e-5);
             free(tile);
         }
     free(picture);
@@ -150,7 +159,8 @@ static bool graph_has(const Render *render, const char *line)
     return found;
 }
 
-/* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has no images; then what varies casts none. */
+/* Eight bytes a pixel for each of two lights. Nothing where none casts shadows, or the driver has
+ * no images; then what varies casts none. */
 static void room(void **state)
 {
     (void)state;
@@ -175,13 +185,16 @@ static void room(void **state)
     forget(&d);
 }
 
-static const char side_text[] =
-    "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, position: [0, -6, 2], target: [0, 0, .5], angle: "
-    "50 }\nlights: [{ light: %s }]\nobjects:\n- { object: Plane, material: { material: Phong, diffuse: .5 } }\n"
-    "- { object: Plane, transform: { translation: [0, 0, %s], rotation: [%s, 0, 0] }, material: { material: "
-    "SideSwitch,\n"
-    "    frontShader: { material: Phong, transparency: { map: Checker, color1: .9, color2: .8 } },\n"
-    "    backShader: { material: Phong, transparency: .1 } } }\n";
+static const char side_text[] = "image: { width: 32, height: 24 }\ncamera: { camera: Perspective, "
+                                "position: [0, -6, 2], target: [0, 0, .5], angle: "
+                                "50 }\nlights: [{ light: %s }]\nobjects:\n- { object: Plane, "
+                                "material: { material: Phong, diffuse: .5 } }\n"
+                                "- { object: Plane, transform: { translation: [0, 0, %s], "
+                                "rotation: [%s, 0, 0] }, material: { material: "
+                                "SideSwitch,\n"
+                                "    frontShader: { material: Phong, transparency: { map: Checker, "
+                                "color1: .9, color2: .8 } },\n"
+                                "    backShader: { material: Phong, transparency: .1 } } }\n";
 
 static float *light_of(GlContext *gl, const char *light, const char *height, const char *turn)
 {
@@ -195,12 +208,13 @@ static float *light_of(GlContext *gl, const char *light, const char *height, con
     return rgba;
 }
 
-/* What passes is what the side that faces the light lets through, though the camera is on the other one: of a light that nothing is before,
- * as the sheet lies below the ground, so much. */
+/* What passes is what the side that faces the light lets through, though the camera is on the other
+ * one: of a light that nothing is before, as the sheet lies below the ground, so much. */
 static void sides(void **state)
 {
     (void)state;
-    static const char *const lights[] = {"Directional", "Point, position: [0, 0, 9], intensity: 40"};
+    static const char *const lights[] = {"Directional",
+                                         "Point, position: [0, 0, 9], intensity: 40"};
     GlContext *gl = frame_context();
     for (int i = 0; i < 4; i++) {
         const bool back = i % 2;

@@ -1,5 +1,6 @@
-/* Tools: which pixels a line covers, by its closed form; that surfaces before it hide it, that it is whole on the plane it lies in, and which colour it has behind
- * glass, before tone mapping and after; that nothing runs where there are none. */
+/* Tools: which pixels a line covers, by its closed form; that surfaces before it hide it, that it
+ * is whole on the plane it lies in, and which colour it has behind glass, before tone mapping and
+ * after; that nothing runs where there are none. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "runtime/picture/tool_lines.h"
@@ -15,7 +16,10 @@ enum { WIDTH = 240, HEIGHT = 160 };
 #define IMAGE       "image: { width: 240, height: 160 }\n"
 #define NEAR_ENOUGH (1.01 / 255)
 
-static double encode(double c) { return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055; }
+static double encode(double c)
+{
+    return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
+}
 
 /* What a tool of that linear colour looks like behind a transmittance. */
 static bool is_color(const float *pixel, const double color[3], const double through[3])
@@ -26,7 +30,8 @@ static bool is_color(const float *pixel, const double color[3], const double thr
     return true;
 }
 
-static const double clear[3] = {1, 1, 1}, axes[3][3] = {{.7, .02, .02}, {.02, .7, .02}, {.02, .02, 1}},
+static const double clear[3] = {1, 1, 1},
+                    axes[3][3] = {{.7, .02, .02}, {.02, .7, .02}, {.02, .02, 1}},
                     grey[3] = {.214, .214, .214};
 
 static float *draw(const char *text, const RenderOptions *how)
@@ -45,14 +50,16 @@ static float *draw(const char *text, const RenderOptions *how)
 
 /* -- which pixels */
 
-/* Where the camera at (3, -4, 2.5) that looks at the origin, 40 degrees over 160 pixels, sees a point, in pixels. */
+/* Where the camera at (3, -4, 2.5) that looks at the origin, 40 degrees over 160 pixels, sees a
+ * point, in pixels. */
 static void project(const double p[3], double at[2])
 {
     const double eye[3] = {3, -4, 2.5}, length = sqrt(9 + 16 + 6.25);
     double back[3], right[3], up[3], q[3] = {0};
     for (int i = 0; i < 3; i++)
         back[i] = eye[i] / length;
-    right[0] = -back[1] / hypot(back[0], back[1]), right[1] = back[0] / hypot(back[0], back[1]), right[2] = 0;
+    right[0] = -back[1] / hypot(back[0], back[1]), right[1] = back[0] / hypot(back[0], back[1]),
+    right[2] = 0;
     for (int i = 0; i < 3; i++)
         up[i] = back[(i + 1) % 3] * right[(i + 2) % 3] - back[(i + 2) % 3] * right[(i + 1) % 3];
     for (int i = 0; i < 3; i++) {
@@ -65,22 +72,26 @@ static void project(const double p[3], double at[2])
     at[1] = HEIGHT / 2. + scale * q[1] / q[2];
 }
 
-/* A line covers, in each column (row, where it is steep) between its ends, the pixel that it crosses in the middle of it, and no other. Where it passes
- * between two by less than 1/16 pixel, either. */
-static void check_line(const float *rgba, const double color[3], const double a[2], const double b[2])
+/* A line covers, in each column (row, where it is steep) between its ends, the pixel that it
+ * crosses in the middle of it, and no other. Where it passes between two by less than 1/16 pixel,
+ * either. */
+static void check_line(const float *rgba, const double color[3], const double a[2],
+                       const double b[2])
 {
     const int major = fabs(b[0] - a[0]) >= fabs(b[1] - a[1]) ? 0 : 1, rows = major ? WIDTH : HEIGHT;
     const double low = fmin(a[major], b[major]), high = fmax(a[major], b[major]);
     for (int column = (int)ceil(low) + 1; column + 2 < high; column++) {
         const double share = (column + .5 - a[major]) / (b[major] - a[major]);
-        const double minor = a[!major] + share * (b[!major] - a[!major]), off = minor - floor(minor);
+        const double minor = a[!major] + share * (b[!major] - a[!major]),
+                     off = minor - floor(minor);
         int count = 0;
         for (int row = 0; row < rows; row++) {
             const float *pixel = rgba + 4 * (major ? column * WIDTH + row : row * WIDTH + column);
             if (!is_color(pixel, color, clear))
                 continue;
             count++;
-            assert_true(row == (int)floor(minor) || (off < 1 / 16. && row == (int)floor(minor) - 1) ||
+            assert_true(row == (int)floor(minor) ||
+                        (off < 1 / 16. && row == (int)floor(minor) - 1) ||
                         (off > 15 / 16. && row == (int)floor(minor) + 1));
         }
         assert_int_equal(count, 1);
@@ -105,18 +116,20 @@ static void coverage(void **state)
 
 /* -- what is before it */
 
-/* From the front, 40 pixels a unit: the z axis to 1.5, and a box from z = 0.5 to 1 before it. So is another behind it, from 0.2 to 0.4. */
+/* From the front, 40 pixels a unit: the z axis to 1.5, and a box from z = 0.5 to 1 before it. So is
+ * another behind it, from 0.2 to 0.4. */
 static void hidden(void **state)
 {
     (void)state;
-    float *rgba = draw(
-        IMAGE "materials: { white: { material: Phong, diffuse: 0, emissive: 1 } }\n"
-              "camera: { camera: Orthographic, position: [0, -9, 0], size: 4 }\n"
-              "tools: { axes: true, axesLength: 1.5 }\n"
-              "objects:\n- { object: Box, size: [1, 0.2, 0.5], material: white, transform: { translation: [0, -0.3, "
-              "0.75] } }\n"
-              "- { object: Box, size: [1, 0.2, 0.2], material: white, transform: { translation: [0, 0.3, 0.3] } }\n",
-        &(RenderOptions){.edges = RENDER_EDGES_coverage});
+    float *rgba = draw(IMAGE "materials: { white: { material: Phong, diffuse: 0, emissive: 1 } }\n"
+                             "camera: { camera: Orthographic, position: [0, -9, 0], size: 4 }\n"
+                             "tools: { axes: true, axesLength: 1.5 }\n"
+                             "objects:\n- { object: Box, size: [1, 0.2, 0.5], material: white, "
+                             "transform: { translation: [0, -0.3, "
+                             "0.75] } }\n"
+                             "- { object: Box, size: [1, 0.2, 0.2], material: white, transform: { "
+                             "translation: [0, 0.3, 0.3] } }\n",
+                       &(RenderOptions){.edges = RENDER_EDGES_coverage});
     for (int y = HEIGHT / 2 + 1; y < HEIGHT / 2 + 59; y++) {
         const double z = (y + .5 - HEIGHT / 2.) / 40;
         const bool box = z > .5 && z < 1;
@@ -128,13 +141,15 @@ static void hidden(void **state)
     free(rgba);
 }
 
-/* A grid on an infinite plane, seen nearly along it, is the grid before nothing, pixel by pixel; far from the origin, too, and without perspective. */
+/* A grid on an infinite plane, seen nearly along it, is the grid before nothing, pixel by pixel;
+ * far from the origin, too, and without perspective. */
 static void on_the_ground(void **state)
 {
     (void)state;
     static const char *const cameras[] = {
         "{ camera: Perspective, position: [0.3, -7, 0.6], target: [0, 0, 0.3], angle: 50 }",
-        "{ camera: Perspective, position: [2000, -7000, 900], target: [2000, -6990, 899.5], angle: 50 }",
+        "{ camera: Perspective, position: [2000, -7000, 900], target: [2000, -6990, 899.5], angle: "
+        "50 }",
         "{ camera: Orthographic, position: [9, -40, 15], size: 8, depth: 200 }"};
     for (int k = 0; k < 3; k++) {
         float *rgba[2];
@@ -142,7 +157,8 @@ static void on_the_ground(void **state)
         for (int i = 0; i < 2; i++) {
             char text[1024];
             snprintf(text, sizeof text,
-                     IMAGE "materials: { ground: { material: Phong, diffuse: 0, emissive: [1, 0, 0] } }\ncamera: %s\n"
+                     IMAGE "materials: { ground: { material: Phong, diffuse: 0, emissive: [1, 0, "
+                           "0] } }\ncamera: %s\n"
                            "tools: { grid: true, gridCells: 30, gridStep: %d }\nobjects: [%s]\n",
                      cameras[k], k == 1 ? 400 : 1, i ? "{ object: Plane, material: ground }" : "");
             rgba[i] = draw(text, &(RenderOptions){.fragment = i});
@@ -158,8 +174,9 @@ static void on_the_ground(void **state)
     }
 }
 
-/* Panes of two transmittances before the axes, and one behind, which does not count, lit by nothing: a line's colour is times the product, whatever the tone
- * mapping, the way of transparency and the entry. */
+/* Panes of two transmittances before the axes, and one behind, which does not count, lit by
+ * nothing: a line's colour is times the product, whatever the tone mapping, the way of transparency
+ * and the entry. */
 static void behind_glass(void **state)
 {
     (void)state;
@@ -174,17 +191,22 @@ static void behind_glass(void **state)
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         char text[2048];
         int seen = 0;
-        snprintf(text, sizeof text,
-                 IMAGE "materials:\n  a: { material: Phong, diffuse: 0, transparency: [0.5, 0.25, 0.75] }\n"
-                       "  b: { material: Phong, diffuse: 0, transparency: [0.9, 0.6, 0.8] }\n"
-                       "camera: { camera: Orthographic, position: [0, -9, 0], size: 4 }\n"
-                       "tools: { axes: true, axesLength: 1.5 }\ntoneMapping: { toneMapping: %s }\n"
-                       "sky: { material: RGBA, r: 1, g: 1, b: 1 }\n"
-                       "defs: { pane: { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20] } }\nobjects:\n"
-                       "- { object: Instance, of: pane, material: b, transform: { translation: [-10, -0.2, -10] } }\n"
-                       "- { object: Instance, of: pane, material: a, transform: { translation: [-10, -0.1, -10] } }\n"
-                       "- { object: Instance, of: pane, material: a, transform: { translation: [-10, 0.1, -10] } }\n",
-                 cases[k].tone);
+        snprintf(
+            text, sizeof text,
+            IMAGE
+            "materials:\n  a: { material: Phong, diffuse: 0, transparency: [0.5, 0.25, 0.75] }\n"
+            "  b: { material: Phong, diffuse: 0, transparency: [0.9, 0.6, 0.8] }\n"
+            "camera: { camera: Orthographic, position: [0, -9, 0], size: 4 }\n"
+            "tools: { axes: true, axesLength: 1.5 }\ntoneMapping: { toneMapping: %s }\n"
+            "sky: { material: RGBA, r: 1, g: 1, b: 1 }\n"
+            "defs: { pane: { object: Parallelogram, u: [20, 0, 0], v: [0, 0, 20] } }\nobjects:\n"
+            "- { object: Instance, of: pane, material: b, transform: { translation: [-10, -0.2, "
+            "-10] } }\n"
+            "- { object: Instance, of: pane, material: a, transform: { translation: [-10, -0.1, "
+            "-10] } }\n"
+            "- { object: Instance, of: pane, material: a, transform: { translation: [-10, 0.1, "
+            "-10] } }\n",
+            cases[k].tone);
         float *rgba = draw(text, &cases[k].how);
         for (int y = HEIGHT / 2 + 2; y < HEIGHT / 2 + 58; y++)
             for (int x = WIDTH / 2 - 1; x <= WIDTH / 2; x++)
@@ -203,10 +225,11 @@ static void spot(void **state)
     MatcDocument *document;
     ViewSpace space;
     ToolLines lines;
-    Scene *scene = frame_scene(
-        "camera: { camera: Perspective, position: [0, -5, 0] }\ntools: { lights: true, lightSize: 2 }\n"
-        "lights: [{ light: Ambient }, { light: Spot, position: [1, 2, 3], direction: [1, 0, -1], outerAngle: 60 }]\n",
-        &options, &document);
+    Scene *scene = frame_scene("camera: { camera: Perspective, position: [0, -5, 0] }\ntools: { "
+                               "lights: true, lightSize: 2 }\n"
+                               "lights: [{ light: Ambient }, { light: Spot, position: [1, 2, 3], "
+                               "direction: [1, 0, -1], outerAngle: 60 }]\n",
+                               &options, &document);
     view_space_make(&scene->camera, (int[]){WIDTH, HEIGHT}, true, &space);
     assert_true(tool_lines_make(scene, &space, &lines));
     assert_int_equal(lines.count, 2 * (32 + 4));
@@ -253,9 +276,9 @@ static void changed(void **state)
     (void)state;
     MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = frame_scene(
-        IMAGE "tools: { grid: true, axes: true, lights: true }\nlights: [{ light: Point, position: [0, 1, 1] }]\n",
-        &options, &document);
+    Scene *scene = frame_scene(IMAGE "tools: { grid: true, axes: true, lights: true }\nlights: [{ "
+                                     "light: Point, position: [0, 1, 1] }]\n",
+                               &options, &document);
     GlContext *gl = frame_context();
     const RenderOptions how = {.compile = &options};
     Render *render = render_open(gl, &how);

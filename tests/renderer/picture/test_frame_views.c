@@ -1,5 +1,5 @@
-/* Views as PNG files show them, under OSMesa: each has more than sixteen colors in five scenes, depth and
- * normals are the documented formulas, and OpenEXR files keep the renderer's numbers. */
+/* Views as PNG files show them, under OSMesa: each has more than sixteen colors in five scenes,
+ * depth and normals are the documented formulas, and OpenEXR files keep the renderer's numbers. */
 /* ctest: unsanitized seconds=20 */
 #include "tests/test.h"
 #include "grammar/tables.h"
@@ -42,12 +42,14 @@ static Scene *read_example(const char *name, const MatcOptions *options, MatcDoc
 
 /* -- colors of the bytes */
 
-static unsigned char *bytes_of(GlContext *gl, const Scene *scene, const MatcOptions *options, const char *view)
+static unsigned char *bytes_of(GlContext *gl, const Scene *scene, const MatcOptions *options,
+                               const char *view)
 {
     const ScenePictureOptions how = {.render = {.compile = options, .view = view}};
     unsigned char *rgb = malloc((size_t)scene->width * (size_t)scene->height * 3);
     ScenePictures *pictures = scene_pictures_open(gl, &how);
-    if (!rgb || !pictures || !scene_pictures_show(pictures, scene) || !scene_pictures_pixels(pictures, rgb))
+    if (!rgb || !pictures || !scene_pictures_show(pictures, scene) ||
+        !scene_pictures_pixels(pictures, rgb))
         fail_msg("%s: %s", view, gl->error);
     scene_pictures_close(pictures);
     return rgb;
@@ -128,8 +130,8 @@ static void slots_that_vary_have_colors(void **state)
         MatcDocument *document;
         Scene *scene = read_example(scenes[i], &options, &document);
         for (int slot = 0; slot < SLOT_COUNT; slot++) {
-            float *rgba =
-                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = slot_table[slot].name});
+            float *rgba = frame_floats(
+                gl, scene, &(RenderOptions){.compile = &options, .view = slot_table[slot].name});
             if (varies(rgba, scene->width * scene->height)) {
                 assert_colorful(gl, scenes[i], slot_table[slot].name);
                 varied++;
@@ -145,12 +147,12 @@ static void slots_that_vary_have_colors(void **state)
 
 /* -- depth */
 
-#define GROUND                                                                                                         \
-    "image: { width: 32, height: 32 }\n"                                                                               \
+#define GROUND                                                                                     \
+    "image: { width: 32, height: 32 }\n"                                                           \
     "objects: [{ object: Plane, material: { material: Phong } }]\n"
 
-/* Above a plane, looking straight down from 4: each point is 4 away along the view, and the target is
- * `far` away. The orthographic one has it at 4 of a depth of 100. */
+/* Above a plane, looking straight down from 4: each point is 4 away along the view, and the target
+ * is `far` away. The orthographic one has it at 4 of a depth of 100. */
 static void depth_is_its_formula(void **state)
 {
     (void)state;
@@ -160,10 +162,14 @@ static void depth_is_its_formula(void **state)
     } cases[] = {
         {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, 0], up: [0, 1, 0] }", .5},
         {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, -4], up: [0, 1, 0] }", .8},
-        {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, 2], up: [0, 1, 0], near: 3 }", .2},
+        {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, 2], up: [0, 1, 0], near: 3 }",
+         .2},
         {"{ camera: Orthographic, position: [0, 0, 4], target: [0, 0, 0], up: [0, 1, 0] }", .5},
-        {"{ camera: Orthographic, position: [0, 0, 4], target: [0, 0, 2], up: [0, 1, 0], depth: 9 }", .2},
-        {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, 8], up: [0, 1, 0] }", 0}, /* the sky */
+        {"{ camera: Orthographic, position: [0, 0, 4], target: [0, 0, 2], up: [0, 1, 0], depth: 9 "
+         "}",
+         .2},
+        /* the sky */
+        {"{ camera: Perspective, position: [0, 0, 4], target: [0, 0, 8], up: [0, 1, 0] }", 0},
     };
     GlContext *gl = frame_context();
     const MatcOptions options = options_of();
@@ -190,11 +196,12 @@ static void normals_below_zero_are_shown(void **state)
     GlContext *gl = frame_context();
     const MatcOptions options = options_of();
     MatcDocument *document;
-    Scene *scene = frame_scene("image: { width: 8, height: 8 }\n"
-                               "camera: { camera: Perspective, position: [0, 0, 4], up: [0, 1, 0] }\n"
-                               "objects: [{ object: Plane, transform: { rotation: [0.6435011, 0, 0] }, "
-                               "material: { material: Phong } }]\n",
-                               &options, &document);
+    Scene *scene =
+        frame_scene("image: { width: 8, height: 8 }\n"
+                    "camera: { camera: Perspective, position: [0, 0, 4], up: [0, 1, 0] }\n"
+                    "objects: [{ object: Plane, transform: { rotation: [0.6435011, 0, 0] }, "
+                    "material: { material: Phong } }]\n",
+                    &options, &document);
     unsigned char *rgb = bytes_of(gl, scene, &options, "normal");
     for (int k = 0; k < 3 * scene->width * scene->height; k++)
         assert_true(fabs(rgb[k] - 255 * shown[k % 3]) <= 1.01);
@@ -217,7 +224,8 @@ static void compare_block(exr_context_t exr, int top, const Scene *scene, const 
     assert_int_equal(exr_decoding_initialize(exr, 0, &chunk, &pipe), 0);
     for (int i = 0; i < pipe.channel_count; i++) {
         pipe.channels[i].user_data_type = EXR_PIXEL_FLOAT;
-        pipe.channels[i].user_bytes_per_element = pipe.channels[i].user_pixel_stride = sizeof(float);
+        pipe.channels[i].user_bytes_per_element = pipe.channels[i].user_pixel_stride =
+            sizeof(float);
         pipe.channels[i].user_line_stride = WIDTH * sizeof(float);
         pipe.channels[i].decode_to_ptr = (uint8_t *)planes[i];
     }
@@ -257,7 +265,8 @@ static void exr_is_raw(void **state)
         same.linear = same.deep = true;
         float *rgba = frame_floats(gl, scene, &same);
         ScenePictures *pictures = scene_pictures_open(gl, &how);
-        assert_true(pictures && scene_pictures_show(pictures, scene) && scene_pictures_draw(pictures, path, &picture));
+        assert_true(pictures && scene_pictures_show(pictures, scene) &&
+                    scene_pictures_draw(pictures, path, &picture));
         assert_int_equal(exr_start_read(&exr, path, NULL), 0);
         for (int top = 0; top < scene->height; top += ROWS)
             compare_block(exr, top, scene, rgba);
@@ -273,10 +282,8 @@ static void exr_is_raw(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(views_have_colors),
-        cmocka_unit_test(slots_that_vary_have_colors),
-        cmocka_unit_test(depth_is_its_formula),
-        cmocka_unit_test(normals_below_zero_are_shown),
+        cmocka_unit_test(views_have_colors),    cmocka_unit_test(slots_that_vary_have_colors),
+        cmocka_unit_test(depth_is_its_formula), cmocka_unit_test(normals_below_zero_are_shown),
         cmocka_unit_test(exr_is_raw),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

@@ -1,5 +1,6 @@
-/* Frames against pictures that Cycles and POV-Ray made of the same documents: tests/reference/README.md. The light of each pixel, but along
- * edges and where nothing is, which a picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
+/* Frames against pictures that Cycles and POV-Ray made of the same documents:
+ * tests/reference/README.md. The light of each pixel, but along edges and where nothing is, which a
+ * picture's alpha says. Then frames with faults that somebody might make: none of them may pass. */
 /* ctest: unsanitized seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -20,10 +21,12 @@ typedef struct {
 } Bounds;
 
 #define STEP (1 / 255.)
-/* Cycles computes in floats. POV-Ray's files have 16 bits, and a reference is made of sixteen of them (light_picture of by_povray.py), a sum of
- * what is within 1e-6. The layout `integer` has diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is
- * round is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let through what ten bits of `integer` do not hold: half a
- * step of these is 4.9e-4. Half shadows of 25 maps are approximate: 9e-4. */
+/* Cycles computes in floats. POV-Ray's files have 16 bits, and a reference is made of sixteen of
+ * them (light_picture of by_povray.py), a sum of what is within 1e-6. The layout `integer` has
+ * diffuse colours within 7.6e-6. llvmpipe decodes sRGB by a polynomial, within 9e-4. What is round
+ * is round for POV-Ray, and has 192 corners for us: highlights are off most. Panes let through what
+ * ten bits of `integer` do not hold: half a step of these is 4.9e-4. Half shadows of 25 maps are
+ * approximate: 9e-4. */
 static const Bounds cycles = {{2e-6, 6e-6, STEP}, {1e-4, 1e-4, STEP}},
                     cycles_srgb = {{2e-6, 8e-6, STEP}, {1e-3, 1e-3, STEP}},
                     cycles_lamp = {{1e-6, 1e-6, STEP}, {1e-5, 2e-5, STEP}},
@@ -42,12 +45,11 @@ typedef struct {
 static const PictureCase cases[] = {
     {"cycles/matt", &cycles, false},         {"cycles/painted", &cycles_srgb, false},
     {"cycles/lamp", &cycles_lamp, false},    {"cycles/sky", &cycles_sky, false},
-    {"cycles/cornell", &cycles_lamp, false},
-    {"povray/glossy", &povray_round, false}, {"povray/lights", &povray, false},
-    {"povray/flat", &povray, false},         {"povray/panes", &povray_panes, false},
-    {"cycles/matt", &cycles, true},          {"povray/glossy", &povray_round, true},
-    {"povray/lights", &povray, true},        {"povray/flat", &povray, true},
-    {"cycles/cornell", &cycles_soft, true},
+    {"cycles/cornell", &cycles_lamp, false}, {"povray/glossy", &povray_round, false},
+    {"povray/lights", &povray, false},       {"povray/flat", &povray, false},
+    {"povray/panes", &povray_panes, false},  {"cycles/matt", &cycles, true},
+    {"povray/glossy", &povray_round, true},  {"povray/lights", &povray, true},
+    {"povray/flat", &povray, true},          {"cycles/cornell", &cycles_soft, true},
 };
 enum { CASES = sizeof cases / sizeof *cases };
 
@@ -80,14 +82,16 @@ static ReferencePicture read_picture(const PictureCase *pair)
 /* -- frames */
 
 static const char floats[] =
-    "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI]\nfields:\n"
+    "layout: floats\ntargets: [RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, RGBA32UI, "
+    "RGBA32UI]\nfields:\n"
     "- { slot: normal, encoding: full }\n- { slot: shininess, encoding: full }\n"
     "- { slot: diffuse, encoding: full }\n- { slot: specular, encoding: full }\n"
     "- { slot: ambient, encoding: full }\n- { slot: emissive, encoding: full }\n"
     "- { slot: diffuseTransparency, encoding: full }\n- { slot: transparency, encoding: full }\n";
 
 /* The light of a scene's frame, from malloc; as large as the picture. */
-static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture, const MatcOptions *options)
+static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture,
+                   const MatcOptions *options)
 {
     char path[512];
     size_t size;
@@ -99,8 +103,9 @@ static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePictur
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
     assert_int_equal(scene->width, picture->width);
     assert_int_equal(scene->height, picture->height);
-    float *rgba =
-        frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = !pair->shadows});
+    float *rgba = frame_floats(
+        gl, scene,
+        &(RenderOptions){.compile = options, .view = "light", .no_shadows = !pair->shadows});
     frame_forget(scene, document);
     free(text);
     return rgba;
@@ -109,22 +114,42 @@ static float *draw(GlContext *gl, const PictureCase *pair, const ReferencePictur
 /* -- the sky: Cycles has Preetham's table to four digits, where the paper and matc have five */
 
 typedef struct {
-    double perez[3][5][2];  /* of Y, x, y: A to E, each by turbidity and 1 */
-    double zenith[2][3][4]; /* of x, y: by turbidity squared, turbidity, 1; by the cube of the sun's angle to 1 */
+    double perez[3][5][2]; /* of Y, x, y: A to E, each by turbidity and 1 */
+    /* of x, y: by turbidity squared, turbidity, 1; by the cube of the sun's angle to 1 */
+    double zenith[2][3][4];
 } SkyTable;
 
-static const SkyTable five = {
-    {{{.17872, -1.46303}, {-.35540, .42749}, {-.02266, 5.32505}, {.12064, -2.57705}, {-.06696, .37027}},
-     {{-.01925, -.25922}, {-.06651, .00081}, {-.00041, .21247}, {-.06409, -.89887}, {-.00325, .04517}},
-     {{-.01669, -.26078}, {-.09495, .00921}, {-.00792, .21023}, {-.04405, -1.65369}, {-.01092, .05291}}},
-    {{{.00165, -.00374, .00208, 0}, {-.02902, .06377, -.03202, .00394}, {.11693, -.21196, .06052, .25885}},
-     {{.00275, -.00610, .00316, 0}, {-.04212, .08970, -.04153, .00515}, {.15346, -.26756, .06669, .26688}}}};
+static const SkyTable five = {{{{.17872, -1.46303},
+                                {-.35540, .42749},
+                                {-.02266, 5.32505},
+                                {.12064, -2.57705},
+                                {-.06696, .37027}},
+                               {{-.01925, -.25922},
+                                {-.06651, .00081},
+                                {-.00041, .21247},
+                                {-.06409, -.89887},
+                                {-.00325, .04517}},
+                               {{-.01669, -.26078},
+                                {-.09495, .00921},
+                                {-.00792, .21023},
+                                {-.04405, -1.65369},
+                                {-.01092, .05291}}},
+                              {{{.00165, -.00374, .00208, 0},
+                                {-.02902, .06377, -.03202, .00394},
+                                {.11693, -.21196, .06052, .25885}},
+                               {{.00275, -.00610, .00316, 0},
+                                {-.04212, .08970, -.04153, .00515},
+                                {.15346, -.26756, .06669, .26688}}}};
 static const SkyTable four = {
     {{{.1787, -1.4630}, {-.3554, .4275}, {-.0227, 5.3251}, {.1206, -2.5771}, {-.0670, .3703}},
      {{-.0193, -.2592}, {-.0665, .0008}, {-.0004, .2125}, {-.0641, -.8989}, {-.0033, .0452}},
      {{-.0167, -.2608}, {-.0950, .0092}, {-.0079, .2102}, {-.0441, -1.6537}, {-.0109, .0529}}},
-    {{{.00166, -.00375, .00209, 0}, {-.02903, .06377, -.03202, .00394}, {.11693, -.21196, .06052, .25886}},
-     {{.00275, -.00610, .00317, 0}, {-.04214, .08970, -.04153, .00516}, {.15346, -.26756, .06670, .26688}}}};
+    {{{.00166, -.00375, .00209, 0},
+      {-.02903, .06377, -.03202, .00394},
+      {.11693, -.21196, .06052, .25886}},
+     {{.00275, -.00610, .00317, 0},
+      {-.04214, .08970, -.04153, .00516},
+      {.15346, -.26756, .06670, .26688}}}};
 #define TURBIDITY 3 /* of cycles/sky.yaml, as the sun and the camera below */
 
 static double perez(const double rows[5][2], double up, double angle)
@@ -132,7 +157,8 @@ static double perez(const double rows[5][2], double up, double angle)
     double c[5];
     for (int i = 0; i < 5; i++)
         c[i] = rows[i][0] * TURBIDITY + rows[i][1];
-    return (1 + c[0] * exp(c[1] / up)) * (1 + c[2] * exp(c[3] * angle) + c[4] * cos(angle) * cos(angle));
+    return (1 + c[0] * exp(c[1] / up)) *
+           (1 + c[2] * exp(c[3] * angle) + c[4] * cos(angle) * cos(angle));
 }
 
 /* Linear sRGB along a direction of length 1, up to a factor. */
@@ -148,10 +174,12 @@ static void sky_of(const SkyTable *table, const double way[3], double rgb[3])
         value[i] = perez(table->perez[i], way[2], angle) / perez(table->perez[i], 1, sun);
         double zenith = 0;
         for (int k = 0; i && k < 12; k++)
-            zenith += table->zenith[i - 1][k / 4][k % 4] * pow(TURBIDITY, 2 - k / 4) * pow(sun, 3 - k % 4);
+            zenith += table->zenith[i - 1][k / 4][k % 4] * pow(TURBIDITY, 2 - k / 4) *
+                      pow(sun, 3 - k % 4);
         value[i] *= i ? zenith : 1;
     }
-    const double xyz[3] = {value[1] / value[2] * value[0], value[0], (1 - value[1] - value[2]) / value[2] * value[0]};
+    const double xyz[3] = {value[1] / value[2] * value[0], value[0],
+                           (1 - value[1] - value[2]) / value[2] * value[0]};
     for (int lane = 0; lane < 3; lane++)
         rgb[lane] = matrix[lane][0] * xyz[0] + matrix[lane][1] * xyz[1] + matrix[lane][2] * xyz[2];
 }
@@ -159,9 +187,12 @@ static void sky_of(const SkyTable *table, const double way[3], double rgb[3])
 /* What a pixel of cycles/sky.yaml sees; its camera looks towards (0.2, 1, 0.62) from the origin. */
 static void look(const ReferencePicture *picture, int pixel, double way[3])
 {
-    const double half = tan(29 * acos(-1) / 180), ahead = sqrt(.2 * .2 + 1 + .62 * .62), flat = sqrt(.2 * .2 + 1);
-    const double forward[3] = {.2 / ahead, 1 / ahead, .62 / ahead}, right[3] = {1 / flat, -.2 / flat, 0};
-    const double up[3] = {right[1] * forward[2], -right[0] * forward[2], right[0] * forward[1] - right[1] * forward[0]};
+    const double half = tan(29 * acos(-1) / 180), ahead = sqrt(.2 * .2 + 1 + .62 * .62),
+                 flat = sqrt(.2 * .2 + 1);
+    const double forward[3] = {.2 / ahead, 1 / ahead, .62 / ahead},
+                 right[3] = {1 / flat, -.2 / flat, 0};
+    const double up[3] = {right[1] * forward[2], -right[0] * forward[2],
+                          right[0] * forward[1] - right[1] * forward[0]};
     const double x = (2 * (pixel % picture->width) + 1 - picture->width) * half / picture->height;
     const double y = (2 * (pixel / picture->width) + 1 - picture->height) * half / picture->height;
     double length = 0;
@@ -173,7 +204,8 @@ static void look(const ReferencePicture *picture, int pixel, double way[3])
         way[i] /= sqrt(length);
 }
 
-/* Ours times what the one table says over what the other does; then up to a factor: test_sky.c has our scale. */
+/* Ours times what the one table says over what the other does; then up to a factor: test_sky.c has
+ * our scale. */
 static void put_four_digits(const ReferencePicture *picture, float *rgba)
 {
     double ours = 0, theirs = 0, way[3], by_four[3], by_five[3];
@@ -189,7 +221,8 @@ static void put_four_digits(const ReferencePicture *picture, float *rgba)
         rgba[i] *= (float)(theirs / ours);
 }
 
-static float *draw_by(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture, int layout)
+static float *draw_by(GlContext *gl, const PictureCase *pair, const ReferencePicture *picture,
+                      int layout)
 {
     MatcOptions options = frame_exact_options();
     options.layout = layout == INTEGER ? "integer" : NULL;
@@ -255,8 +288,8 @@ static int compare_case(GlContext *gl, const PictureCase *pair)
     for (int layout = 0; layout < LAYOUTS; layout++) {
         float *rgba = draw_by(gl, pair, &picture, layout);
         const Differences found = compare(&picture, rgba);
-        print_message("| %s | %s | %d | %.1e | %.1e |\n", picture_name(pair, name), layouts[layout], found.count,
-                      found.middle, found.most);
+        print_message("| %s | %s | %d | %.1e | %.1e |\n", picture_name(pair, name), layouts[layout],
+                      found.count, found.middle, found.most);
         faults += !is_close(&found, pair->bounds, layout);
         free(rgba);
     }
@@ -269,8 +302,8 @@ static void against_other_renderers(void **state)
     (void)state;
     int faults = 0;
     GlContext *gl = frame_context();
-    print_message(
-        "| picture | layout | pixels | median difference | 99.9 %% within |\n| --- | --- | --- | --- | --- |\n");
+    print_message("| picture | layout | pixels | median difference | 99.9 %% within |\n| --- | --- "
+                  "| --- | --- | --- |\n");
     for (int i = 0; i < CASES; i++)
         faults += compare_case(gl, &cases[i]);
     gl_close(gl);
@@ -320,13 +353,17 @@ static void faults_are_seen(void **state)
     for (int k = 0; k < CASES; k++) {
         ReferencePicture picture = read_picture(&cases[k]);
         const int pixels = picture.width * picture.height;
-        float *rgba = draw_by(gl, &cases[k], &picture, FLOATS), *faulty = malloc((size_t)pixels * 4 * sizeof *faulty);
+        float *rgba = draw_by(gl, &cases[k], &picture, FLOATS),
+              *faulty = malloc((size_t)pixels * 4 * sizeof *faulty);
         for (int fault = 0; fault < FAULTS; fault++) {
             for (int i = 0; i < 4 * pixels; i++)
-                faulty[i] = i % 4 == 3 ? 1 : lane_of(rgba + 4 * source_of(&picture, i / 4, fault), i % 4, fault);
+                faulty[i] = i % 4 == 3 ? 1
+                                       : lane_of(rgba + 4 * source_of(&picture, i / 4, fault),
+                                                 i % 4, fault);
             const Differences found = compare(&picture, faulty);
             if (is_close(&found, cases[k].bounds, FLOATS))
-                fail_msg("%s: fault %d is not seen: %g, %g", cases[k].scene, fault, found.middle, found.most);
+                fail_msg("%s: fault %d is not seen: %g, %g", cases[k].scene, fault, found.middle,
+                         found.most);
         }
         free(rgba);
         free(faulty);
@@ -356,7 +393,8 @@ static void missing_shadows_are_seen(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(against_other_renderers), cmocka_unit_test(faults_are_seen),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(against_other_renderers),
+                                       cmocka_unit_test(faults_are_seen),
                                        cmocka_unit_test(missing_shadows_are_seen)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised surfaces to the last bits; what memory a tile
- * may take. `build/tests/test_tiles FILE... [egl]` prints by how much tiles of these scenes are off. */
+/* Pictures in tiles against the same picture drawn whole: their rays bit for bit, rasterised
+ * surfaces to the last bits; what memory a tile may take. `build/tests/test_tiles FILE... [egl]`
+ * prints by how much tiles of these scenes are off. */
 /* ctest: seconds=16 */
 #include "tests/test.h"
 #include "tests/frame/frame_calls.h"
@@ -27,14 +28,16 @@ static int apart(const float *a, const float *b, double least)
 static const int tiles[][2] = {{WIDTH, 34}, {66, HEIGHT}, {66, 34}, {14, 62}, {WIDTH + 100, 2}};
 
 #define IMAGE "image: { width: 200, height: 150 }\n"
-#define WALL                                                                                                           \
-    "lights: [{ light: Point, position: [.3, -1, .2], intensity: 2 }, { light: Directional, direction: [1, 2, -3] "    \
-    "}]\n"                                                                                                             \
-    "objects: [{ object: Parallelogram, u: [30, 0, 0], v: [0, 0, 30], transform: { translation: [-15, 1, -15] }, "     \
+#define WALL                                                                                       \
+    "lights: [{ light: Point, position: [.3, -1, .2], intensity: 2 }, { light: Directional, "      \
+    "direction: [1, 2, -3] "                                                                       \
+    "}]\n"                                                                                         \
+    "objects: [{ object: Parallelogram, u: [30, 0, 0], v: [0, 0, 30], transform: { translation: "  \
+    "[-15, 1, -15] }, "                                                                            \
     "material: { material: Phong, diffuse: .5, specular: .5, shininess: .8 } }]\n"
 
-/* A wall that faces the eye has one depth and one normal, which nothing rounds: what differs between its pixels are their rays alone, and these
- * are the picture's, bit for bit. */
+/* A wall that faces the eye has one depth and one normal, which nothing rounds: what differs
+ * between its pixels are their rays alone, and these are the picture's, bit for bit. */
 static void rays_are_the_pictures(void **state)
 {
     (void)state;
@@ -61,19 +64,23 @@ static void rays_are_the_pictures(void **state)
     gl_close(gl);
 }
 
-/* The rasteriser counts pixels from a tile's corner, and rounds what it interpolates there. So a depth can be some ULP off, and a pixel whose
- * centre an edge meets within 1/256 pixel fall to its other side: at most one in 400. A tile that is moved by a pixel has them all. */
+/* The rasteriser counts pixels from a tile's corner, and rounds what it interpolates there. So a
+ * depth can be some ULP off, and a pixel whose centre an edge meets within 1/256 pixel fall to its
+ * other side: at most one in 400. A tile that is moved by a pixel has them all. */
 static void seams_are_rounding(void **state)
 {
     (void)state;
-    static const char text[] =
-        IMAGE "camera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], near: .5 }\n"
-              "lights: [{ light: Point, position: [1, -4, 4], intensity: 12 }, { light: Ambient, intensity: .2 }]\n"
-              "objects:\n- { object: Plane, material: { material: Phong, diffuse: { map: Checker }, ambient: 1 } }\n"
-              "- { object: Sphere, material: { material: Phong, diffuse: .3, ambient: .5 } }\n"
-              "- { object: Box, material: { material: Phong, diffuse: .8, ambient: 1 }, transform: { translation: "
-              "[1.5, 0, 0], rotation: "
-              "[.3, .4, .5] } }\nsky: { material: RGBA, r: .1, g: .2, b: .5 }\n";
+    static const char text[] = IMAGE
+        "camera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], near: .5 }\n"
+        "lights: [{ light: Point, position: [1, -4, 4], intensity: 12 }, { light: Ambient, "
+        "intensity: .2 }]\n"
+        "objects:\n- { object: Plane, material: { material: Phong, diffuse: { map: Checker }, "
+        "ambient: 1 } }\n"
+        "- { object: Sphere, material: { material: Phong, diffuse: .3, ambient: .5 } }\n"
+        "- { object: Box, material: { material: Phong, diffuse: .8, ambient: 1 }, transform: { "
+        "translation: "
+        "[1.5, 0, 0], rotation: "
+        "[.3, .4, .5] } }\nsky: { material: RGBA, r: .1, g: .2, b: .5 }\n";
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     Scene *scene = frame_scene(text, &options, &document);
@@ -100,18 +107,23 @@ static void tiles_fit_the_memory(void **state)
     static const struct {
         size_t memory;
         int rows;
-    } cases[] = {
-        {0, HEIGHT}, {1, RENDER_TILE_LEAST}, {200 * 32 * 51, 50}, {200 * 32 * 100 - 1, 98}, {200 * 32 * 100, 100}};
+    } cases[] = {{0, HEIGHT},
+                 {1, RENDER_TILE_LEAST},
+                 {200 * 32 * 51, 50},
+                 {200 * 32 * 100 - 1, 98},
+                 {200 * 32 * 100, 100}};
     MatcOptions options;
     matc_options_init(&options);
     options.layout = "compact"; /* 16 bytes a pixel; depth has 4, light 8, the picture 4 */
     options.pixels = true;
     MatcDocument *document;
     Scene *scene =
-        frame_scene(IMAGE "objects: [{ object: Sphere, material: { material: Phong } }]\n", &options, &document);
+        frame_scene(IMAGE "objects: [{ object: Sphere, material: { material: Phong } }]\n",
+                    &options, &document);
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Render *render = render_open(gl, &(RenderOptions){.compile = &options, .memory = cases[i].memory});
+        Render *render =
+            render_open(gl, &(RenderOptions){.compile = &options, .memory = cases[i].memory});
         assert_true(render && render_scene(render, scene));
         assert_int_equal(render_tile_width(render), WIDTH);
         assert_int_equal(render_tile_height(render), cases[i].rows);
@@ -121,14 +133,16 @@ static void tiles_fit_the_memory(void **state)
     frame_forget(scene, document);
 }
 
-/* A picture that is wider than the driver's framebuffers is in tiles of one width, as high as if they were as wide as the picture. */
+/* A picture that is wider than the driver's framebuffers is in tiles of one width, as high as if
+ * they were as wide as the picture. */
 static void tiles_share_the_width(void **state)
 {
     (void)state;
     MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = frame_scene(IMAGE WALL "camera: { camera: Perspective, position: [0, -2, 0], target: [0, 0, 0] }\n",
-                               &options, &document);
+    Scene *scene = frame_scene(
+        IMAGE WALL "camera: { camera: Perspective, position: [0, -2, 0], target: [0, 0, 0] }\n",
+        &options, &document);
     GlContext *gl = frame_context();
     RenderOptions asked = {.compile = &options, .view = "light", .no_shadows = true};
     float *whole = frame_floats(gl, scene, &asked);
@@ -164,9 +178,12 @@ static void memory_does_not_grow(void **state)
         const int edge = k ? LARGE : SMALL;
         frame_count_calls(gl);
         Render *render = render_open(
-            gl, &(RenderOptions){.compile = &options, .width = edge, .height = edge, .memory = MEMORY});
+            gl,
+            &(RenderOptions){.compile = &options, .width = edge, .height = edge, .memory = MEMORY});
         assert_true(render && render_scene(render, scene) && render_frame(render));
-        assert_true(render_tile_width(render) * render_tile_height(render) * render_pixel_bytes(render) <= MEMORY);
+        assert_true(render_tile_width(render) * render_tile_height(render) *
+                        render_pixel_bytes(render) <=
+                    MEMORY);
         texels[k] = frame_calls.texels;
         render_close(render);
         gl_close(gl); /* the counters stand in it */
@@ -191,7 +208,8 @@ static void compare(const float *whole, const float *parts, bool depth, Seams *s
     for (int i = 0; i < seams->pixels; i++) {
         int most = 0;
         for (int lane = 0; lane < 3 && !depth; lane++) {
-            const int steps = abs((int)lrintf(whole[4 * i + lane] * 255) - (int)lrintf(parts[4 * i + lane] * 255));
+            const int steps = abs((int)lrintf(whole[4 * i + lane] * 255) -
+                                  (int)lrintf(parts[4 * i + lane] * 255));
             most = steps > most ? steps : most;
         }
         if (depth && whole[4 * i] != parts[4 * i])
@@ -242,7 +260,8 @@ static Seams seams_of(GlContext *gl, const char *name)
 static void seams_of_the_gallery(void **state)
 {
     (void)state;
-    static const char *const names[] = {"examples/scenes/solids.yaml", "examples/scenes/nested.yaml"};
+    static const char *const names[] = {"examples/scenes/solids.yaml",
+                                        "examples/scenes/nested.yaml"};
     GlContext *gl = frame_context();
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         const Seams seams = seams_of(gl, names[i]);
@@ -259,7 +278,8 @@ static int print_seams(int count, char **arguments)
     printf("%-40s   depth  pixels that differ, by steps of 8 bits\n", "scene");
     for (int i = 1; i < count - (kind == GL_KIND_egl); i++) {
         const Seams seams = seams_of(gl, arguments[i]);
-        printf("%-40s %7.1e  %4d of %d, %d\n", arguments[i], seams.depth, seams.moved, seams.pixels, seams.most_steps);
+        printf("%-40s %7.1e  %4d of %d, %d\n", arguments[i], seams.depth, seams.moved, seams.pixels,
+               seams.most_steps);
         fflush(stdout);
     }
     gl_close(gl);
@@ -270,8 +290,9 @@ int main(int count, char **arguments)
 {
     if (count > 1)
         return print_seams(count, arguments);
-    const struct CMUnitTest tests[] = {cmocka_unit_test(rays_are_the_pictures), cmocka_unit_test(seams_are_rounding),
-                                       cmocka_unit_test(seams_of_the_gallery), cmocka_unit_test(tiles_fit_the_memory),
-                                       cmocka_unit_test(tiles_share_the_width), cmocka_unit_test(memory_does_not_grow)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rays_are_the_pictures), cmocka_unit_test(seams_are_rounding),
+        cmocka_unit_test(seams_of_the_gallery),  cmocka_unit_test(tiles_fit_the_memory),
+        cmocka_unit_test(tiles_share_the_width), cmocka_unit_test(memory_does_not_grow)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is read back; what is measured of a picture, by
- * both entries; black pictures, light that is no number, infinite or all in one pixel. */
+/* Tone mapping: what is shown against the formulas of scene.def in double, on the light that is
+ * read back; what is measured of a picture, by both entries; black pictures, light that is no
+ * number, infinite or all in one pixel. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -11,7 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Floats of a view of a scene, from malloc; *read is the scene, whose document is kept to the end. */
+/* Floats of a view of a scene, from malloc; *read is the scene, whose document is kept to the
+ * end. */
 static float *draw(GlContext *gl, const char *text, const char *view, bool fragment)
 {
     MatcOptions options;
@@ -20,10 +22,12 @@ static float *draw(GlContext *gl, const char *text, const char *view, bool fragm
     MatcDocument *document = scene_read("scene.yaml", text, strlen(text), &options, &scene);
     if (!scene)
         fail_msg("%s", matc_diagnostics(document, MATC_TEXT));
-    Render *render = render_open(gl, &(RenderOptions){.compile = &options, .view = view, .fragment = fragment});
+    Render *render =
+        render_open(gl, &(RenderOptions){.compile = &options, .view = view, .fragment = fragment});
     if (!render || !render_scene(render, scene) || !render_frame(render))
         fail_msg("%s", gl->error);
-    float *rgba = calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *rgba);
+    float *rgba =
+        calloc((size_t)render_width(render) * (size_t)render_height(render), 4 * sizeof *rgba);
     assert_non_null(rgba);
     if (!render_read(render, rgba))
         fail_msg("%s", gl->error);
@@ -65,7 +69,8 @@ static Picture measure(const float *rgba, int count)
     return p;
 }
 
-/* Numbers of a kind, as the document has them: exposure as a factor; or intensity, contrast, chromatic and light adaptation; or bias. */
+/* Numbers of a kind, as the document has them: exposure as a factor; or intensity, contrast,
+ * chromatic and light adaptation; or bias. */
 typedef struct {
     const char *mapping;
     SceneKind kind;
@@ -85,11 +90,13 @@ static void adapt(const Mapping *m, const Picture *p, const double c[3], double 
 }
 
 /* `span`: the least and greatest that adapt() makes of the picture. */
-static void map(const Mapping *m, const Picture *p, const double span[2], const double c[3], double out[3])
+static void map(const Mapping *m, const Picture *p, const double span[2], const double c[3],
+                double out[3])
 {
-    const double x = luminance(c) / exp(p->log_mean) * m->exposure, top = p->brightest / exp(p->log_mean) * m->exposure;
-    const double drago = log(1 + x) / log(2 + 8 * pow(x / top, log(m->numbers[0]) / log(.5))) / log10(1 + top) /
-                         fmax(luminance(c), 1e-30);
+    const double x = luminance(c) / exp(p->log_mean) * m->exposure,
+                 top = p->brightest / exp(p->log_mean) * m->exposure;
+    const double drago = log(1 + x) / log(2 + 8 * pow(x / top, log(m->numbers[0]) / log(.5))) /
+                         log10(1 + top) / fmax(luminance(c), 1e-30);
     const double most = fmax(fmax(c[0], c[1]), c[2]) * m->exposure;
     if (m->kind == SCENE_ReinhardDevlin)
         adapt(m, p, c, out);
@@ -98,14 +105,17 @@ static void map(const Mapping *m, const Picture *p, const double span[2], const 
         if (m->kind == SCENE_Filmic)
             out[i] = f * (2.51 * f + .03) / (f * (2.43 * f + .59) + .14);
         else if (m->kind == SCENE_Shoulder)
-            out[i] =
-                f <= m->numbers[0] ? f : 1 - (1 - m->numbers[0]) * (1 - m->numbers[0]) / (1 + f - 2 * m->numbers[0]);
+            out[i] = f <= m->numbers[0] ? f
+                                        : 1 - (1 - m->numbers[0]) * (1 - m->numbers[0]) /
+                                                  (1 + f - 2 * m->numbers[0]);
         else if (m->kind == SCENE_Exponential)
             out[i] = most > 0 ? -expm1(-most) * f / most : 0;
         else if (m->kind == SCENE_ReinhardDevlin)
             out[i] = (out[i] - span[0]) / (span[1] - span[0]);
         else
-            out[i] = m->kind == SCENE_Drago ? c[i] * drago : m->kind == SCENE_Linear ? f / p->greatest : f;
+            out[i] = m->kind == SCENE_Drago    ? c[i] * drago
+                     : m->kind == SCENE_Linear ? f / p->greatest
+                                               : f;
     }
 }
 
@@ -132,11 +142,13 @@ static void find_span(const Mapping *m, const Picture *p, const float *rgba, dou
 
 #define SIZE_TEXT "image: { width: 165, height: 119 }\n" /* no multiples of a block */
 enum { PIXELS = 165 * 119 };
-#define LIT                                                                                                            \
-    SIZE_TEXT                                                                                                          \
-    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 40 }]\n"                            \
-    "objects: [{ object: Sphere, material: { material: Phong, diffuse: [.9, .4, .1], specular: 1, shininess: .9 } }, " \
-    "{ object: Plane, material: { material: Phong, diffuse: .3 } }]\nsky: { material: RGBA, r: .1, g: .2, b: .5 }\n"
+#define LIT                                                                                        \
+    SIZE_TEXT                                                                                      \
+    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 40 }]\n"        \
+    "objects: [{ object: Sphere, material: { material: Phong, diffuse: [.9, .4, .1], specular: "   \
+    "1, shininess: .9 } }, "                                                                       \
+    "{ object: Plane, material: { material: Phong, diffuse: .3 } }]\nsky: { material: RGBA, r: "   \
+    ".1, g: .2, b: .5 }\n"
 
 static double off_by(GlContext *gl, const Mapping *m, const float *light, bool fragment)
 {
@@ -169,7 +181,8 @@ static void formulas(void **state)
         {"Linear", SCENE_Linear, 1, {0}},
         {"Linear, exposure: 3", SCENE_Linear, 8, {0}},
         {"ReinhardDevlin", SCENE_ReinhardDevlin, 1, {0, 0, 0, 1}},
-        {"ReinhardDevlin, intensity: 2, contrast: .6, chromaticAdaptation: .3, lightAdaptation: .25",
+        {"ReinhardDevlin, intensity: 2, contrast: .6, chromaticAdaptation: .3, lightAdaptation: "
+         ".25",
          SCENE_ReinhardDevlin,
          1,
          {2, .6, .3, .25}},
@@ -199,13 +212,15 @@ static void formulas(void **state)
 /* The three texels of a picture. */
 static void run(GlContext *gl, const float *rgba, const int size[2], bool compute, float said[3][4])
 {
-    const char *const texts[] = {"#define TONE_Linear\n#define TONE_MEASURES\n", render_text_tone, NULL};
+    const char *const texts[] = {"#define TONE_Linear\n#define TONE_MEASURES\n", render_text_tone,
+                                 NULL};
     const TextureSpec spec = {.width = size[0], .height = size[1], .lanes = 4, .floats = rgba};
     Store *store = store_new(gl);
     Screen screen;
     Measure made;
     const GLuint name = texture_make(gl, &spec);
-    if (!store || !name || !screen_make(gl, &screen) || !measure_make(store, size, compute, texts, &made))
+    if (!store || !name || !screen_make(gl, &screen) ||
+        !measure_make(store, size, compute, texts, &made))
         fail_msg("%s", gl->error);
     measure_run(&made, name, &screen);
     assert_true(framebuffer_read(gl, &made.targets[made.count - 1], 0, said[0]));
@@ -215,7 +230,8 @@ static void run(GlContext *gl, const float *rgba, const int size[2], bool comput
     store_free(store);
 }
 
-/* Sizes around blocks; a pixel that is no number, one that is infinite, one below 0; one that is brighter than all. */
+/* Sizes around blocks; a pixel that is no number, one that is infinite, one below 0; one that is
+ * brighter than all. */
 static void measured(void **state)
 {
     (void)state;
@@ -235,7 +251,8 @@ static void measured(void **state)
             assert_true(fabs(said[0][3] - p.brightest) <= 1e-6 * p.brightest);
             for (int lane = 0; lane < 4; lane++)
                 assert_true(fabs(said[1][lane] / count - p.mean[lane]) <= 1e-5 * p.mean[lane]);
-            assert_true(fabs(said[2][0] / said[2][1] - p.log_mean) <= 1e-5 * (fabs(p.log_mean) + 1));
+            assert_true(fabs(said[2][0] / said[2][1] - p.log_mean) <=
+                        1e-5 * (fabs(p.log_mean) + 1));
             assert_true(fabs(said[2][2] - p.darkest) <= 1e-5 * p.darkest);
         }
         for (int i = 0; i < 3 && count > 3; i++)
@@ -252,23 +269,25 @@ static void measured(void **state)
 
 /* -- extremes */
 
-/* Black stays black; one lamp that is infinite in the light's format leaves numbers, and is the brightest. */
+/* Black stays black; one lamp that is infinite in the light's format leaves numbers, and is the
+ * brightest. */
 static void extremes(void **state)
 {
     (void)state;
-    static const char *const kinds[] = {"Clamp",  "Filmic",         "Shoulder", "Exponential",
-                                        "Linear", "ReinhardDevlin", "Drago",    "Linear, exposure: 64"};
+    static const char *const kinds[] = {
+        "Clamp",  "Filmic",         "Shoulder", "Exponential",
+        "Linear", "ReinhardDevlin", "Drago",    "Linear, exposure: 64"};
     enum { SIDE = 40 };
     GlContext *gl = frame_context();
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int bright = 0; bright < 2; bright++) {
             char text[1024];
-            snprintf(
-                text, sizeof text,
-                "image: { width: 40, height: 40 }\ncamera: { camera: Orthographic, position: [0, -5, 0], size: 2 }\n"
-                "objects: [{ object: Box, material: { material: Phong, emissive: %s } }]\n"
-                "toneMapping: { toneMapping: %s }\n",
-                bright ? "[1e9, 1e9, 1e9]" : "0", kinds[k]);
+            snprintf(text, sizeof text,
+                     "image: { width: 40, height: 40 }\ncamera: { camera: Orthographic, position: "
+                     "[0, -5, 0], size: 2 }\n"
+                     "objects: [{ object: Box, material: { material: Phong, emissive: %s } }]\n"
+                     "toneMapping: { toneMapping: %s }\n",
+                     bright ? "[1e9, 1e9, 1e9]" : "0", kinds[k]);
             float *shown = draw(gl, text, NULL, k % 2);
             assert_true(shown[0] == 0);
             if (!(shown[4 * (SIDE / 2 * SIDE + SIDE / 2)] == (float)bright))
@@ -288,16 +307,20 @@ static const char *const tiled[] = {"toneMapping: { toneMapping: Linear, exposur
 static Scene *read_horizon(const char *mapping, const MatcOptions *options, MatcDocument **document)
 {
     char text[1024];
-    snprintf(text, sizeof text,
-             "image: { width: 75, height: 53, tiles: true }\ncamera: { camera: Perspective, position: [0, -5, 1], "
-             "target: [0, 0, 1.31] }\nmaterials: { m: { material: Phong, diffuse: [0.9, 0.3, 0.1] } }\n"
-             "objects: [{ object: Plane, material: m }]\nsky: { material: RGBA, r: 0.3, g: 0.5, b: 0.7 }\n"
-             "lights: [{ light: Point, position: [-3, 1, 1], intensity: 9 }]\n%s\n",
-             mapping);
+    snprintf(
+        text, sizeof text,
+        "image: { width: 75, height: 53, tiles: true }\ncamera: { camera: Perspective, position: "
+        "[0, -5, 1], "
+        "target: [0, 0, 1.31] }\nmaterials: { m: { material: Phong, diffuse: [0.9, 0.3, 0.1] } }\n"
+        "objects: [{ object: Plane, material: m }]\nsky: { material: RGBA, r: 0.3, g: 0.5, b: 0.7 "
+        "}\n"
+        "lights: [{ light: Point, position: [-3, 1, 1], intensity: 9 }]\n%s\n",
+        mapping);
     return frame_scene(text, options, document);
 }
 
-/* What a picture asks of all of it is the same in tiles, but for the order of sums: with edges, which take tiles that overlap, and of a scene that changes. */
+/* What a picture asks of all of it is the same in tiles, but for the order of sums: with edges,
+ * which take tiles that overlap, and of a scene that changes. */
 static void in_tiles(void **state)
 {
     (void)state;
@@ -325,7 +348,8 @@ static void in_tiles(void **state)
                 assert_true(render_frame(render) && render_read(render, part));
                 for (int row = 0; row < 18 && y + row < 53; row++)
                     for (int i = 0; i < 4 * 32 && x + i / 4 < 75; i++)
-                        if (!(fabsf(part[4 * 32 * row + i] - whole[4 * (75 * (y + row) + x) + i]) <= 4e-5f))
+                        if (!(fabsf(part[4 * 32 * row + i] - whole[4 * (75 * (y + row) + x) + i]) <=
+                              4e-5f))
                             fail_msg("%s: %g, not %g", tiled[k / 2], part[4 * 32 * row + i],
                                      whole[4 * (75 * (y + row) + x) + i]);
             }

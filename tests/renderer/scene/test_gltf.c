@@ -1,31 +1,45 @@
-/* glTF files with materials: as documents, what is not read and where that stands; their meshes in parts; objects of a scene. */
+/* glTF files with materials: as documents, what is not read and where that stands; their meshes in
+ * parts; objects of a scene. */
 #include "grammar/lobe_table.h"
 #include "tests/gltf_folder.h"
 #include "compiler/document.h"
 #include "runtime/scene/model.h"
 
-#define MESH                                                                                                           \
-    "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["                  \
-    "{\"attributes\":{\"POSITION\":0},\"material\":1},{\"attributes\":{\"POSITION\":1},\"material\":0},"               \
-    "{\"attributes\":{\"POSITION\":2}}]}],\"buffers\":[{\"uri\":\"corners.bin\",\"byteLength\":108}],"                 \
-    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,"              \
-    "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":36}],\"accessors\":["                           \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,-1],\"max\":[1,0,0]},"        \
-    "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[2,0,-1],\"max\":[3,0,0]},"        \
-    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[4,0,-1],\"max\":[5,0,0]}]"
-#define PICTURES                                                                                                       \
-    "\"textures\":[{\"source\":0,\"sampler\":0},{\"source\":1}],\"samplers\":[{\"wrapS\":33071,\"wrapT\":33071,"       \
-    "\"magFilter\":9728}],\"images\":[{\"uri\":\"tiles%20a.png\"},{\"bufferView\":0,\"mimeType\":\"image/png\"}]"
+#define MESH                                                                                       \
+    "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"              \
+    "\"primitives\":["                                                                             \
+    "{\"attributes\":{\"POSITION\":0},\"material\":1},{\"attributes\":{\"POSITION\":1},"           \
+    "\"material\":0},"                                                                             \
+    "{\"attributes\":{\"POSITION\":2}}]}],\"buffers\":[{\"uri\":\"corners.bin\",\"byteLength\":"   \
+    "108}],"                                                                                       \
+    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36},{\"buffer\":0,"            \
+    "\"byteOffset\":36,"                                                                           \
+    "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":36}],\"accessors\":["       \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,-1],"     \
+    "\"max\":[1,0,0]},"                                                                            \
+    "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[2,0,-1],"     \
+    "\"max\":[3,0,0]},"                                                                            \
+    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[4,0,-1],"     \
+    "\"max\":[5,0,0]}]"
+#define PICTURES                                                                                   \
+    "\"textures\":[{\"source\":0,\"sampler\":0},{\"source\":1}],\"samplers\":[{\"wrapS\":33071,"   \
+    "\"wrapT\":33071,"                                                                             \
+    "\"magFilter\":9728}],\"images\":[{\"uri\":\"tiles%20a.png\"},{\"bufferView\":0,\"mimeType\":" \
+    "\"image/png\"}]"
 #define HEAD               "{\"asset\":{\"version\":\"2.0\"}," MESH "," PICTURES ",\n\"materials\":"
 #define FILE_OF(materials) HEAD materials "}"
 static const char head[] = HEAD;
 
 static const char bark[] =
-    FILE_OF("[{\"name\":\"Old bark!\",\"alphaMode\":\"MASK\",\"doubleSided\":true,\"emissiveFactor\":[1,0.5,0],"
-            "\"normalTexture\":{\"index\":0,\"scale\":0.5},\"pbrMetallicRoughness\":{\"roughnessFactor\":0.75,"
-            "\"metallicRoughnessTexture\":{\"index\":0},\"baseColorTexture\":{\"index\":0,\"extensions\":{\"KHR_"
+    FILE_OF("[{\"name\":\"Old "
+            "bark!\",\"alphaMode\":\"MASK\",\"doubleSided\":true,\"emissiveFactor\":[1,0.5,0],"
+            "\"normalTexture\":{\"index\":0,\"scale\":0.5},\"pbrMetallicRoughness\":{"
+            "\"roughnessFactor\":0.75,"
+            "\"metallicRoughnessTexture\":{\"index\":0},\"baseColorTexture\":{\"index\":0,"
+            "\"extensions\":{\"KHR_"
             "texture_transform\":"
-            "{\"offset\":[0.25,0.5],\"scale\":[2,4]}}}},\"extensions\":{\"KHR_materials_emissive_strength\":{"
+            "{\"offset\":[0.25,0.5],\"scale\":[2,4]}}}},\"extensions\":{\"KHR_materials_emissive_"
+            "strength\":{"
             "\"emissiveStrength\":3}}},"
             "{\"name\":\"Old bark?\"}]");
 
@@ -34,13 +48,20 @@ static void materials_are_a_document(void **state)
     (void)state;
     static const char wanted[] =
         "materials: \n  Old_bark_: \n    material: glTF\n    roughnessFactor: 0.75\n"
-        "    metallicRoughnessTexture: \n      map: ImageMap\n      image: tiles a.png\n      colorspace: linear\n"
-        "      address: clamp\n      bilinearFiltering: false\n    baseColorTexture: \n      map: ImageMap\n"
-        "      image: tiles a.png\n      colorspace: srgb\n      address: clamp\n      bilinearFiltering: false\n"
-        "      input: \n        map: UVTransform\n        scaleU: 2\n        scaleV: 4\n        offsetU: -0.125\n"
-        "        offsetV: 0.875\n    alphaMode: \"MASK\"\n    emissiveFactor: \n      - 1\n      - 0.5\n      - 0\n"
-        "    normalTexture: \n      map: ImageMap\n      image: tiles a.png\n      colorspace: linear\n"
-        "      address: clamp\n      bilinearFiltering: false\n    normalScale: 0.5\n    emissiveStrength: 3\n"
+        "    metallicRoughnessTexture: \n      map: ImageMap\n      image: tiles a.png\n      "
+        "colorspace: linear\n"
+        "      address: clamp\n      bilinearFiltering: false\n    baseColorTexture: \n      map: "
+        "ImageMap\n"
+        "      image: tiles a.png\n      colorspace: srgb\n      address: clamp\n      "
+        "bilinearFiltering: false\n"
+        "      input: \n        map: UVTransform\n        scaleU: 2\n        scaleV: 4\n        "
+        "offsetU: -0.125\n"
+        "        offsetV: 0.875\n    alphaMode: \"MASK\"\n    emissiveFactor: \n      - 1\n      - "
+        "0.5\n      - 0\n"
+        "    normalTexture: \n      map: ImageMap\n      image: tiles a.png\n      colorspace: "
+        "linear\n"
+        "      address: clamp\n      bilinearFiltering: false\n    normalScale: 0.5\n    "
+        "emissiveStrength: 3\n"
         "  Old_bark__2: \n    material: glTF\n  default: \n    material: glTF\n";
     MatcOptions options;
     char path[128];
@@ -59,17 +80,23 @@ static void what_is_not_read_is_said(void **state)
     static const struct {
         const char *materials, *said;
     } cases[] = {
-        {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]", "2:29: warning: KHR_materials_unlit is not read"},
+        {"[{\"extensions\":{\"KHR_materials_unlit\":{}}}]",
+         "2:29: warning: KHR_materials_unlit is not read"},
         {"[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":1}}}]",
-         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG nor OpenEXR nor BMP"},
+         "1:861: error: cannot read the picture 'case.gltf#/images/1': it is neither PNG nor JPEG "
+         "nor OpenEXR nor BMP"},
         {"[{\"normalTexture\":{\"index\":0,\"texCoord\":1}}]",
          "2:53: warning: a second set of texture coordinates, of normals, is not read"},
-        {"[{\"normalTexture\":{\"index\":2}}]", "2:40: error: the file's list textures has no item 2"},
-        {"[{\"normalTexture\":{\"index\":-1}}]", "2:40: error: the file's list textures has no item -1"},
+        {"[{\"normalTexture\":{\"index\":2}}]",
+         "2:40: error: the file's list textures has no item 2"},
+        {"[{\"normalTexture\":{\"index\":-1}}]",
+         "2:40: error: the file's list textures has no item -1"},
         {"[{\"normalTexture\":7}]", "2:31: warning: a texture without a picture is not read"},
         {"[{\"thicknessTexture\":{\"index\":0}}]", "2:15: warning: thicknessTexture is not read"},
-        {"[{\"alphaMode\":\"GLASS\"}]", "2:27: error: alphaMode wants OPAQUE, MASK or BLEND, not 'GLASS'"},
-        {"[{\"occlusionTexture\":{\"index\":0}}]", "2:34: warning: occlusionTexture of a glTF is not wholly kept"},
+        {"[{\"alphaMode\":\"GLASS\"}]",
+         "2:27: error: alphaMode wants OPAQUE, MASK or BLEND, not 'GLASS'"},
+        {"[{\"occlusionTexture\":{\"index\":0}}]",
+         "2:34: warning: occlusionTexture of a glTF is not wholly kept"},
         {"[7, null, \"a\"]", ""},
         {"7", ""},
     };
@@ -78,8 +105,10 @@ static void what_is_not_read_is_said(void **state)
         char path[128], text[4096];
         matc_options_init(&options);
         snprintf(text, sizeof text, "%s%s}", head, cases[i].materials);
-        MatcDocument *document = matc_read(path_of("case.gltf", path), text, strlen(text), &options);
-        const char *said = matc_diagnostics(document, MATC_TEXT), *behind = said + (*said ? strlen(path) + 1 : 0);
+        MatcDocument *document =
+            matc_read(path_of("case.gltf", path), text, strlen(text), &options);
+        const char *said = matc_diagnostics(document, MATC_TEXT),
+                   *behind = said + (*said ? strlen(path) + 1 : 0);
         if (strncmp(behind, cases[i].said, strlen(cases[i].said)) != 0 || !*cases[i].said != !*said)
             fail_msg("%s: %s", cases[i].materials, said);
         matc_document_free(document);
@@ -123,10 +152,10 @@ static void a_mesh_has_the_files_materials(void **state)
     char text[1024];
     MatcDocument *document;
     snprintf(text, sizeof text,
-             RED
-             "objects:\n- { object: Mesh, file: %s/bark.gltf }\n- { object: Mesh, file: %s/bark.gltf, material: red }\n"
-             "- { object: Mesh, file: %s/bark.gltf, transform: { scale: 2 } }\n"
-             "- { object: Box, material: { file: %s/bark.gltf, material: Old_bark_ } }\n",
+             RED "objects:\n- { object: Mesh, file: %s/bark.gltf }\n- { object: Mesh, file: "
+                 "%s/bark.gltf, material: red }\n"
+                 "- { object: Mesh, file: %s/bark.gltf, transform: { scale: 2 } }\n"
+                 "- { object: Box, material: { file: %s/bark.gltf, material: Old_bark_ } }\n",
              folder, folder, folder, folder);
     Scene *scene = read_fine(text, &document);
     assert_int_equal(scene->object_count, 8);
@@ -141,30 +170,35 @@ static void a_mesh_has_the_files_materials(void **state)
     }
     assert_int_equal(scene->meshes[scene->objects[3].mesh].shape.index_count, 9);
     assert_int_equal(scene->objects[7].material, scene->objects[0].material);
-    assert_int_equal(scene_models(scene) & ~(MODEL_EMITS | MODEL_RELIEF), (1u << MODEL_Phong) | 1u << MODEL_Principled);
+    assert_int_equal(scene_models(scene) & ~(MODEL_EMITS | MODEL_RELIEF),
+                     (1u << MODEL_Phong) | 1u << MODEL_Principled);
     forget(scene, document);
     assert_fault("objects:\n- { object: Mesh, file: nothing.gltf }\n", NULL);
     snprintf(text, sizeof text, "objects:\n- { object: Mesh, file: %s/broken.gltf }\n", folder);
     assert_fault(text, NULL);
 }
 
-/* Vertex colours multiply the base colour, and pictures may have the second set of coordinates: as attributes of the mesh. */
+/* Vertex colours multiply the base colour, and pictures may have the second set of coordinates: as
+ * attributes of the mesh. */
 static void meshes_have_colors(void **state)
 {
     (void)state;
-    static const char painted[] = "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{"
-                                  "\"POSITION\":0,\"COLOR_0\":1},\"material\":0}]}],"
-                                  "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"tiles%20a.png\"}],"
-                                  "\"materials\":[{\"name\":\"a\",\"pbrMetallicRoughness\":{"
-                                  "\"baseColorTexture\":{\"index\":0,\"texCoord\":1}}},{\"name\":\"b\","
-                                  "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]}";
+    static const char painted[] =
+        "{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{"
+        "\"POSITION\":0,\"COLOR_0\":1},\"material\":0}]}],"
+        "\"textures\":[{\"source\":0}],\"images\":[{\"uri\":\"tiles%20a.png\"}],"
+        "\"materials\":[{\"name\":\"a\",\"pbrMetallicRoughness\":{"
+        "\"baseColorTexture\":{\"index\":0,\"texCoord\":1}}},{\"name\":\"b\","
+        "\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]}";
     char path[128];
     MatcOptions options;
     matc_options_init(&options);
     options.pixels = true;
-    MatcDocument *document = matc_read(path_of("painted.gltf", path), painted, sizeof painted - 1, &options);
+    MatcDocument *document =
+        matc_read(path_of("painted.gltf", path), painted, sizeof painted - 1, &options);
     assert_string_equal(matc_diagnostics(document, MATC_TEXT), "");
-    const MatcNumbers seen = matc_eval_slot(document, 0, "u=.9 v=.9 @uv1.x=.1 @uv1.y=.3 @color.r=.5", &options);
+    const MatcNumbers seen =
+        matc_eval_slot(document, 0, "u=.9 v=.9 @uv1.x=.1 @uv1.y=.3 @color.r=.5", &options);
     const MatcNumbers plain = matc_eval_slot(document, 1, "u=.1 v=.3", &options);
     assert_null(seen.fault);
     assert_true(plain.lane[0] > 0 && fabs(seen.lane[0] - plain.lane[0] / 2) < 1e-12 &&
@@ -202,7 +236,8 @@ typedef struct {
 static void count_pictures(const Node *node, Pictures *found)
 {
     if (node && node->kind == KIND_ImageMap) {
-        const bool srgb = node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb;
+        const bool srgb =
+            node_param(node, P_ImageMap_colorspace)->number[0] == WORD_ColorSpace_srgb;
         found->srgb += srgb, found->linear += !srgb;
         found->centred += node_param(node, P_ImageMap_texels)->number[0] == WORD_Texels_centre;
     }
@@ -215,8 +250,11 @@ static void count_pictures(const Node *node, Pictures *found)
     }
 }
 
-/* glTF 2.0, section 3.9: the pictures of base colour, emission, sheen's and specular's colour are sRGB, all others linear; 3.8.4: a texel is a point in the middle of its
- * square. UsdPreviewSurface and MaterialX have (0, 0) and (1, 1) at corners of the picture, not of texels, and leave colour spaces to its own node. So it is in a document, too: what a map says itself goes first, what another material has is as the document says. */
+/* glTF 2.0, section 3.9: the pictures of base colour, emission, sheen's and specular's colour are
+ * sRGB, all others linear; 3.8.4: a texel is a point in the middle of its square. UsdPreviewSurface
+ * and MaterialX have (0, 0) and (1, 1) at corners of the picture, not of texels, and leave colour
+ * spaces to its own node. So it is in a document, too: what a map says itself goes first, what
+ * another material has is as the document says. */
 static void documents_have_pictures_as_files_do(void **state)
 {
     (void)state;
@@ -233,17 +271,29 @@ static void documents_have_pictures_as_files_do(void **state)
         {"material: glTF\nspecularColorTexture: " P, false, true, ALL},
         {"material: glTF\nmetallicRoughnessTexture: " P, true, false, ALL},
         {"material: glTF\nnormalTexture: " P, true, false, ALL},
-        {"material: glTF\nclearcoatFactor: 1\nclearcoatRoughnessFactor: 1\nclearcoatRoughnessTexture: " P, true, false, ALL},
-        {"material: glTF\nemissiveFactor: { map: UVTransform, scaleU: 2, input: " P " }", false, true, ALL},
-        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: Checker, input: " P " }", true, false, ALL},
-        {"material: glTF\nnormalTexture: { map: ImageMap, image: 'tiles a.png', texels: corner }", true, false, NONE},
-        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: ImageMap, image: 'tiles a.png', colorspace: linear }", true, false, ALL},
+        {"material: glTF\nclearcoatFactor: 1\nclearcoatRoughnessFactor: "
+         "1\nclearcoatRoughnessTexture: " P,
+         true, false, ALL},
+        {"material: glTF\nemissiveFactor: { map: UVTransform, scaleU: 2, input: " P " }", false,
+         true, ALL},
+        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: Checker, input: " P " }", true,
+         false, ALL},
+        {"material: glTF\nnormalTexture: { map: ImageMap, image: 'tiles a.png', texels: corner }",
+         true, false, NONE},
+        {"material: glTF\nemissiveFactor: 1\nemissiveTexture: { map: ImageMap, image: 'tiles "
+         "a.png', colorspace: linear }",
+         true, false, ALL},
         {"colors: srgb\nmaterial: glTF\nmetallicRoughnessTexture: " P, true, false, ALL},
-        {"material: Mix\na: { material: glTF, emissiveFactor: 1, emissiveTexture: " P " }\nb: { material: Principled, emission: 1, emissionColor: " P " }", true, true, SOME},
+        {"material: Mix\na: { material: glTF, emissiveFactor: 1, emissiveTexture: " P
+         " }\nb: { material: Principled, emission: 1, emissionColor: " P " }",
+         true, true, SOME},
         {"material: StandardSurface\nemission: 1\nemission_color: " P, true, false, ALL},
-        {"colors: srgb\nmaterial: StandardSurface\nemission: 1\nemission_color: " P, false, true, ALL},
+        {"colors: srgb\nmaterial: StandardSurface\nemission: 1\nemission_color: " P, false, true,
+         ALL},
         {"material: StandardSurface\nspecular_roughness: " P, true, false, ALL},
-        {"material: StandardSurface\nspecular_roughness: { map: ImageMap, image: 'tiles a.png', texels: corner }", true, false, NONE},
+        {"material: StandardSurface\nspecular_roughness: { map: ImageMap, image: 'tiles a.png', "
+         "texels: corner }",
+         true, false, NONE},
         {"material: UsdPreview\ndiffuseColor: " P, true, false, ALL},
         {"material: UsdPreview\nnormal: { map: NormalMap, normal: " P " }", true, false, ALL},
         {"material: Principled\nbaseColor: " P, true, false, NONE},
@@ -255,13 +305,18 @@ static void documents_have_pictures_as_files_do(void **state)
         MatcOptions options;
         char path[128];
         matc_options_init(&options);
-        MatcDocument *document = matc_read(path_of("rows.yaml", path), rows[i].text, strlen(rows[i].text), &options);
+        MatcDocument *document =
+            matc_read(path_of("rows.yaml", path), rows[i].text, strlen(rows[i].text), &options);
         if (!document->graph)
             fail_msg("%s: %s", rows[i].text, matc_diagnostics(document, MATC_TEXT));
         count_pictures(document->graph->materials[0].node, &found);
-        const int all = found.linear + found.srgb, centred = found.centred == all ? ALL : found.centred ? SOME : NONE;
-        if (!all || (found.linear > 0) != rows[i].linear || (found.srgb > 0) != rows[i].srgb || centred != rows[i].centred)
-            fail_msg("%s: %d linear, %d sRGB, %d centred", rows[i].text, found.linear, found.srgb, found.centred);
+        const int all = found.linear + found.srgb, centred = found.centred == all ? ALL
+                                                             : found.centred      ? SOME
+                                                                                  : NONE;
+        if (!all || (found.linear > 0) != rows[i].linear || (found.srgb > 0) != rows[i].srgb ||
+            centred != rows[i].centred)
+            fail_msg("%s: %d linear, %d sRGB, %d centred", rows[i].text, found.linear, found.srgb,
+                     found.centred);
         matc_document_free(document);
     }
 }
@@ -270,7 +325,8 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {cmocka_unit_test(materials_are_a_document),
                                        cmocka_unit_test(what_is_not_read_is_said),
-                                       cmocka_unit_test(meshes_are_in_parts), cmocka_unit_test(meshes_have_colors),
+                                       cmocka_unit_test(meshes_are_in_parts),
+                                       cmocka_unit_test(meshes_have_colors),
                                        cmocka_unit_test(a_mesh_has_the_files_materials),
                                        cmocka_unit_test(documents_have_pictures_as_files_do)};
     return cmocka_run_group_tests(tests, prepare, clean);

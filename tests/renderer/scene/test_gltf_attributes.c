@@ -1,38 +1,49 @@
-/* Attributes of a glTF's meshes that have names of the author's: each vertex has what the file says of its place, whatever assimp joins, copies or leaves out;
- * all component types by hand; files that are wrong, or hostile. */
+/* Attributes of a glTF's meshes that have names of the author's: each vertex has what the file says
+ * of its place, whatever assimp joins, copies or leaves out; all component types by hand; files
+ * that are wrong, or hostile. */
 #include "tests/gltf_folder.h"
 #include "runtime/scene/model.h"
 
-/* Rows of a place and of numbers that are a function of it, (x + 10 z, x z, x - z, 7); the last two rows are in one place, with different numbers; no triangle
- * has row 4. */
+/* Rows of a place and of numbers that are a function of it, (x + 10 z, x z, x - z, 7); the last two
+ * rows are in one place, with different numbers; no triangle has row 4. */
 enum { ROWS = 7 };
 typedef struct {
     float position[3], numbers[4];
 } Row;
 static const Row rows[ROWS] = {
-    {{0, 0, 0}, {0, 0, 0, 7}},   {{1, 0, 0}, {1, 0, 1, 7}},   {{0, 0, 1}, {10, 0, -1, 7}}, {{1, 0, 1}, {11, 1, 0, 7}},
-    {{9, 0, 9}, {99, 81, 0, 7}}, {{3, 0, 1}, {100, 1, 1, 1}}, {{3, 0, 1}, {200, 2, 2, 2}},
+    {{0, 0, 0}, {0, 0, 0, 7}},   {{1, 0, 0}, {1, 0, 1, 7}},   {{0, 0, 1}, {10, 0, -1, 7}},
+    {{1, 0, 1}, {11, 1, 0, 7}},  {{9, 0, 9}, {99, 81, 0, 7}}, {{3, 0, 1}, {100, 1, 1, 1}},
+    {{3, 0, 1}, {200, 2, 2, 2}},
 };
 static const uint16_t indices[] = {3, 1, 0, 0, 2, 3, 3, 5, 1, 1, 6, 3};
 static unsigned char buffer[sizeof rows + sizeof indices + 64];
 
-#define POSITION                                                                                                       \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":7,\"type\":\"VEC3\",\"min\":[0,0,0],\"max\":[9,0,9]}"
+#define POSITION                                                                                   \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":7,\"type\":\"VEC3\",\"min\":[0,0,0],"      \
+    "\"max\":[9,0,9]}"
 #define INDICES "{\"bufferView\":1,\"componentType\":5123,\"count\":12,\"type\":\"SCALAR\"}"
-#define NUMBERS "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":7,\"type\":\"VEC4\"}"
-#define NUMBER  "{\"bufferView\":0,\"byteOffset\":16,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}"
-#define VIEWS                                                                                                          \
-    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":196,\"byteStride\":28},{\"buffer\":0,\"byteOffset\":196,"           \
+#define NUMBERS                                                                                    \
+    "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":7,\"type\":\"VEC4\"}"
+#define NUMBER                                                                                     \
+    "{\"bufferView\":0,\"byteOffset\":16,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}"
+#define VIEWS                                                                                      \
+    "\"bufferViews\":[{\"buffer\":0,\"byteLength\":196,\"byteStride\":28},{\"buffer\":0,"          \
+    "\"byteOffset\":196,"                                                                          \
     "\"byteLength\":24}]"
-/* Two nodes have one mesh of two primitives, the second without numbers, and there is a mesh that no node has. */
-#define FILE_OF(address, attributes, accessors)                                                                        \
-    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{\"mesh\":1},{\"mesh\":1," \
-    "\"translation\":[0,5,0]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_OTHER\":3}}]},"         \
-    "{\"primitives\":[{\"attributes\":{\"POSITION\":0," attributes "},\"indices\":1},"                                 \
-    "{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}]}],\"materials\":[{}],"                            \
-    "\"buffers\":[{" address "\"byteLength\":220}]," VIEWS ",\"accessors\":[" POSITION "," INDICES "," accessors "]}"
-#define WETNESS     "\"_Wetness\":2,\"_PLACE_2\":3,\"TEXCOORD_0\":4,\"COLOR_0\":2"
-#define COORDINATES "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":7,\"type\":\"VEC2\"}"
+/* Two nodes have one mesh of two primitives, the second without numbers, and there is a mesh that
+ * no node has. */
+#define FILE_OF(address, attributes, accessors)                                                    \
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0,1]}],\"nodes\":[{"     \
+    "\"mesh\":1},{\"mesh\":1,"                                                                     \
+    "\"translation\":[0,5,0]}],\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_"   \
+    "OTHER\":3}}]},"                                                                               \
+    "{\"primitives\":[{\"attributes\":{\"POSITION\":0," attributes "},\"indices\":1},"             \
+    "{\"attributes\":{\"POSITION\":0},\"indices\":1,\"material\":0}]}],\"materials\":[{}],"        \
+    "\"buffers\":[{" address "\"byteLength\":220}]," VIEWS ",\"accessors\":[" POSITION "," INDICES \
+    "," accessors "]}"
+#define WETNESS "\"_Wetness\":2,\"_PLACE_2\":3,\"TEXCOORD_0\":4,\"COLOR_0\":2"
+#define COORDINATES                                                                                \
+    "{\"bufferView\":0,\"byteOffset\":12,\"componentType\":5126,\"count\":7,\"type\":\"VEC2\"}"
 
 /* Six more names. They make nine with `_OTHER` and the two; the ninth is not read. */
 #define NINE ",\"_1\":2,\"_2\":2,\"_3\":2,\"_4\":2,\"_5\":2,\"_6\":2"
@@ -47,11 +58,13 @@ static int find(const Shape *shape, const char *name)
 }
 
 /* Whether a row of that place has these numbers, and (y, 0, 0, 1) is the second attribute's. */
-static bool is_of_row(const float position[3], const float place[2], const float numbers[4], const float y[4])
+static bool is_of_row(const float position[3], const float place[2], const float numbers[4],
+                      const float y[4])
 {
     for (int i = 0; i < ROWS; i++)
         if (place[0] == rows[i].position[0] && place[1] == rows[i].position[2] &&
-            !memcmp(numbers, rows[i].numbers, 16) && y[0] == rows[i].numbers[1] && y[1] == 0 && y[2] == 0 && y[3] == 1)
+            !memcmp(numbers, rows[i].numbers, 16) && y[0] == rows[i].numbers[1] && y[1] == 0 &&
+            y[2] == 0 && y[3] == 1)
             return i != 4 && position[1] == -place[1];
     return false;
 }
@@ -69,12 +82,14 @@ static void check_file(const char *name)
         const Shape *shape = &parts[p].shape;
         assert_int_equal(shape->index_count, 24);
         const int wetness = find(shape, "wetness"), place = find(shape, "place_2");
-        assert_null(shape->extra[SHAPE_EXTRA_uv1]); /* the numbers of vertices are nobody's coordinates */
+        /* the numbers of vertices are nobody's coordinates */
+        assert_null(shape->extra[SHAPE_EXTRA_uv1]);
         for (int i = 0; i < shape->vertex_count; i++, seen++) {
             const float *at = shape->vertices[i].position, *got = shape->extra[wetness][i];
             if (parts[p].material == MODEL_NO_MATERIAL &&
                 !is_of_row(at, (float[]){at[0], -at[1]}, got, shape->extra[place][i]))
-                fail_msg("%s: vertex %d at %g %g: %g %g %g %g", name, i, at[0], at[1], got[0], got[1], got[2], got[3]);
+                fail_msg("%s: vertex %d at %g %g: %g %g %g %g", name, i, at[0], at[1], got[0],
+                         got[1], got[2], got[3]);
             if (parts[p].material != MODEL_NO_MATERIAL)
                 assert_true(got[0] == 0 && got[1] == 0 && got[2] == 0 && got[3] == 0);
         }
@@ -102,20 +117,24 @@ static void write_binary(const char *name, const char *json)
 static void vertices_have_what_the_file_says(void **state)
 {
     (void)state;
-    static const char beside[] = FILE_OF("\"uri\":\"rows.bin\",", WETNESS, NUMBERS "," NUMBER "," COORDINATES);
+    static const char beside[] =
+        FILE_OF("\"uri\":\"rows.bin\",", WETNESS, NUMBERS "," NUMBER "," COORDINATES);
     static const char within[] = FILE_OF("", WETNESS, NUMBERS "," NUMBER "," COORDINATES);
     static const char bare[] =
         FILE_OF("\"uri\":\"rows.bin\",", "\"_WETNESS\":2,\"_place_2\":3" NINE, NUMBERS "," NUMBER);
     write_file("a.gltf", beside, sizeof beside - 1);
     check_file("a.gltf");
-    write_file("a.gltf", bare, sizeof bare - 1); /* its first coordinates are the vertices' numbers */
+    /* its first coordinates are the vertices' numbers */
+    write_file("a.gltf", bare, sizeof bare - 1);
     check_file("a.gltf");
     write_binary("a.glb", within);
     check_file("a.glb");
 }
 
-/* Rows 0 and 1 have these values of an accessor, of which view 2 has the bytes; others have 0 where `alone`. */
-static void check_rows(const char *accessor, const unsigned char bytes[16], const float want[2], bool alone)
+/* Rows 0 and 1 have these values of an accessor, of which view 2 has the bytes; others have 0 where
+ * `alone`. */
+static void check_rows(const char *accessor, const unsigned char bytes[16], const float want[2],
+                       bool alone)
 {
     char text[2048], path[128], error[1024] = "";
     unsigned char whole[sizeof buffer] = {0};
@@ -123,14 +142,17 @@ static void check_rows(const char *accessor, const unsigned char bytes[16], cons
     memcpy(whole, buffer, 220);
     memcpy(whole + 220, bytes, 16);
     write_file("whole.bin", whole, sizeof whole);
-    snprintf(text, sizeof text,
-             "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],"
-             "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_A\":2},\"indices\":1}]}],"
-             "\"buffers\":[{\"uri\":\"whole.bin\",\"byteLength\":%zu}],"
-             "\"bufferViews\":[{\"buffer\":0,\"byteLength\":196,\"byteStride\":28},{\"buffer\":0,\"byteOffset\":196,"
-             "\"byteLength\":24},{\"buffer\":0,\"byteOffset\":220,\"byteLength\":64}],"
-             "\"accessors\":[" POSITION "," INDICES ",{%s,\"count\":7,\"type\":\"SCALAR\"}]}",
-             sizeof whole, accessor);
+    snprintf(
+        text, sizeof text,
+        "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{"
+        "\"mesh\":0}],"
+        "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_A\":2},\"indices\":1}]}],"
+        "\"buffers\":[{\"uri\":\"whole.bin\",\"byteLength\":%zu}],"
+        "\"bufferViews\":[{\"buffer\":0,\"byteLength\":196,\"byteStride\":28},{\"buffer\":0,"
+        "\"byteOffset\":196,"
+        "\"byteLength\":24},{\"buffer\":0,\"byteOffset\":220,\"byteLength\":64}],"
+        "\"accessors\":[" POSITION "," INDICES ",{%s,\"count\":7,\"type\":\"SCALAR\"}]}",
+        sizeof whole, accessor);
     write_file("a.gltf", text, strlen(text));
     if (!model_read_in_place(path_of("a.gltf", path), &shape, error, sizeof error))
         fail_msg("%s: %s", accessor, error);
@@ -138,7 +160,8 @@ static void check_rows(const char *accessor, const unsigned char bytes[16], cons
         const float *at = shape.vertices[k].position, got = shape.extra[SHAPE_EXTRA_named][k][0];
         const int row = at[1] == 0 && at[0] < 2 ? (int)at[0] : 2;
         if (row < 2 ? fabsf(got - want[row]) > 1e-7f : alone && got != 0)
-            fail_msg("%s, vertex %d of %d, row %d: %.9g", accessor, k, shape.vertex_count, row, got);
+            fail_msg("%s, vertex %d of %d, row %d: %.9g", accessor, k, shape.vertex_count, row,
+                     got);
     }
     shape_free(&shape);
 }
@@ -165,13 +188,14 @@ static void components_are_numbers(void **state)
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char accessor[128];
-        snprintf(accessor, sizeof accessor, "\"bufferView\":2,\"componentType\":%d%s", cases[i].component,
-                 cases[i].normalized ? ",\"normalized\":true" : "");
+        snprintf(accessor, sizeof accessor, "\"bufferView\":2,\"componentType\":%d%s",
+                 cases[i].component, cases[i].normalized ? ",\"normalized\":true" : "");
         check_rows(accessor, cases[i].bytes, cases[i].want, false);
     }
 }
 
-/* glTF 2.0, section 3.6.2.3: 2.5 for row 0 and -3 for row 1, over nothing, whose values are 0, and over a view. */
+/* glTF 2.0, section 3.6.2.3: 2.5 for row 0 and -3 for row 1, over nothing, whose values are 0, and
+ * over a view. */
 static void sparse_values_replace_others(void **state)
 {
     (void)state;
@@ -186,28 +210,29 @@ static void sparse_values_replace_others(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         for (int over = 0; over < 2; over++) {
             char accessor[512];
-            snprintf(accessor, sizeof accessor,
-                     "%s\"componentType\":5126,\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":2,"
-                     "\"componentType\":%d},\"values\":{\"bufferView\":2,\"byteOffset\":%d}}",
-                     over ? "\"bufferView\":0,\"byteOffset\":24," : "", cases[i].component,
-                     cases[i].component == 5125 ? 8 : 4);
+            snprintf(
+                accessor, sizeof accessor,
+                "%s\"componentType\":5126,\"sparse\":{\"count\":2,\"indices\":{\"bufferView\":2,"
+                "\"componentType\":%d},\"values\":{\"bufferView\":2,\"byteOffset\":%d}}",
+                over ? "\"bufferView\":0,\"byteOffset\":24," : "", cases[i].component,
+                cases[i].component == 5125 ? 8 : 4);
             check_rows(accessor, cases[i].bytes, (float[]){2.5f, -3}, !over);
         }
 }
 
 #define AT "meshes/1/primitives/0/attributes/_A: "
-#define CASE(accessor, said)                                                                                           \
-    {                                                                                                                  \
-        FILE_OF("\"uri\":\"rows.bin\",", "\"_A\":2", accessor "," NUMBER), AT said                                     \
+#define CASE(accessor, said)                                                                       \
+    {                                                                                              \
+        FILE_OF("\"uri\":\"rows.bin\",", "\"_A\":2", accessor "," NUMBER), AT said                 \
     }
-#define SPARSE(parts, said)                                                                                            \
+#define SPARSE(parts, said)                                                                        \
     CASE("{\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\",\"sparse\":{" parts "}}", said)
 static void faults_have_places(void **state)
 {
     (void)state;
-#define NAMED(names, said)                                                                                             \
-    {                                                                                                                  \
-        FILE_OF("\"uri\":\"rows.bin\",", names, NUMBER "," NUMBER), said                                               \
+#define NAMED(names, said)                                                                         \
+    {                                                                                              \
+        FILE_OF("\"uri\":\"rows.bin\",", names, NUMBER "," NUMBER), said                           \
     }
     static const struct {
         const char *text, *said;
@@ -216,11 +241,14 @@ static void faults_have_places(void **state)
              "its accessor has another count than"),
         CASE("{\"bufferView\":9,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
              "its bufferView is not there"),
-        CASE("{\"bufferView\":0,\"byteOffset\":25,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
+        CASE("{\"bufferView\":0,\"byteOffset\":25,\"componentType\":5126,\"count\":7,\"type\":"
+             "\"SCALAR\"}",
              "its accessor ends behind"),
-        CASE("{\"bufferView\":0,\"byteOffset\":4294967295,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
+        CASE("{\"bufferView\":0,\"byteOffset\":4294967295,\"componentType\":5126,\"count\":7,"
+             "\"type\":\"SCALAR\"}",
              "its accessor ends"),
-        CASE("{\"bufferView\":0,\"byteOffset\":-4,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
+        CASE("{\"bufferView\":0,\"byteOffset\":-4,\"componentType\":5126,\"count\":7,\"type\":"
+             "\"SCALAR\"}",
              "its accessor ends behind"),
         CASE("{\"bufferView\":1,\"componentType\":5126,\"count\":7,\"type\":\"SCALAR\"}",
              "its accessor ends behind the end"),
@@ -231,26 +259,35 @@ static void faults_have_places(void **state)
         SPARSE("", "its accessor has more sparse values than vertices"),
         SPARSE("\"count\":8", "its accessor has more sparse values than vertices"),
         SPARSE("\"count\":1", "its sparse indices' componentType is none of"),
-        SPARSE("\"count\":1,\"indices\":{\"componentType\":5126}", "its sparse indices' componentType is none of"),
+        SPARSE("\"count\":1,\"indices\":{\"componentType\":5126}",
+               "its sparse indices' componentType is none of"),
         SPARSE("\"count\":1,\"indices\":{\"componentType\":5121}", "its bufferView is not there"),
-        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0}", "its bufferView is not there"),
-        SPARSE("\"count\":7,\"indices\":{\"componentType\":5125,\"bufferView\":1}", "its sparse values end behind"),
-        SPARSE("\"count\":7,\"indices\":{\"componentType\":5121,\"bufferView\":0},\"values\":{\"bufferView\":1}",
+        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0}",
+               "its bufferView is not there"),
+        SPARSE("\"count\":7,\"indices\":{\"componentType\":5125,\"bufferView\":1}",
                "its sparse values end behind"),
-        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0,\"byteOffset\":31},\"values\":{"
+        SPARSE("\"count\":7,\"indices\":{\"componentType\":5121,\"bufferView\":0},\"values\":{"
+               "\"bufferView\":1}",
+               "its sparse values end behind"),
+        SPARSE("\"count\":1,\"indices\":{\"componentType\":5121,\"bufferView\":0,\"byteOffset\":31}"
+               ",\"values\":{"
                "\"bufferView\":1}",
                "its sparse indices are beyond"),
         NAMED("\"_A\":7", AT "its accessor is not there"),
         NAMED("\"_A\":-1", AT "its accessor is not there"),
         NAMED("\"_A\":{}", AT "its accessor is not there"),
-        NAMED("\"_A\":2,\"_a\":3", "meshes/1/primitives/0/attributes/_a: two names that differ in capitals alone"),
-        NAMED("\"TEXCOORD_0\":2,\"TEXCOORD_1\":2,\"TEXCOORD_2\":2,\"TEXCOORD_3\":2,\"TEXCOORD_4\":2,\"TEXCOORD_5\":2,"
+        NAMED("\"_A\":2,\"_a\":3",
+              "meshes/1/primitives/0/attributes/_a: two names that differ in capitals alone"),
+        NAMED("\"TEXCOORD_0\":2,\"TEXCOORD_1\":2,\"TEXCOORD_2\":2,\"TEXCOORD_3\":2,\"TEXCOORD_4\":"
+              "2,\"TEXCOORD_5\":2,"
               "\"TEXCOORD_6\":2,"
               "\"TEXCOORD_7\":2,\"_A\":2",
               AT "no room for it beside eight sets"),
-        {"{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0}}]}]}",
+        {"{\"asset\":{\"version\":\"2.0\"},\"meshes\":[{\"primitives\":[{\"attributes\":{\"_A\":0}}"
+         "]}]}",
          "meshes/0/primitives/0/attributes/_A: its primitive has no POSITION"},
-        {"{\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_A\":0}}]}],\"accessors\":[{\"count\":"
+        {"{\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"_A\":0}}]}],"
+         "\"accessors\":[{\"count\":"
          "4294967295}]}",
          "meshes/0/primitives/0/attributes/_A: more vertices than are drawn"},
         {FILE_OF("\"uri\":\"gone.bin\",", "\"_A\":2", NUMBER "," NUMBER),

@@ -1,17 +1,24 @@
-/* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that lie; meshes of them in parts. */
+/* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that
+ * lie; meshes of them in parts. */
 #include "tests/gltf_folder.h"
 #include "runtime/scene/model.h"
 #include "runtime/scene/model_number.h"
 
-#define MESH                                                                                                           \
-    "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{\"primitives\":["                  \
-    "{\"attributes\":{\"POSITION\":0},\"material\":1},{\"attributes\":{\"POSITION\":1},\"material\":0},"               \
-    "{\"attributes\":{\"POSITION\":2}}]}],\"buffers\":[{\"byteLength\":108}],"                                         \
-    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36},{\"buffer\":0,\"byteOffset\":36,"              \
-    "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":36}],\"accessors\":["                           \
-    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,-1],\"max\":[1,0,0]},"        \
-    "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[2,0,-1],\"max\":[3,0,0]},"        \
-    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[4,0,-1],\"max\":[5,0,0]}]"
+#define MESH                                                                                       \
+    "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"              \
+    "\"primitives\":["                                                                             \
+    "{\"attributes\":{\"POSITION\":0},\"material\":1},{\"attributes\":{\"POSITION\":1},"           \
+    "\"material\":0},"                                                                             \
+    "{\"attributes\":{\"POSITION\":2}}]}],\"buffers\":[{\"byteLength\":108}],"                     \
+    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":36},{\"buffer\":0,"            \
+    "\"byteOffset\":36,"                                                                           \
+    "\"byteLength\":36},{\"buffer\":0,\"byteOffset\":72,\"byteLength\":36}],\"accessors\":["       \
+    "{\"bufferView\":0,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[0,0,-1],"     \
+    "\"max\":[1,0,0]},"                                                                            \
+    "{\"bufferView\":1,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[2,0,-1],"     \
+    "\"max\":[3,0,0]},"                                                                            \
+    "{\"bufferView\":2,\"componentType\":5126,\"count\":3,\"type\":\"VEC3\",\"min\":[4,0,-1],"     \
+    "\"max\":[5,0,0]}]"
 
 /* A .glb of these chunks; lengths are what they are, but those that are given. */
 typedef struct {
@@ -27,7 +34,8 @@ static size_t make_binary(const Binary *b, unsigned char *to)
     const uint32_t json = (uint32_t)strlen(b->json), binary = (uint32_t)b->binary_size;
     const uint32_t size = 20 + json + (b->binary ? 8 + binary : 0);
     const uint32_t head[] = {0x46546C67, b->version ? b->version : 2, b->length ? b->length : size},
-                   first[] = {b->json_length ? b->json_length : json, 0x4E4F534A}, second[] = {binary, 0x004E4942};
+                   first[] = {b->json_length ? b->json_length : json, 0x4E4F534A},
+                   second[] = {binary, 0x004E4942};
     unsigned char *at = to + 12, *last = to + 12 + 8 + (b->late ? binary : json);
     memcpy(to, head, sizeof head);
     memcpy(b->late ? last : at, first, 8);
@@ -43,16 +51,18 @@ static void put_base64(char *to, const unsigned char *from, size_t size)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     for (size_t i = 0; i < size; i += 3, to += 4) {
-        const unsigned bits = from[i] << 16 | (i + 1 < size ? from[i + 1] : 0) << 8 | (i + 2 < size ? from[i + 2] : 0);
+        const unsigned bits = from[i] << 16 | (i + 1 < size ? from[i + 1] : 0) << 8 |
+                              (i + 2 < size ? from[i + 2] : 0);
         for (int k = 0; k < 4; k++)
             to[k] = i + (size_t)k > size ? '=' : digits[bits >> (18 - 6 * k) & 63];
     }
     *to = 0;
 }
 
-#define PAINTED(rest)                                                                                                  \
-    "{\"asset\":{\"version\":\"2.0\"},\"materials\":[{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":0}}}]" \
-    ","                                                                                                                \
+#define PAINTED(rest)                                                                              \
+    "{\"asset\":{\"version\":\"2.0\"},\"materials\":[{\"pbrMetallicRoughness\":{"                  \
+    "\"baseColorTexture\":{\"index\":0}}}]"                                                        \
+    ","                                                                                            \
     "\"textures\":[{\"source\":0}]," rest "}"
 
 static unsigned char bytes[1 << 16], tiles[1 << 13];
@@ -68,7 +78,8 @@ static const char *shown_by(const char *name, const void *text, size_t size, cha
     write_file(name, text, size);
     MatcDocument *document = matc_read(path_of(name, path), text, size, &options);
     const char *fault = strstr(matc_diagnostics(document, MATC_TEXT), "error: ");
-    const MatcNumbers seen = fault ? (MatcNumbers){0} : matc_eval_slot(document, 0, "u=.3 v=.8", &options);
+    const MatcNumbers seen =
+        fault ? (MatcNumbers){0} : matc_eval_slot(document, 0, "u=.3 v=.8", &options);
     snprintf(shown, 512, "%s", fault ? fault + 7 : "");
     shown[strcspn(shown, "\n")] = 0;
     if (!fault)
@@ -78,7 +89,8 @@ static const char *shown_by(const char *name, const void *text, size_t size, cha
     return shown;
 }
 
-/* In the binary chunk, in a buffer that is a file or a data: address, or one itself: each shows what the file of its own shows. */
+/* In the binary chunk, in a buffer that is a file or a data: address, or one itself: each shows
+ * what the file of its own shows. */
 static void pictures_are_within(void **state)
 {
     (void)state;
@@ -88,7 +100,8 @@ static void pictures_are_within(void **state)
     shown_by("file.gltf", of_file, sizeof of_file - 1, file);
     assert_true(file[0] == '0');
     snprintf(view, sizeof view,
-             "\"images\":[{\"bufferView\":1}],\"bufferViews\":[{},{\"buffer\":0,\"byteOffset\":%d,\"byteLength\":%zu}],"
+             "\"images\":[{\"bufferView\":1}],\"bufferViews\":[{},{\"buffer\":0,\"byteOffset\":%d,"
+             "\"byteLength\":%zu}],"
              "\"buffers\":[{",
              0, tiles_size);
     snprintf(text, sizeof text, PAINTED("%s\"byteLength\":%zu}]"), view, tiles_size);
@@ -99,12 +112,13 @@ static void pictures_are_within(void **state)
     put_base64(data, tiles, tiles_size);
     snprintf(text, sizeof text, PAINTED("%s\"uri\":\"data:;base64,%s\"}]"), view, data);
     assert_string_equal(shown_by("a.gltf", text, strlen(text), shown), file);
-    snprintf(text, sizeof text, PAINTED("\"images\":[{\"uri\":\"data:image/png;base64,%s\"}]"), data);
+    snprintf(text, sizeof text, PAINTED("\"images\":[{\"uri\":\"data:image/png;base64,%s\"}]"),
+             data);
     assert_string_equal(shown_by("a.gltf", text, strlen(text), shown), file);
     write_file("b.gltf", text, strlen(text)); /* and by a document of one's own */
-    static const char own[] =
-        "material: glTF\nbaseColorTexture: { map: ImageMap, image: \"b.gltf#/images/0\", colorspace: srgb, texels: "
-        "centre }\n";
+    static const char own[] = "material: glTF\nbaseColorTexture: { map: ImageMap, image: "
+                              "\"b.gltf#/images/0\", colorspace: srgb, texels: "
+                              "centre }\n";
     assert_string_equal(shown_by("a.yaml", own, sizeof own - 1, shown), file);
     unlink(path_of("b.gltf", text));
 }
@@ -112,22 +126,27 @@ static void pictures_are_within(void **state)
 static void broken_binaries_are_said(void **state)
 {
     (void)state;
-    static const char fine[] = PAINTED("\"images\":[{\"bufferView\":0}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
-                                       "4}],\"buffers\":[{\"byteLength\":4}]");
-#define PICTURE(images, views, buffers)                                                                                \
-    {                                                                                                                  \
-        .json = PAINTED("\"images\":[" images "],\"bufferViews\":[" views "],\"buffers\":[" buffers "]"),              \
-        .binary = "abcd", .binary_size = 4                                                                             \
+    static const char fine[] =
+        PAINTED("\"images\":[{\"bufferView\":0}],\"bufferViews\":[{\"buffer\":0,\"byteLength\":"
+                "4}],\"buffers\":[{\"byteLength\":4}]");
+#define PICTURE(images, views, buffers)                                                            \
+    {                                                                                              \
+        .json = PAINTED("\"images\":[" images "],\"bufferViews\":[" views                          \
+                        "],\"buffers\":[" buffers "]"),                                            \
+        .binary = "abcd", .binary_size = 4                                                         \
     }
 #define CANNOT "cannot read the picture 'x.glb#/images/0': "
     static const struct {
         Binary binary;
         const char *said;
     } cases[] = {
-        {{.json = fine, .binary = "abcd", .binary_size = 4}, CANNOT "it is neither PNG nor JPEG nor OpenEXR nor BMP"},
+        {{.json = fine, .binary = "abcd", .binary_size = 4},
+         CANNOT "it is neither PNG nor JPEG nor OpenEXR nor BMP"},
         {{.json = fine, .version = 1}, "no .glb file: it is of version 1; version 2 is read"},
-        {{.json = fine, .length = 1u << 31}, "no .glb file: its header says 2147483648 bytes, and it has 2"},
-        {{.json = fine, .json_length = 0xFFFFFFF8}, "no .glb file: the chunk at byte 12 is longer than the file"},
+        {{.json = fine, .length = 1u << 31},
+         "no .glb file: its header says 2147483648 bytes, and it has 2"},
+        {{.json = fine, .json_length = 0xFFFFFFF8},
+         "no .glb file: the chunk at byte 12 is longer than the file"},
         {{.json = fine, .binary = "abcd", .binary_size = 4, .late = true},
          "no .glb file: its first chunk, and no other, is JSON"},
         {{.json = fine}, CANNOT "its buffer has no uri, and the file no binary chunk"},
@@ -136,7 +155,8 @@ static void broken_binaries_are_said(void **state)
          CANNOT "its bufferView names no buffer"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0}", "{}"),
          CANNOT "its bufferView ends behind the end of its buffer"},
-        {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteOffset\":4294967295,\"byteLength\":4294967295}", "{}"),
+        {PICTURE("{\"bufferView\":0}",
+                 "{\"buffer\":0,\"byteOffset\":4294967295,\"byteLength\":4294967295}", "{}"),
          CANNOT "its bufferView ends behind"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteOffset\":1.5,\"byteLength\":1}", "{}"),
          CANNOT "its bufferView ends behind"},
@@ -144,15 +164,18 @@ static void broken_binaries_are_said(void **state)
          CANNOT "its buffer's uri is no text"},
         {PICTURE("{\"bufferView\":0}", "{\"buffer\":0,\"byteLength\":4}", "{\"uri\":\"gone.bin\"}"),
          CANNOT "No such file"},
-        {PICTURE("{\"uri\":\"data:image/png;base64,iV!O\"}", "", ""), CANNOT "its data: address is no base64"},
-        {PICTURE("{\"uri\":\"data:image/png,iVO\"}", "", ""), CANNOT "its data: address has no ;base64,"},
+        {PICTURE("{\"uri\":\"data:image/png;base64,iV!O\"}", "", ""),
+         CANNOT "its data: address is no base64"},
+        {PICTURE("{\"uri\":\"data:image/png,iVO\"}", "", ""),
+         CANNOT "its data: address has no ;base64,"},
         {PICTURE("{}", "", ""), CANNOT "the file says neither its uri nor its bufferView"},
         {PICTURE("7", "", ""), CANNOT "the file says neither its uri nor its bufferView"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char shown[512];
         const size_t size = make_binary(&cases[i].binary, bytes);
-        if (strncmp(shown_by("x.glb", bytes, size, shown), cases[i].said, strlen(cases[i].said)) != 0)
+        if (strncmp(shown_by("x.glb", bytes, size, shown), cases[i].said, strlen(cases[i].said)) !=
+            0)
             fail_msg("%zu: %s, not %s", i, shown, cases[i].said);
     }
     const Binary whole = {.json = fine, .binary = "abcd", .binary_size = 4};
@@ -162,16 +185,20 @@ static void broken_binaries_are_said(void **state)
         if (strncmp(shown_by("x.glb", bytes, cut, shown), "no .glb file: ", 14) != 0)
             fail_msg("cut at %zu: %s", cut, shown);
     }
-    static const char own[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/7\" }\n",
-                      none[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/\" }\n";
+    static const char
+        own[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/7\" }\n",
+        none[] = "material: Phong\ndiffuse: { map: ImageMap, image: \"none.gltf#/images/\" }\n";
     char shown[512];
-    assert_string_equal(shown_by("a.yaml", own, sizeof own - 1, shown),
-                        "cannot read the picture 'none.gltf#/images/7': the file's list images has no such item");
-    assert_string_equal(shown_by("a.yaml", none, sizeof none - 1, shown),
-                        "cannot read the picture 'none.gltf#/images/': the file's list images has no such item");
+    assert_string_equal(
+        shown_by("a.yaml", own, sizeof own - 1, shown),
+        "cannot read the picture 'none.gltf#/images/7': the file's list images has no such item");
+    assert_string_equal(
+        shown_by("a.yaml", none, sizeof none - 1, shown),
+        "cannot read the picture 'none.gltf#/images/': the file's list images has no such item");
 }
 
-/* Twelve pictures in twelve buffers that are one file, with a name that is escaped in one of them. */
+/* Twelve pictures in twelve buffers that are one file, with a name that is escaped in one of
+ * them. */
 enum { TWELVE = 12 };
 
 static char *count_reads(void *user, const char *path, size_t *size, const char **why)
@@ -193,7 +220,8 @@ static void a_file_is_read_once(void **state)
     size_t size;
     int reads = 0;
     FILE *out = open_memstream(&text, &size);
-    const char *const lists[] = {"\"source\":%d", "\"bufferView\":%d", "\"buffer\":%d,\"byteLength\":%zu"};
+    const char *const lists[] = {"\"source\":%d", "\"bufferView\":%d",
+                                 "\"buffer\":%d,\"byteLength\":%zu"};
     fputs("{\"asset\":{\"version\":\"2.0\"},\"materials\":[{}", out);
     for (int i = 0; i < TWELVE; i++)
         fprintf(out, ",{\"pbrMetallicRoughness\":{\"baseColorTexture\":{\"index\":%d}}}", i);
@@ -207,7 +235,8 @@ static void a_file_is_read_once(void **state)
     }
     fputs("],\"buffers\":[", out);
     for (int i = 0; i < TWELVE; i++)
-        fprintf(out, "%s{\"uri\":\"%s.bin\",\"byteLength\":%zu}", i ? "," : "", i ? "a" : "%61", tiles_size);
+        fprintf(out, "%s{\"uri\":\"%s.bin\",\"byteLength\":%zu}", i ? "," : "", i ? "a" : "%61",
+                tiles_size);
     fputs("]}", out);
     fclose(out);
     MatcOptions options;
@@ -223,18 +252,20 @@ static void a_file_is_read_once(void **state)
     free(text);
 }
 
-/* Views of buffers of one file and one length are of the first of them, which assimp reads when it meets them. */
+/* Views of buffers of one file and one length are of the first of them, which assimp reads when it
+ * meets them. */
 static void meshes_read_a_buffer_once(void **state)
 {
     (void)state;
     static const char json[] =
         "{\"buffers\":[{\"uri\":\"a.bin\",\"byteLength\":8},{\"uri\":\"b.bin\",\"byteLength\":8},"
         "{\"uri\":\"a.bin\",\"byteLength\":8},{\"uri\":\"a.bin\",\"byteLength\":4},{},{}],"
-        "\"bufferViews\":[{\"buffer\":2},{\"buffer\":1},{\"buffer\":3},{\"buffer\":5},{\"buffer\":9}]}";
+        "\"bufferViews\":[{\"buffer\":2},{\"buffer\":1},{\"buffer\":3},{\"buffer\":5},{\"buffer\":"
+        "9}]}";
     char *made = model_number_text(json, sizeof json - 1);
     assert_non_null(made);
-    assert_non_null(
-        strstr(made, "\"bufferViews\":[{\"buffer\":0},{\"buffer\":1},{\"buffer\":3},{\"buffer\":5},{\"buffer\":9}]"));
+    assert_non_null(strstr(made, "\"bufferViews\":[{\"buffer\":0},{\"buffer\":1},{\"buffer\":3},{"
+                                 "\"buffer\":5},{\"buffer\":9}]"));
     free(made);
 }
 
@@ -244,8 +275,8 @@ static void binary_meshes_have_materials(void **state)
     (void)state;
     char text[256], path[128];
     MatcDocument *document;
-    static const char json[] =
-        "{\"asset\":{\"version\":\"2.0\"}," MESH ",\"materials\":[{\"name\":\"a\"},{\"name\":\"a\"}]}";
+    static const char json[] = "{\"asset\":{\"version\":\"2.0\"}," MESH
+                               ",\"materials\":[{\"name\":\"a\"},{\"name\":\"a\"}]}";
     const Binary binary = {.json = json, .binary = &corners, .binary_size = sizeof corners};
     write_file("mesh.glb", bytes, make_binary(&binary, bytes));
     snprintf(text, sizeof text, "objects:\n- { object: Mesh, file: %s/mesh.glb }\n", folder);

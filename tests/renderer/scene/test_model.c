@@ -1,4 +1,5 @@
-/* Meshes out of files: a square whose tangents are known, in every format; what is missing; files that are damaged or hostile. */
+/* Meshes out of files: a square whose tangents are known, in every format; what is missing; files
+ * that are damaged or hostile. */
 #include "tests/test.h"
 #include "runtime/scene/model.h"
 #include <math.h>
@@ -26,9 +27,13 @@ static void write_bytes(const char *name, const void *bytes, size_t size)
     assert_int_equal(fclose(file), 0);
 }
 
-static void write_text(const char *name, const char *text) { write_bytes(name, text, strlen(text)); }
+static void write_text(const char *name, const char *text)
+{
+    write_bytes(name, text, strlen(text));
+}
 
-/* A square of edge 2 that faces up: its diagonal becomes 2, so dP/du and dP/dv are sqrt(2) long, along x and y. */
+/* A square of edge 2 that faces up: its diagonal becomes 2, so dP/du and dP/dv are sqrt(2) long,
+ * along x and y. */
 static void assert_square(const char *name)
 {
     char path[128], error[1024] = "";
@@ -40,64 +45,75 @@ static void assert_square(const char *name)
     const float edge = sqrtf(2);
     for (int i = 0; i < shape.vertex_count; i++) {
         const ShapeVertex *w = &shape.vertices[i];
-        const float wanted[][3] = {
-            {edge * (w->uv[0] - .5f), edge * (w->uv[1] - .5f), 0}, {0, 0, 1}, {edge, 0, 0}, {0, edge, 0}};
+        const float wanted[][3] = {{edge * (w->uv[0] - .5f), edge * (w->uv[1] - .5f), 0},
+                                   {0, 0, 1},
+                                   {edge, 0, 0},
+                                   {0, edge, 0}};
         const float *got[] = {w->position, w->normal, w->tangentU, w->tangentV};
         for (int k = 0; k < 12; k++)
             if (fabsf(got[k / 3][k % 3] - wanted[k / 3][k % 3]) > 1e-5f)
-                fail_msg("%s: vertex %d, %d.%d: %g, not %g", name, i, k / 3, k % 3, got[k / 3][k % 3],
-                         wanted[k / 3][k % 3]);
+                fail_msg("%s: vertex %d, %d.%d: %g, not %g", name, i, k / 3, k % 3,
+                         got[k / 3][k % 3], wanted[k / 3][k % 3]);
     }
     shape_free(&shape);
 }
 
-#define GLTF_HEAD                                                                                                      \
-    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0,"                \
-    "\"translation\":[5,6,7]}],"                                                                                       \
-    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":2}]}],"
-#define GLTF_VIEWS                                                                                                     \
-    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},{\"buffer\":0,\"byteOffset\":48,"              \
-    "\"byteLength\":32},"                                                                                              \
+#define GLTF_HEAD                                                                                  \
+    "{\"asset\":{\"version\":\"2.0\"},\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{"       \
+    "\"mesh\":0,"                                                                                  \
+    "\"translation\":[5,6,7]}],"                                                                   \
+    "\"meshes\":[{\"primitives\":[{\"attributes\":{\"POSITION\":0,\"TEXCOORD_0\":1},\"indices\":"  \
+    "2}]}],"
+#define GLTF_VIEWS                                                                                 \
+    "\"bufferViews\":[{\"buffer\":0,\"byteOffset\":0,\"byteLength\":48},{\"buffer\":0,"            \
+    "\"byteOffset\":48,"                                                                           \
+    "\"byteLength\":32},"                                                                          \
     "{\"buffer\":0,\"byteOffset\":80,\"byteLength\":12}],"
-#define GLTF_TAIL(count, index_count)                                                                                  \
-    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" count                                         \
-    ",\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"                                                           \
-    "{\"bufferView\":1,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"                                         \
+#define GLTF_TAIL(count, index_count)                                                              \
+    "\"accessors\":[{\"bufferView\":0,\"componentType\":5126,\"count\":" count                     \
+    ",\"type\":\"VEC3\",\"min\":[-1,0,-1],\"max\":[1,0,1]},"                                       \
+    "{\"bufferView\":1,\"componentType\":5126,\"count\":4,\"type\":\"VEC2\"},"                     \
     "{\"bufferView\":2,\"componentType\":5123,\"count\":" index_count ",\"type\":\"SCALAR\"}]}"
 
 /* v = 0 is the upper edge in glTF. */
 static const struct {
     float positions[4][3], uv[4][2];
     uint16_t indices[6];
-} square = {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}}, {{0, 1}, {1, 1}, {1, 0}, {0, 0}}, {0, 1, 2, 0, 2, 3}};
+} square = {{{-1, 0, 1}, {1, 0, 1}, {1, 0, -1}, {-1, 0, -1}},
+            {{0, 1}, {1, 1}, {1, 0}, {0, 0}},
+            {0, 1, 2, 0, 2, 3}};
 
 static void a_square_is_one_in_every_format(void **state)
 {
     (void)state;
-    write_text("square.obj",
-               "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
-    write_text(
-        "square.ply",
-        "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
-        "property float s\nproperty float t\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n"
-        "3 3 7 0 0\n5 3 7 1 0\n5 5 7 1 1\n3 5 7 0 1\n3 0 1 2\n3 0 2 3\n");
+    write_text("square.obj", "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 "
+                             "1\nf 1/1 2/2 3/3 4/4\n");
+    write_text("square.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+                             "float y\nproperty float z\n"
+                             "property float s\nproperty float t\nelement face 2\nproperty list "
+                             "uchar int vertex_indices\nend_header\n"
+                             "3 3 7 0 0\n5 3 7 1 0\n5 5 7 1 1\n3 5 7 0 1\n3 0 1 2\n3 0 2 3\n");
     write_bytes("square.bin", &square, sizeof square);
-    write_text("square.gltf",
-               GLTF_HEAD "\"buffers\":[{\"uri\":\"square.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4", "6"));
+    write_text(
+        "square.gltf", GLTF_HEAD
+        "\"buffers\":[{\"uri\":\"square.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4", "6"));
     assert_square("square.obj");
     assert_square("square.ply");
     assert_square("square.gltf");
-    static const char json[] = GLTF_HEAD "\"buffers\":[{\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4", "6") "   ";
+    static const char json[] =
+        GLTF_HEAD "\"buffers\":[{\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4", "6") "   ";
     enum { TEXT = (sizeof json - 1) / 4 * 4, WHOLE = 12 + 8 + TEXT + 8 + sizeof square };
     unsigned char binary[WHOLE];
-    const uint32_t words[] = {0x46546C67, 2, WHOLE, TEXT, 0x4E4F534A}, chunk[] = {sizeof square, 0x004E4942};
+    const uint32_t words[] = {0x46546C67, 2, WHOLE, TEXT, 0x4E4F534A},
+                   chunk[] = {sizeof square, 0x004E4942};
     memcpy(binary, words, sizeof words);
     memcpy(binary + 20, json, TEXT);
     memcpy(binary + 20 + TEXT, chunk, sizeof chunk);
     memcpy(binary + 28 + TEXT, &square, sizeof square);
     write_bytes("square.glb", binary, sizeof binary);
     assert_square("square.glb");
-    for (size_t size = 1; size < sizeof binary; size += 97) { /* cut anywhere, it is a fault or a square */
+    /* cut anywhere, it is a fault or a square */
+    for (size_t size = 1; size < sizeof binary; size += 97) {
         char path[128], error[1024] = "";
         Shape shape;
         write_bytes("cut.glb", binary, size);
@@ -106,20 +122,23 @@ static void a_square_is_one_in_every_format(void **state)
     }
 }
 
-/* A cube of corners alone: its normals point outwards, tangents lie across them and turn as on every shape. */
+/* A cube of corners alone: its normals point outwards, tangents lie across them and turn as on
+ * every shape. */
 static void what_is_missing_is_made(void **state)
 {
     (void)state;
     char path[128], error[1024] = "";
     Shape shape;
-    write_text("cube.obj", "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
-                           "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+    write_text("cube.obj",
+               "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 0 0 9\nv 9 0 9\nv 9 9 9\nv 0 9 9\n"
+               "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
     assert_true(model_read(path_of("cube.obj", path), &shape, error, sizeof error));
     assert_int_equal(shape.index_count, 36);
     for (int i = 0; i < shape.vertex_count; i++) {
         const ShapeVertex *w = &shape.vertices[i];
         const float *a = w->tangentU, *b = w->tangentV, *n = w->normal, *p = w->position;
-        const float c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+        const float c[3] = {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
+                            a[0] * b[1] - a[1] * b[0]};
         assert_float_equal(p[0] * p[0] + p[1] * p[1] + p[2] * p[2], 1, 1e-5);
         assert_float_equal(n[0] * n[0] + n[1] * n[1] + n[2] * n[2], 1, 1e-5);
         assert_true(n[0] * p[0] + n[1] * p[1] + n[2] * p[2] > 0.5f);
@@ -164,7 +183,8 @@ static void missing_normals_are_weighed_by_area(void **state)
     shape_free(&shape);
 }
 
-/* Two squares left and right of x = 0, u = |x|: dP/du runs away from the middle on both. Their two corners in the middle become four. */
+/* Two squares left and right of x = 0, u = |x|: dP/du runs away from the middle on both. Their two
+ * corners in the middle become four. */
 static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t), float size)
 {
     char path[128], error[1024] = "";
@@ -183,8 +203,12 @@ static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t),
         for (int k = 0; k < 3; k++) {
             const float away = middle < 0 ? -size : size;
             const float wanted[][3] = {
-                {away * corner[k]->uv[0], size * (corner[k]->uv[1] - .5f), 0}, {0, 0, 1}, {away, 0, 0}, {0, size, 0}};
-            const float *got[] = {corner[k]->position, corner[k]->normal, corner[k]->tangentU, corner[k]->tangentV};
+                {away * corner[k]->uv[0], size * (corner[k]->uv[1] - .5f), 0},
+                {0, 0, 1},
+                {away, 0, 0},
+                {0, size, 0}};
+            const float *got[] = {corner[k]->position, corner[k]->normal, corner[k]->tangentU,
+                                  corner[k]->tangentV};
             for (int lane = 0; lane < 12; lane++)
                 assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
         }
@@ -195,32 +219,37 @@ static void assert_mirrored(bool (*read)(const char *, Shape *, char *, size_t),
 static void mirrored_halves_keep_their_tangents(void **state)
 {
     (void)state;
-    write_text("mirrored.obj", "v -3 0 1.5\nv 0 0 1.5\nv 3 0 1.5\nv -3 0 -1.5\nv 0 0 -1.5\nv 3 0 -1.5\n"
-                               "vt 1 0\nvt 0 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n");
+    write_text("mirrored.obj",
+               "v -3 0 1.5\nv 0 0 1.5\nv 3 0 1.5\nv -3 0 -1.5\nv 0 0 -1.5\nv 3 0 -1.5\n"
+               "vt 1 0\nvt 0 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 5/4 4/3\nf 2/2 3/1 6/3 5/4\n");
     assert_mirrored(model_read, 2 / sqrtf(5));
     assert_mirrored(model_read_in_place, 3);
 }
 
-/* Normals are the file's, whichever way its triangles turn: tangents are those of its coordinates all the same. */
+/* Normals are the file's, whichever way its triangles turn: tangents are those of its coordinates
+ * all the same. */
 static void normals_may_face_the_other_way(void **state)
 {
     (void)state;
     char path[128], error[1024] = "";
     Shape shape;
-    write_text("under.obj", "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 -1 0\n"
-                            "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
+    write_text("under.obj",
+               "v -1 0 1\nv 1 0 1\nv 1 0 -1\nv -1 0 -1\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 -1 0\n"
+               "f 1/1/1 2/2/1 3/3/1 4/4/1\n");
     assert_true(model_read_in_place(path_of("under.obj", path), &shape, error, sizeof error));
     for (int i = 0; i < shape.vertex_count; i++) {
         const ShapeVertex *w = &shape.vertices[i];
-        const float wanted[][3] = {{0, 0, -1}, {2, 0, 0}, {0, 2, 0}}, *got[] = {w->normal, w->tangentU, w->tangentV};
+        const float wanted[][3] = {{0, 0, -1}, {2, 0, 0}, {0, 2, 0}},
+                    *got[] = {w->normal, w->tangentU, w->tangentV};
         for (int lane = 0; lane < 9; lane++)
             assert_float_equal(got[lane / 3][lane % 3], wanted[lane / 3][lane % 3], 1e-5);
     }
     shape_free(&shape);
 }
 
-/* Rows of hills without texture coordinates: longitude and latitude turn back on every slope that faces the middle. The tangents of a triangle's
- * corners turn as its own coordinates do, all three. */
+/* Rows of hills without texture coordinates: longitude and latitude turn back on every slope that
+ * faces the middle. The tangents of a triangle's corners turn as its own coordinates do, all
+ * three. */
 static void tangents_turn_as_their_triangle(void **state)
 {
     (void)state;
@@ -232,15 +261,16 @@ static void tangents_turn_as_their_triangle(void **state)
                                  2 * sin(0.7 * (i % SIDE)) * cos(0.5 * (i / SIDE)), -(i / SIDE));
     for (int i = 1; i < SIDE * SIDE - SIDE; i++)
         if (i % SIDE)
-            used +=
-                (size_t)snprintf(text + used, sizeof text - used, "f %d %d %d %d\n", i, i + 1, i + 1 + SIDE, i + SIDE);
+            used += (size_t)snprintf(text + used, sizeof text - used, "f %d %d %d %d\n", i, i + 1,
+                                     i + 1 + SIDE, i + SIDE);
     write_text("hills.obj", text);
     char path[128], error[1024] = "";
     Shape shape;
     assert_true(model_read(path_of("hills.obj", path), &shape, error, sizeof error));
     int left = 0, right = 0;
     for (int i = 0; i < shape.index_count; i++) {
-        const ShapeVertex *w = &shape.vertices[shape.indices[i]], *first = &shape.vertices[shape.indices[i - i % 3]];
+        const ShapeVertex *w = &shape.vertices[shape.indices[i]],
+                          *first = &shape.vertices[shape.indices[i - i % 3]];
         const ShapeVertex *second = &shape.vertices[shape.indices[i - i % 3 + 1]],
                           *third = &shape.vertices[shape.indices[i - i % 3 + 2]];
         const float area = (second->uv[0] - first->uv[0]) * (third->uv[1] - first->uv[1]) -
@@ -249,7 +279,8 @@ static void tangents_turn_as_their_triangle(void **state)
         const float turn = n[0] * (a[1] * b[2] - a[2] * b[1]) + n[1] * (a[2] * b[0] - a[0] * b[2]) +
                            n[2] * (a[0] * b[1] - a[1] * b[0]);
         if (!(area * turn > 0))
-            fail_msg("triangle %d, corner %d: area %g in u and v, turn %g", i / 3, i % 3, area, turn);
+            fail_msg("triangle %d, corner %d: area %g in u and v, turn %g", i / 3, i % 3, area,
+                     turn);
         left += turn < 0;
         right += turn > 0;
     }
@@ -275,22 +306,27 @@ static void faults_are_told(void **state)
         {"back.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -9 1 2\n", NULL},
         {"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", NULL},
         {"far.ply",
-         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face "
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty "
+         "float z\nelement face "
          "1\n"
          "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n",
          NULL},
         {"large.ply",
-         "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\nproperty float "
+         "ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float "
+         "x\nproperty float "
          "y\nproperty float z\n"
          "element face 4000000000\nproperty list uchar int vertex_indices\nend_header\n0",
          NULL},
         {"point.obj", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", NULL},
         {"large.gltf",
-         GLTF_HEAD
-         "\"buffers\":[{\"uri\":\"square.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4000000", "4000000"),
+         GLTF_HEAD "\"buffers\":[{\"uri\":\"square.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL(
+             "4000000", "4000000"),
          NULL},
         {"away.gltf",
-         GLTF_HEAD "\"buffers\":[{\"uri\":\"nothing.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4", "6"), NULL},
+         GLTF_HEAD
+         "\"buffers\":[{\"uri\":\"nothing.bin\",\"byteLength\":92}]," GLTF_VIEWS GLTF_TAIL("4",
+                                                                                           "6"),
+         NULL},
         {"mesh.stl", "solid a\n", "a mesh is a file .obj, .gltf, .glb or .ply"},
         {"mesh", "v 0 0 0\n", "a mesh is a file"},
     };
@@ -317,7 +353,8 @@ static void end_all(int signal)
     kill(0, SIGKILL);
 }
 
-/* What a file names is a file, and not too large: nobody writes into a pipe, and a device has no end. A list of materials is not needed. */
+/* What a file names is a file, and not too large: nobody writes into a pipe, and a device has no
+ * end. A list of materials is not needed. */
 static void named_files_are_files(void **state)
 {
     (void)state;
@@ -338,7 +375,8 @@ static void named_files_are_files(void **state)
             fail_msg("%s as a list of materials: %s", names[i], error);
         assert_int_equal(shape.index_count, 3);
         shape_free(&shape);
-        snprintf(text, sizeof text, GLTF_HEAD "\"buffers\":[{\"uri\":\"%s\",\"byteLength\":92}]," GLTF_VIEWS "%s",
+        snprintf(text, sizeof text,
+                 GLTF_HEAD "\"buffers\":[{\"uri\":\"%s\",\"byteLength\":92}]," GLTF_VIEWS "%s",
                  names[i], GLTF_TAIL("4", "6"));
         write_text("names.gltf", text);
         assert_false(model_read(path_of("names.gltf", path), &shape, error, sizeof error));
@@ -375,7 +413,10 @@ static void parts_are_checked(void **state)
                                    {{cases[i].x, 0, 0}, {0}, {cases[i].u, 0}, {0}, {0}},
                                    {{0, 1, 0}, {NAN, 0, 0}, {0, 1}, {0}, {0}}};
         uint32_t indices[4] = {0, 1, cases[i].index, 0};
-        Shape shape = {.vertices = vertices, .indices = indices, .vertex_count = 3, .index_count = cases[i].indices};
+        Shape shape = {.vertices = vertices,
+                       .indices = indices,
+                       .vertex_count = 3,
+                       .index_count = cases[i].indices};
         const char *why = model_complete(&shape, true, true);
         if (!why != !cases[i].why || (why && !strstr(why, cases[i].why)))
             fail_msg("%zu: %s", i, why ? why : "fine");

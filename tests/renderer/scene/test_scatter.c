@@ -1,4 +1,5 @@
-/* Copies at random: the generator against published numbers, places by hand, that all of a range is taken, what is refused. */
+/* Copies at random: the generator against published numbers, places by hand, that all of a range is
+ * taken, what is refused. */
 #include "tests/test.h"
 #include "runtime/scene/scene_scatter.h"
 #include "tests/frame/frame_draw.h"
@@ -10,9 +11,11 @@
 static void published(void **state)
 {
     (void)state;
-    static const uint64_t from_0[] = {0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4, 0x06c45d188009454f, 0xf88bb8a8724c81ec};
-    static const uint64_t from_1234567[] = {6457827717110365317u, 3203168211198807973u, 9817491932198370423u,
-                                            4593380528125082431u, 16408922859458223821u};
+    static const uint64_t from_0[] = {0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4, 0x06c45d188009454f,
+                                      0xf88bb8a8724c81ec};
+    static const uint64_t from_1234567[] = {6457827717110365317u, 3203168211198807973u,
+                                            9817491932198370423u, 4593380528125082431u,
+                                            16408922859458223821u};
     uint64_t zero = 0, other = 1234567;
     for (size_t i = 0; i < 4; i++)
         assert_true(scene_scatter_next(&zero) == from_0[i]);
@@ -22,44 +25,49 @@ static void published(void **state)
 
 #define RED "materials: { red: { material: RGBA, r: 1 } }\n"
 
-/* The first copy stands where the first numbers say, within the group around it; a seed gives the same each time, another one others. */
+/* The first copy stands where the first numbers say, within the group around it; a seed gives the
+ * same each time, another one others. */
 static void places(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
-    Scene *scene = frame_scene(
-        RED
-        "objects:\n- { object: Group, transform: { translation: [5, 0, 1] }, objects: [{ object: Scatter, count: 3, "
-        "size: [2, 2, 0], least: 2, most: 3, objects: [{ object: Box, material: red, transform: { translation: "
-        "[0, 0, 10] } }, { object: Sphere, material: red }] }] }\n",
-        &options, &document);
+    Scene *scene = frame_scene(RED "objects:\n- { object: Group, transform: { translation: [5, 0, "
+                                   "1] }, objects: [{ object: Scatter, count: 3, "
+                                   "size: [2, 2, 0], least: 2, most: 3, objects: [{ object: Box, "
+                                   "material: red, transform: { translation: "
+                                   "[0, 0, 10] } }, { object: Sphere, material: red }] }] }\n",
+                               &options, &document);
     assert_int_equal(scene->object_count, 6);
     const double *m = scene->objects[1].world_from_local.m;
     const double scale = 2 + 0.17386786595968284; /* the seventh number */
     assert_true(fabs(m[12] - (5 + 2 * 0.8833108082136426 - 1)) < 1e-12);
     assert_true(fabs(m[13] - (2 * 0.43152799704850997 - 1)) < 1e-12);
     assert_true(fabs(m[14] - 1) < 1e-12);
-    assert_true(fabs(m[0] - scale) < 1e-12 && fabs(m[5] - scale) < 1e-12 && fabs(m[10] - scale) < 1e-12);
+    assert_true(fabs(m[0] - scale) < 1e-12 && fabs(m[5] - scale) < 1e-12 &&
+                fabs(m[10] - scale) < 1e-12);
     assert_true(fabs(scene->objects[0].world_from_local.m[14] - 1 - 10 * scale) < 1e-12);
     assert_int_equal(scene->objects[2].kind, SCENE_Box);
-    assert_true(memcmp(&scene->objects[3].world_from_local, &scene->objects[1].world_from_local, sizeof(SceneMatrix)) !=
-                0);
+    assert_true(memcmp(&scene->objects[3].world_from_local, &scene->objects[1].world_from_local,
+                       sizeof(SceneMatrix)) != 0);
     frame_forget(scene, document);
 }
 
-/* 4,096 copies: the least and the greatest of each number come close to the ends, the means to the middle. */
+/* 4,096 copies: the least and the greatest of each number come close to the ends, the means to the
+ * middle. */
 static void whole_range(void **state)
 {
     (void)state;
     enum { COUNT = 4096 };
-    const SceneScatter scatter = {.size = {2, 4, 6}, .rotation = {0, 0, 1.5}, .least = 1, .most = 3};
+    const SceneScatter scatter = {
+        .size = {2, 4, 6}, .rotation = {0, 0, 1.5}, .least = 1, .most = 3};
     uint64_t seed = 5;
     double low[5], high[5], sum[5] = {0};
     for (int i = 0; i < COUNT; i++) {
         const SceneMatrix matrix = scene_scatter_matrix(&scatter, &seed);
         const double *m = matrix.m, scale = m[10];
-        const double numbers[5] = {m[12] / 2, m[13] / 4, m[14] / 6, atan2(m[1], m[0]) / 3, (scale - 2) / 2};
+        const double numbers[5] = {m[12] / 2, m[13] / 4, m[14] / 6, atan2(m[1], m[0]) / 3,
+                                   (scale - 2) / 2};
         for (int k = 0; k < 5; k++) {
             low[k] = i && low[k] < numbers[k] ? low[k] : numbers[k];
             high[k] = i && high[k] > numbers[k] ? high[k] : numbers[k];
@@ -91,19 +99,24 @@ static void assert_refused(const char *text, const char *said)
 static void refused(void **state)
 {
     (void)state;
-    assert_refused(RED "objects: [{ object: Scatter, least: 2, objects: [{ object: Box, material: red }] }]\n",
-                   "2:37: error: the least scale is greater than the most");
-    assert_refused(RED "objects: [{ object: Scatter, count: -1, objects: [{ object: Box, material: red }] }]\n",
-                   "2:37: error: count is -1; it must be from 0 to 1048576");
-    assert_refused(RED "objects: [{ object: Scatter, seed: 0.5, objects: [{ object: Box, material: red }] }]\n",
-                   "2:36: error: seed wants a whole number, not the number 0.5");
-    assert_refused(RED "objects: [{ object: Scatter, count: 1000, objects: [{ object: Box }] }]\n",
-                   "2:53: error: Box wants 'material'");
+    assert_refused(
+        RED "objects: [{ object: Scatter, least: 2, objects: [{ object: Box, material: red }] }]\n",
+        "2:37: error: the least scale is greater than the most");
     assert_refused(
         RED
-        "objects: [{ object: Scatter, count: 1048576, objects: [{ object: Scatter, count: 1048576, objects: [] }] }]\n",
-        "2:56: error: more than 1048576 objects and groups");
-    assert_refused(RED "objects: [{ object: Scatter, count: 600000, objects: [{ object: Box, material: red }] }]\n",
+        "objects: [{ object: Scatter, count: -1, objects: [{ object: Box, material: red }] }]\n",
+        "2:37: error: count is -1; it must be from 0 to 1048576");
+    assert_refused(
+        RED
+        "objects: [{ object: Scatter, seed: 0.5, objects: [{ object: Box, material: red }] }]\n",
+        "2:36: error: seed wants a whole number, not the number 0.5");
+    assert_refused(RED "objects: [{ object: Scatter, count: 1000, objects: [{ object: Box }] }]\n",
+                   "2:53: error: Box wants 'material'");
+    assert_refused(RED "objects: [{ object: Scatter, count: 1048576, objects: [{ object: Scatter, "
+                       "count: 1048576, objects: [] }] }]\n",
+                   "2:56: error: more than 1048576 objects and groups");
+    assert_refused(RED "objects: [{ object: Scatter, count: 600000, objects: [{ object: Box, "
+                       "material: red }] }]\n",
                    "2:55: error: more than 1048576 objects and groups");
 }
 

@@ -1,4 +1,5 @@
-/* Copies on surfaces that are displaced: where the height's closed form has them, along its normal, in groups that are turned and scaled, and on surfaces that copies bring with them. */
+/* Copies on surfaces that are displaced: where the height's closed form has them, along its normal,
+ * in groups that are turned and scaled, and on surfaces that copies bring with them. */
 #include <stdio.h>
 #include <stdlib.h>
 #include "tests/scene_text.h"
@@ -20,10 +21,12 @@ static void unit(double v[3])
         v[i] /= size;
 }
 
-/* A place of the world in the space of a matrix whose columns are at right angles and of one length, and that length. */
+/* A place of the world in the space of a matrix whose columns are at right angles and of one
+ * length, and that length. */
 static double local_of(const double *m, const double world[3], double local[3])
 {
-    const double size = sqrt(dot(m, m)), from[3] = {world[0] - m[12], world[1] - m[13], world[2] - m[14]};
+    const double size = sqrt(dot(m, m)),
+                 from[3] = {world[0] - m[12], world[1] - m[13], world[2] - m[14]};
     for (int i = 0; i < 3; i++)
         local[i] = dot(from, m + 4 * i) / (size * size);
     return size;
@@ -48,8 +51,8 @@ static Off off(const double *base, const double *copy)
     return (Off){fabs(local[2] - risen) * size, sqrt(cross)};
 }
 
-#define MATERIALS                                                                                                      \
-    "materials: { hilly: { material: Phong, displacementBound: 1, displacement: " HEIGHT                               \
+#define MATERIALS                                                                                  \
+    "materials: { hilly: { material: Phong, displacementBound: 1, displacement: " HEIGHT           \
     " }, red: { material: Phong } }\n"
 static const char hill[] = "{ object: Parallelogram, u: [8, 0, 0], v: [0, 6, 0], material: hilly }";
 enum { COPIES = 3000 };
@@ -65,10 +68,11 @@ static Scene *scene_of(const char *form, MatcDocument **document)
 static void copies_stand_on_what_is_displaced(void **state)
 {
     (void)state;
-    static const char form[] = MATERIALS "defs: { hill: %s }\nobjects:\n- { object: Group, transform: { scale: 2, "
-                                         "rotation: [0.4, 0.3, 1], translation: [5, 6, 7] }, objects: [\n"
-                                         "  { object: Instance, of: hill }, { object: Scatter, on: %s, count: 3000, "
-                                         "objects: [{ object: Box, material: red }] }] }\n";
+    static const char form[] =
+        MATERIALS "defs: { hill: %s }\nobjects:\n- { object: Group, transform: { scale: 2, "
+                  "rotation: [0.4, 0.3, 1], translation: [5, 6, 7] }, objects: [\n"
+                  "  { object: Instance, of: hill }, { object: Scatter, on: %s, count: 3000, "
+                  "objects: [{ object: Box, material: red }] }] }\n";
     MatcDocument *document;
     Scene *scene = scene_of(form, &document);
     Off most = {0, 0};
@@ -83,7 +87,8 @@ static void copies_stand_on_what_is_displaced(void **state)
         most.height = fmax(most.height, own.height);
         most.angle = fmax(most.angle, own.angle);
     }
-    print_message("copies are %.1e off the surface and %.1e off its normal\n", most.height, most.angle);
+    print_message("copies are %.1e off the surface and %.1e off its normal\n", most.height,
+                  most.angle);
     assert_true(rises > 0.2 && most.height < 2e-5 && most.angle < 3e-4);
     forget(scene, document);
 }
@@ -93,10 +98,12 @@ static void upright_and_flat(void **state)
 {
     (void)state;
     static const char upright[] =
-        MATERIALS "defs: { hill: %s }\nobjects: [{ object: Instance, of: hill }, { object: Scatter, on: %s, aligned: "
+        MATERIALS "defs: { hill: %s }\nobjects: [{ object: Instance, of: hill }, { object: "
+                  "Scatter, on: %s, aligned: "
                   "false, count: 3000, objects: [{ object: Box, material: red }] }]\n";
     static const char flat[] =
-        MATERIALS "defs: { hill: %s, other: %s }\nobjects: [{ object: Instance, of: hill }, { object: Scatter, count: "
+        MATERIALS "defs: { hill: %s, other: %s }\nobjects: [{ object: Instance, of: hill }, { "
+                  "object: Scatter, count: "
                   "3000, on: { object: Parallelogram, u: [8, 0, 0], v: [0, 6, 0], material: red }, "
                   "objects: [{ object: Box, material: red }] }]\n";
     for (int way = 0; way < 2; way++) {
@@ -117,9 +124,11 @@ static void copies_bring_surfaces(void **state)
 {
     (void)state;
     static const char form[] = MATERIALS
-        "defs:\n  hill: %s\n  tile: { object: Group, transform: { scale: 0.5 }, objects: [{ object: Instance, of: hill "
+        "defs:\n  hill: %s\n  tile: { object: Group, transform: { scale: 0.5 }, objects: [{ "
+        "object: Instance, of: hill "
         "}, { object: Scatter, on: %s, count: 20, objects: [{ object: Box, material: red }] }] }\n"
-        "objects: [{ object: Instance, of: hill }, { object: Scatter, on: { object: Instance, of: hill }, count: 30, "
+        "objects: [{ object: Instance, of: hill }, { object: Scatter, on: { object: Instance, of: "
+        "hill }, count: 30, "
         "seed: 3, objects: [{ object: Instance, of: tile }] }]\n";
     MatcDocument *document;
     Scene *scene = scene_of(form, &document);
@@ -138,17 +147,19 @@ static void copies_bring_surfaces(void **state)
     forget(scene, document);
 }
 
-/* A cube of edge 2 that is pushed by the square root of 3 is the ball through its corners, of which each copy stands upright; with a bulge of 3/4 the middles of its
- * faces are at 1.5, and those of its edges, at (5/4, 0, 5/4), farthest. The height that displaces it is next to nothing. */
+/* A cube of edge 2 that is pushed by the square root of 3 is the ball through its corners, of which
+ * each copy stands upright; with a bulge of 3/4 the middles of its faces are at 1.5, and those of
+ * its edges, at (5/4, 0, 5/4), farthest. The height that displaces it is next to nothing. */
 static void copies_stand_on_what_is_rounded(void **state)
 {
     (void)state;
-    static const char form[] = "displacement: { method: grid, %s }\nmaterials: { hard: { material: Phong, "
-                               "displacementBound: 1, displacement: '= 1e-9 * x' }, "
-                               "red: { material: Phong } }\nobjects: [{ object: Group, transform: { scale: 2, "
-                               "rotation: [0.4, 0.3, 1] }, objects: [{ "
-                               "object: Scatter, on: { object: Box, size: [2, 2, 2], material: hard }, count: 3000, "
-                               "objects: [{ object: Box, material: red }] }] }]\n";
+    static const char form[] =
+        "displacement: { method: grid, %s }\nmaterials: { hard: { material: Phong, "
+        "displacementBound: 1, displacement: '= 1e-9 * x' }, "
+        "red: { material: Phong } }\nobjects: [{ object: Group, transform: { scale: 2, "
+        "rotation: [0.4, 0.3, 1] }, objects: [{ "
+        "object: Scatter, on: { object: Box, size: [2, 2, 2], material: hard }, count: 3000, "
+        "objects: [{ object: Box, material: red }] }] }]\n";
     static const char *const ways[] = {"push: 1.7320508", "bulge: 0.75"};
     for (int way = 0; way < 2; way++) {
         char text[1000];
@@ -167,9 +178,10 @@ static void copies_stand_on_what_is_rounded(void **state)
             farthest = fmax(farthest, r);
             least = fmin(least, r);
         }
-        print_message("%s: copies are %.1e off the ball, at %.3f to %.3f; cosines %.1e below 1\n", ways[way], worst,
-                      least, farthest, lean);
-        assert_true(way ? least > 1.49 && least < 1.51 && farthest < 1.25 * sqrt(2) + 1e-6 && farthest > 1.75
+        print_message("%s: copies are %.1e off the ball, at %.3f to %.3f; cosines %.1e below 1\n",
+                      ways[way], worst, least, farthest, lean);
+        assert_true(way ? least > 1.49 && least < 1.51 && farthest < 1.25 * sqrt(2) + 1e-6 &&
+                              farthest > 1.75
                         : worst < 1e-6 && lean < 1e-6);
         forget(scene, document);
     }

@@ -1,5 +1,5 @@
-/* Copies on surfaces: evenly by area, by Pearson's chi-squared over cells that are equal in closed form; along the normal or upright; as many as
- * a density says; what is refused. */
+/* Copies on surfaces: evenly by area, by Pearson's chi-squared over cells that are equal in closed
+ * form; along the normal or upright; as many as a density says; what is refused. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
@@ -8,7 +8,8 @@
 
 enum { COPIES = 20000, CELLS = 100 };
 
-/* The sum of (seen - expected)^2 / expected over cells: its mean is cells - 1, its deviation sqrt(2 (cells - 1)). Five of them. */
+/* The sum of (seen - expected)^2 / expected over cells: its mean is cells - 1, its deviation sqrt(2
+ * (cells - 1)). Five of them. */
 static void assert_even(const int *seen, const double *shares, int cells)
 {
     double sum = 0, total = 0;
@@ -26,16 +27,19 @@ static void assert_even(const int *seen, const double *shares, int cells)
 static Scene *copies_on(const char *on, const char *more, MatcDocument **document)
 {
     char text[1024];
-    snprintf(
-        text, sizeof text,
-        RED "objects: [{ object: Scatter, count: %d, seed: 7, on: %s, objects: [{ object: Box, material: red }]%s }]\n",
-        COPIES, on, more);
+    snprintf(text, sizeof text,
+             RED "objects: [{ object: Scatter, count: %d, seed: 7, on: %s, objects: [{ object: "
+                 "Box, material: red }]%s }]\n",
+             COPIES, on, more);
     Scene *scene = read_fine(text, document);
     assert_int_equal(scene->object_count, COPIES);
     return scene;
 }
 
-static const double *matrix_of(const Scene *scene, int i) { return scene->objects[i].world_from_local.m; }
+static const double *matrix_of(const Scene *scene, int i)
+{
+    return scene->objects[i].world_from_local.m;
+}
 
 static int cell(double s, int steps) { return s < 0 ? 0 : s >= 1 ? steps - 1 : (int)(s * steps); }
 
@@ -45,7 +49,8 @@ static void parallelogram(void **state)
     (void)state;
     int seen[CELLS] = {0};
     MatcDocument *document;
-    Scene *scene = copies_on("{ object: Parallelogram, u: [3, 0, 0], v: [1, 1, 2] }", "", &document);
+    Scene *scene =
+        copies_on("{ object: Parallelogram, u: [3, 0, 0], v: [1, 1, 2] }", "", &document);
     for (int i = 0; i < COPIES; i++) {
         const double *m = matrix_of(scene, i), t = m[13], s = (m[12] - t) / 3;
         const double normal[3] = {0, -2 / sqrt(5), 1 / sqrt(5)};
@@ -57,15 +62,16 @@ static void parallelogram(void **state)
     forget(scene, document);
 }
 
-/* Archimedes: of a sphere, equal steps of z have equal areas, as have equal steps of longitude; 192 x 96 chords are within 2 in 1000 of that.
- * Copies are upright about their own way out, at random. */
+/* Archimedes: of a sphere, equal steps of z have equal areas, as have equal steps of longitude; 192
+ * x 96 chords are within 2 in 1000 of that. Copies are upright about their own way out, at
+ * random. */
 static void sphere(void **state)
 {
     (void)state;
     int seen[CELLS] = {0};
     MatcDocument *document;
-    Scene *scene =
-        copies_on("{ object: Sphere, radius: 2 }", ", rotation: [0, 0, 3.14], least: 0.5, most: 2", &document);
+    Scene *scene = copies_on("{ object: Sphere, radius: 2 }",
+                             ", rotation: [0, 0, 3.14], least: 0.5, most: 2", &document);
     for (int i = 0; i < COPIES; i++) {
         const double *m = matrix_of(scene, i);
         double out[3] = {m[12], m[13], m[14]}, x[3], y[3], z[3], cross[3];
@@ -84,7 +90,8 @@ static void sphere(void **state)
     forget(scene, document);
 }
 
-/* A box of 1 x 2 x 3, twice as large along x, in a group: faces of 6, 6, 6, 6, 4 and 4 of 32. Copies are upright. */
+/* A box of 1 x 2 x 3, twice as large along x, in a group: faces of 6, 6, 6, 6, 4 and 4 of 32.
+ * Copies are upright. */
 static void box(void **state)
 {
     (void)state;
@@ -92,9 +99,9 @@ static void box(void **state)
     static const double half[3] = {1, 1, 1.5};
     int seen[6] = {0};
     MatcDocument *document;
-    Scene *scene =
-        copies_on("{ object: Group, transform: { scale: [2, 1, 1] }, objects: [{ object: Box, size: [1, 2, 3] }] }",
-                  ", aligned: false", &document);
+    Scene *scene = copies_on("{ object: Group, transform: { scale: [2, 1, 1] }, objects: [{ "
+                             "object: Box, size: [1, 2, 3] }] }",
+                             ", aligned: false", &document);
     for (int i = 0; i < COPIES; i++) {
         const double *m = matrix_of(scene, i);
         int face = -1;
@@ -109,7 +116,8 @@ static void box(void **state)
     forget(scene, document);
 }
 
-/* What stands inside out by its transformation has its normals outside still: copies on a mirrored sphere look away from it. */
+/* What stands inside out by its transformation has its normals outside still: copies on a mirrored
+ * sphere look away from it. */
 static void mirrored(void **state)
 {
     (void)state;
@@ -134,7 +142,8 @@ static void mesh(void **state)
     snprintf(on, sizeof on, "%s/three.obj", name);
     FILE *file = fopen(on, "w");
     assert_non_null(file);
-    fputs("v 0 0 0\nv 2 0 0\nv 0 1 0\nv 10 0 0\nv 14 0 0\nv 10 2 0\nv 20 0 0\nv 26 0 0\nv 20 5 0\nf 1 2 3\nf 4 5 6\nf "
+    fputs("v 0 0 0\nv 2 0 0\nv 0 1 0\nv 10 0 0\nv 14 0 0\nv 10 2 0\nv 20 0 0\nv 26 0 0\nv 20 5 "
+          "0\nf 1 2 3\nf 4 5 6\nf "
           "7 8 9\n",
           file);
     fclose(file);
@@ -145,7 +154,8 @@ static void mesh(void **state)
     assert_even(seen, shares, 3);
     forget(scene, document);
     snprintf(text, sizeof text,
-             RED "objects: [{ object: Scatter, density: 25, on: { object: Mesh, file: %s }, objects: [{ object: Box, "
+             RED "objects: [{ object: Scatter, density: 25, on: { object: Mesh, file: %s }, "
+                 "objects: [{ object: Box, "
                  "material: red }] }]\n",
              on);
     scene = read_fine(text, &document);
@@ -155,7 +165,8 @@ static void mesh(void **state)
     rmdir(name);
 }
 
-/* What is stood on is not drawn, and its material is not the scene's; an instance is a surface, too. */
+/* What is stood on is not drawn, and its material is not the scene's; an instance is a surface,
+ * too. */
 static void not_drawn(void **state)
 {
     (void)state;
@@ -163,7 +174,8 @@ static void not_drawn(void **state)
     Scene *scene =
         read_fine("materials: { red: { material: RGBA, r: 1 }, blue: { material: RGBA, b: 1 } }\n"
                   "defs: { ball: { object: Sphere, material: blue } }\n"
-                  "objects: [{ object: Scatter, count: 3, on: { object: Instance, of: ball }, objects: [{ object: "
+                  "objects: [{ object: Scatter, count: 3, on: { object: Instance, of: ball }, "
+                  "objects: [{ object: "
                   "Cone, material: red }] }]\n",
                   &document);
     assert_int_equal(scene->object_count, 3);
@@ -182,23 +194,27 @@ static void faults(void **state)
     } cases[] = {
         {RED "objects: [{ object: Scatter, on: { object: Plane }" BOX,
          "2:34: error: a plane has no end: copies cannot stand evenly on all of it"},
-        {RED "objects: [{ object: Scatter, on: { object: Group }" BOX, "2:34: error: the surface has no area"},
+        {RED "objects: [{ object: Scatter, on: { object: Group }" BOX,
+         "2:34: error: the surface has no area"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, size: [1, 1, 1]" BOX,
          "2:60: error: copies on a surface stand in no box: `on` or `size`"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, count: 2, density: 3" BOX,
          "2:73: error: there are as many copies as one says: `density` or `count`"},
-        {RED "objects: [{ object: Scatter, density: 3" BOX, "2:39: error: density is of a surface: it wants `on`"},
+        {RED "objects: [{ object: Scatter, density: 3" BOX,
+         "2:39: error: density is of a surface: it wants `on`"},
         {RED "objects: [{ object: Scatter, aligned: true" BOX,
          "2:39: error: copies are aligned to a surface: it wants `on`"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere, radios: 2 }" BOX,
          "2:52: error: Sphere has no parameter 'radios'; did you mean 'radius'?"},
         {RED "objects: [{ object: Scatter, on: { object: Sphere }, density: 1e9" BOX,
          "2:11: error: more than 1048576 objects and groups"},
-        {RED "objects: [{ object: Scatter, count: 1e5, objects: [{ object: Scatter, count: 1, on: { object: Sphere, "
+        {RED "objects: [{ object: Scatter, count: 1e5, objects: [{ object: Scatter, count: 1, on: "
+             "{ object: Sphere, "
              "detail: "
              "1024 }" BOX "}]\n",
          NULL},
-        {RED "defs: { a: { object: Scatter, on: { object: Instance, of: a }, objects: [] } }\nobjects: [{ object: "
+        {RED "defs: { a: { object: Scatter, on: { object: Instance, of: a }, objects: [] } "
+             "}\nobjects: [{ object: "
              "Instance, "
              "of: a }]\n",
          "2:59: error: 'a' contains itself"},

@@ -1,4 +1,5 @@
-/* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume, and by what a step of u or v does to them. */
+/* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume,
+ * and by what a step of u or v does to them. */
 #include "tests/test.h"
 #include <math.h>
 #include <stdio.h>
@@ -8,7 +9,8 @@
 #include "tests/scene_text.h"
 #include "tests/vectors.h"
 
-/* Shear, scale, turn about x, y, z, shift: semantics of XYZTransform. Groups stand around. Numbers worked out by hand. */
+/* Shear, scale, turn about x, y, z, shift: semantics of XYZTransform. Groups stand around. Numbers
+ * worked out by hand. */
 static void transformations(void **state)
 {
     (void)state;
@@ -18,7 +20,9 @@ static void transformations(void **state)
     } cases[] = {
         {"{ object: Sphere, material: red }", {1, 2, 3}, {1, 2, 3}},
         {"{ object: Sphere, material: red, transform: { scale: 2 } }", {1, 2, 3}, {2, 4, 6}},
-        {"{ object: Sphere, material: red, transform: { translation: [1, 0, -1] } }", {1, 2, 3}, {2, 2, 2}},
+        {"{ object: Sphere, material: red, transform: { translation: [1, 0, -1] } }",
+         {1, 2, 3},
+         {2, 2, 2}},
         {"{ object: Sphere, material: red, transform: { rotation: [0, 0, 1.5707963267948966] } }",
          {1, 2, 3},
          {-2, 1, 3}},
@@ -29,16 +33,20 @@ static void transformations(void **state)
          {1, 2, 3},
          {3, 2, -1}},
         /* about x, then about z */
-        {"{ object: Sphere, material: red, transform: { rotation: [1.5707963267948966, 0, 1.5707963267948966] } }",
+        {"{ object: Sphere, material: red, transform: { rotation: [1.5707963267948966, 0, "
+         "1.5707963267948966] } }",
          {1, 2, 3},
          {3, 1, 2}},
-        {"{ object: Sphere, material: red, transform: { shear: [10, 100, 1000], scale: [1, 2, 1] } }",
+        {"{ object: Sphere, material: red, transform: { shear: [10, 100, 1000], scale: [1, 2, 1] } "
+         "}",
          {1, 2, 3},
          {321, 6004, 3}},
-        {"{ object: Sphere, material: red, transform: { matrix: [0, 1, 0, 7, 0, 0, 1, 8, 1, 0, 0, 9, 0, 0, 0, 1] } }",
+        {"{ object: Sphere, material: red, transform: { matrix: [0, 1, 0, 7, 0, 0, 1, 8, 1, 0, 0, "
+         "9, 0, 0, 0, 1] } }",
          {1, 2, 3},
          {9, 11, 10}},
-        {"{ object: Group, transform: { translation: [10, 0, 0] }, objects: [{ object: Group, transform: { scale: 2 }, "
+        {"{ object: Group, transform: { translation: [10, 0, 0] }, objects: [{ object: Group, "
+         "transform: { scale: 2 }, "
          "objects: [{ object: Sphere, material: red, transform: { translation: [0, 1, 0] } }] }] }",
          {1, 2, 3},
          {12, 6, 6}},
@@ -56,30 +64,33 @@ static void transformations(void **state)
     }
 }
 
-/* A material is there once, whoever uses it: by name, by alias, from around; and what nobody uses is not. */
+/* A material is there once, whoever uses it: by name, by alias, from around; and what nobody uses
+ * is not. */
 static void materials(void **state)
 {
     (void)state;
     MatcDocument *document;
-    Scene *scene = read_fine(
-        "materials: { unused: { material: Phong }, red: { material: RGBA, r: 1 }, inline2: { material: RGBA } }\n"
-        "objects:\n"
-        "- { object: Sphere, material: red }\n"
-        "- { object: Sphere, material: &blue { material: RGBA, b: 1 } }\n"
-        "- { object: Box, material: *blue }\n"
-        "- object: Group\n"
-        "  material: red\n"
-        "  objects: [{ object: Box }, { object: Box, material: inline2 }]\n"
-        "sky: { material: RGBA, b: .5 }\n",
-        &document);
+    Scene *scene = read_fine("materials: { unused: { material: Phong }, red: { material: RGBA, r: "
+                             "1 }, inline2: { material: RGBA } }\n"
+                             "objects:\n"
+                             "- { object: Sphere, material: red }\n"
+                             "- { object: Sphere, material: &blue { material: RGBA, b: 1 } }\n"
+                             "- { object: Box, material: *blue }\n"
+                             "- object: Group\n"
+                             "  material: red\n"
+                             "  objects: [{ object: Box }, { object: Box, material: inline2 }]\n"
+                             "sky: { material: RGBA, b: .5 }\n",
+                             &document);
     static const int expected[] = {0, 1, 1, 0, 2};
     assert_int_equal(scene->object_count, 5);
     for (int i = 0; i < 5; i++)
         assert_int_equal(scene->objects[i].material, expected[i]);
     assert_int_equal(scene->material_count, 4);
     assert_int_equal(scene->sky, 3);
-    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index), "red");
-    assert_string_equal(matc_material_name(scene->materials[2].document, scene->materials[2].index), "inline2");
+    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index),
+                        "red");
+    assert_string_equal(matc_material_name(scene->materials[2].document, scene->materials[2].index),
+                        "inline2");
     assert_int_equal(matc_material_count(document), 5);
     forget(scene, document);
 }
@@ -88,14 +99,15 @@ static void cameras_and_lights(void **state)
 {
     (void)state;
     MatcDocument *document;
-    Scene *scene = read_fine(
-        RED "camera: { camera: Perspective, position: [3, 0, 4], angle: 90, near: .5 }\n"
-            "image: { width: 64, height: 32 }\n"
-            "lights:\n"
-            "- { light: Spot, direction: [0, 3, 4], innerAngle: 0, outerAngle: 60, color: [1, .5, 0], intensity: 4 }\n"
-            "- { light: Point, position: [1, 2, 3], color: \"#ff0000\" }\n"
-            "toneMapping: { toneMapping: Filmic, exposure: -2 }\n",
-        &document);
+    Scene *scene =
+        read_fine(RED "camera: { camera: Perspective, position: [3, 0, 4], angle: 90, near: .5 }\n"
+                      "image: { width: 64, height: 32 }\n"
+                      "lights:\n"
+                      "- { light: Spot, direction: [0, 3, 4], innerAngle: 0, outerAngle: 60, "
+                      "color: [1, .5, 0], intensity: 4 }\n"
+                      "- { light: Point, position: [1, 2, 3], color: \"#ff0000\" }\n"
+                      "toneMapping: { toneMapping: Filmic, exposure: -2 }\n",
+                  &document);
     assert_int_equal(scene->width, 64);
     assert_int_equal(scene->height, 32);
     assert_near(scene->camera.back, (double[]){.6, 0, .8}, 3, 1e-15);
@@ -121,7 +133,8 @@ static void subtract(const float *a, const float *b, double out[3])
         out[i] = (double)a[i] - b[i];
 }
 
-/* Sum over the triangles of a . (b x c) / 6: the volume, where all turn counterclockwise and none is missing. */
+/* Sum over the triangles of a . (b x c) / 6: the volume, where all turn counterclockwise and none
+ * is missing. */
 static double volume_of(const Shape *shape)
 {
     static const float origin[3];
@@ -136,7 +149,8 @@ static double volume_of(const Shape *shape)
     return sum;
 }
 
-/* Every triangle has its normals on its front, of length 1, but near a tip; an edge is the step that dP/du and dP/dv promise, up to the square of its length. */
+/* Every triangle has its normals on its front, of length 1, but near a tip; an edge is the step
+ * that dP/du and dP/dv promise, up to the square of its length. */
 static void check_triangles(const Shape *shape, double within)
 {
     for (int i = 0; i < shape->index_count; i += 3) {
@@ -162,13 +176,15 @@ static void check_triangles(const Shape *shape, double within)
     }
 }
 
-/* A method by its name, or as a truth value; what casts none has none; and one for all that cast some. */
+/* A method by its name, or as a truth value; what casts none has none; and one for all that cast
+ * some. */
 static void methods_of_shadows(void **state)
 {
     (void)state;
     MatcDocument *document;
     Scene *scene =
-        read_fine(RED "lights: [{ light: Point }, { light: Point, shadows: map }, { light: Spot, shadows: true }, "
+        read_fine(RED "lights: [{ light: Point }, { light: Point, shadows: map }, { light: Spot, "
+                      "shadows: true }, "
                       "{ light: Directional, shadows: none }, { light: Point, shadows: false }, "
                       "{ light: Ambient }]\n",
                   &document);
@@ -210,20 +226,23 @@ static void solids(void **state)
         Shape shape;
         assert_true(scene_solid(&cases[i].object, &shape));
         assert_int_equal(shape.index_count, 3 * scene_solid_triangles(&cases[i].object));
-        assert_true(fabs(volume_of(&shape) - cases[i].volume) <= cases[i].within * cases[i].volume + 1e-12);
+        assert_true(fabs(volume_of(&shape) - cases[i].volume) <=
+                    cases[i].within * cases[i].volume + 1e-12);
         check_triangles(&shape, cases[i].step);
         shape_free(&shape);
     }
 }
 
-/* Close to the tip too, the mixed normal of a cone's side is (h x, h y, r sqrt(x^2 + y^2)) up to length: 192 chords are within 1.4e-4 of their arcs. */
+/* Close to the tip too, the mixed normal of a cone's side is (h x, h y, r sqrt(x^2 + y^2)) up to
+ * length: 192 chords are within 1.4e-4 of their arcs. */
 static void tips(void **state)
 {
     (void)state;
     static const double share[3] = {.05, .05, .9};
     const double radius = .5, height = 3;
     Shape shape;
-    assert_true(scene_solid(&(SceneObject){.kind = SCENE_Cone, .numbers = {radius, height, 192}}, &shape));
+    assert_true(
+        scene_solid(&(SceneObject){.kind = SCENE_Cone, .numbers = {radius, height, 192}}, &shape));
     for (int i = 0; i < shape.index_count; i += 3) {
         double p[3] = {0}, n[3] = {0};
         for (int k = 0; k < 9; k++) {
@@ -238,7 +257,8 @@ static void tips(void **state)
     shape_free(&shape);
 }
 
-/* However long its edges are, also where the product of their lengths is no number any more, it faces along z. */
+/* However long its edges are, also where the product of their lengths is no number any more, it
+ * faces along z. */
 static void thin_parallelograms(void **state)
 {
     (void)state;
@@ -246,17 +266,19 @@ static void thin_parallelograms(void **state)
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++) {
         Shape shape;
         const double length = lengths[i];
-        assert_true(scene_solid(
-            &(SceneObject){.kind = SCENE_Parallelogram, .numbers = {length, 0, 0, length, length, 0}}, &shape));
+        assert_true(scene_solid(&(SceneObject){.kind = SCENE_Parallelogram,
+                                               .numbers = {length, 0, 0, length, length, 0}},
+                                &shape));
         for (int k = 0; k < shape.vertex_count; k++)
-            assert_near(
-                (const double[]){shape.vertices[k].normal[0], shape.vertices[k].normal[1], shape.vertices[k].normal[2]},
-                (const double[]){0, 0, 1}, 3, 0);
+            assert_near((const double[]){shape.vertices[k].normal[0], shape.vertices[k].normal[1],
+                                         shape.vertices[k].normal[2]},
+                        (const double[]){0, 0, 1}, 3, 0);
         shape_free(&shape);
     }
 }
 
-/* Of a preset those keys count that are not given; the others are as ever (steps: 0, by the method). */
+/* Of a preset those keys count that are not given; the others are as ever (steps: 0, by the
+ * method). */
 static void presets_of_indirect(void **state)
 {
     (void)state;
@@ -269,17 +291,21 @@ static void presets_of_indirect(void **state)
         {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
         {"preset: draft", WORD_Indirect_auto, WORD_Filter_separable, 4, 0, 2, 0},
         {"preset: thesisBuddha", WORD_Indirect_march, WORD_Filter_none, 32, 32, 1, 4},
-        {"rays: 5, preset: thesisBuddha, method: voxels", WORD_Indirect_voxels, WORD_Filter_none, 5, 32, 1, 4},
-        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32, 0, 1, 1.5},
+        {"rays: 5, preset: thesisBuddha, method: voxels", WORD_Indirect_voxels, WORD_Filter_none, 5,
+         32, 1, 4},
+        {"preset: thesisPoints, filter: separable", WORD_Indirect_points, WORD_Filter_separable, 32,
+         0, 1, 1.5},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         char text[1024];
         MatcDocument *document;
-        snprintf(text, sizeof text, RED "indirect: { %s }\nobjects: [{ object: Sphere, material: red }]\n",
+        snprintf(text, sizeof text,
+                 RED "indirect: { %s }\nobjects: [{ object: Sphere, material: red }]\n",
                  cases[i].keys);
         Scene *scene = read_fine(text, &document);
         const SceneIndirect *in = &scene->indirect;
-        assert_true(in->method == cases[i].method && in->filter == cases[i].filter && in->coarse == cases[i].coarse);
+        assert_true(in->method == cases[i].method && in->filter == cases[i].filter &&
+                    in->coarse == cases[i].coarse);
         assert_true(in->rays == cases[i].rays && in->steps == cases[i].steps);
         assert_near(&in->radius, &cases[i].radius, 1, 0);
         forget(scene, document);
@@ -290,10 +316,12 @@ static double seconds_to_read(const char *motion, int count)
 {
     char text[512];
     MatcDocument *document;
-    snprintf(text, sizeof text,
-             RED "camera: { camera: Orthographic, position: [0, -90, 40], size: 6 }\n%s"
-                 "objects: [{ object: Scatter, count: %d, objects: [{ object: Sphere, material: red }] }]\n",
-             motion, count);
+    snprintf(
+        text, sizeof text,
+        RED
+        "camera: { camera: Orthographic, position: [0, -90, 40], size: 6 }\n%s"
+        "objects: [{ object: Scatter, count: %d, objects: [{ object: Sphere, material: red }] }]\n",
+        motion, count);
     const double start = session_now();
     Scene *scene = count > 1 ? read_heavy(text, &document) : read_fine(text, &document);
     const double seconds = session_now() - start;
@@ -301,7 +329,8 @@ static double seconds_to_read(const char *motion, int count)
     return seconds;
 }
 
-/* What a frame takes does not depend on how many objects there are: both together take what each takes, not their product. */
+/* What a frame takes does not depend on how many objects there are: both together take what each
+ * takes, not their product. */
 static void frames_of_many_objects(void **state)
 {
     (void)state;
@@ -323,7 +352,8 @@ static const char *write_file(const char *name, const char *text)
     return path;
 }
 
-/* A mesh stands where its file has it, y up turned to z up; objects share it. A material of a file, by its name. */
+/* A mesh stands where its file has it, y up turned to z up; objects share it. A material of a file,
+ * by its name. */
 static void files(void **state)
 {
     (void)state;
@@ -334,13 +364,15 @@ static void files(void **state)
     write_file("two.yaml", "materials: { a: { material: Phong }, b: { material: RGBA } }\n");
     write_file("bad.yaml", "material: Phong\ndifuse: 1\n");
     snprintf(text, sizeof text,
-             "objects:\n- { object: Mesh, file: %s/three.obj, material: &m { file: %s/two.yaml, material: b } }\n"
+             "objects:\n- { object: Mesh, file: %s/three.obj, material: &m { file: %s/two.yaml, "
+             "material: b } }\n"
              "- { object: Mesh, file: %s/three.obj, material: *m }\n",
              folder, folder, folder);
     Scene *scene = read_fine(text, &document);
     assert_int_equal(scene->mesh_count, 1);
     assert_int_equal(scene->material_count, 1);
-    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index), "b");
+    assert_string_equal(matc_material_name(scene->materials[0].document, scene->materials[0].index),
+                        "b");
     assert_int_equal(scene->meshes[0].shape.vertex_count, 3);
     for (int i = 0; i < 3; i++) {
         const float *p = scene->meshes[0].shape.vertices[i].position;
@@ -348,16 +380,18 @@ static void files(void **state)
     }
     assert_int_equal(matc_depend_count(document), 3);
     forget(scene, document);
-    snprintf(text, sizeof text, "objects: [{ object: Box, material: { file: %s/bad.yaml } }]\n", folder);
-    assert_null(read_text(text, &document));
-    assert_non_null(
-        strstr(matc_diagnostics(document, MATC_TEXT), "bad.yaml:2:1: error: Phong has no parameter 'difuse'"));
-    matc_document_free(document);
-    snprintf(text, sizeof text, "objects: [{ object: Box, material: { file: %s/two.yaml, material: gold } }]\n",
+    snprintf(text, sizeof text, "objects: [{ object: Box, material: { file: %s/bad.yaml } }]\n",
              folder);
     assert_null(read_text(text, &document));
-    assert_non_null(
-        strstr(matc_diagnostics(document, MATC_TEXT), "no material 'gold' in the document; there are a, b"));
+    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT),
+                           "bad.yaml:2:1: error: Phong has no parameter 'difuse'"));
+    matc_document_free(document);
+    snprintf(text, sizeof text,
+             "objects: [{ object: Box, material: { file: %s/two.yaml, material: gold } }]\n",
+             folder);
+    assert_null(read_text(text, &document));
+    assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT),
+                           "no material 'gold' in the document; there are a, b"));
     matc_document_free(document);
 }
 

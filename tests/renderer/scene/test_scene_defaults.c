@@ -21,7 +21,10 @@ typedef struct {
     double value;
 } Preset;
 
-#define V(x, y, z) {x, y, z}
+#define V(x, y, z)                                                                                 \
+    {                                                                                              \
+        x, y, z                                                                                    \
+    }
 #define PRESET(kind, word, key, value)
 #define NUMBER(kind, key, init, least, greatest, unit)                                             \
     {A_NUMBER, #kind, #key, {init}, least, greatest, unit},

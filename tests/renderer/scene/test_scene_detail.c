@@ -1,5 +1,6 @@
-/* Detail by the size in the picture: outlines of bodies with fewer sides, by projections written down here; meshes that displaced copies share,
- * against the same points moved one by one; which scenes have it; the warning of a scene of too many triangles. */
+/* Detail by the size in the picture: outlines of bodies with fewer sides, by projections written
+ * down here; meshes that displaced copies share, against the same points moved one by one; which
+ * scenes have it; the warning of a scene of too many triangles. */
 #include "tests/scene_text.h"
 #include "compiler/matc.h"
 #include "runtime/scene/scene_detail.h"
@@ -9,7 +10,8 @@
 
 static const double allowed = .125; /* pixels */
 
-/* The greatest distance of a side from the body that it stands for: of a sphere that of the planes of its triangles. */
+/* The greatest distance of a side from the body that it stands for: of a sphere that of the planes
+ * of its triangles. */
 static double sagitta(const SceneObject *object)
 {
     Shape shape;
@@ -24,10 +26,13 @@ static double sagitta(const SceneObject *object)
         scene_vector_cross(u, v, n);
         if (object->kind == SCENE_Sphere && scene_vector_normalize(n))
             most = fmax(most, 1 - fabs(scene_vector_dot(n, at[0])));
-        for (int k = 0; object->kind != SCENE_Sphere && k < 3; k++) /* edges between two points of the rim */
+        /* edges between two points of the rim */
+        for (int k = 0; object->kind != SCENE_Sphere && k < 3; k++)
             if (fabs(hypot(at[k][0], at[k][1]) - 1) < 1e-5 &&
                 fabs(hypot(at[(k + 1) % 3][0], at[(k + 1) % 3][1]) - 1) < 1e-5)
-                most = fmax(most, 1 - hypot(at[k][0] + at[(k + 1) % 3][0], at[k][1] + at[(k + 1) % 3][1]) / 2);
+                most = fmax(
+                    most,
+                    1 - hypot(at[k][0] + at[(k + 1) % 3][0], at[k][1] + at[(k + 1) % 3][1]) / 2);
     }
     shape_free(&shape);
     return most;
@@ -60,11 +65,13 @@ static bool project(const SceneCamera *c, const Scene *scene, const double at[3]
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - c->position[i];
-    const double shorter = fmin(scene->width, scene->height), depth = -scene_vector_dot(way, c->back);
+    const double shorter = fmin(scene->width, scene->height),
+                 depth = -scene_vector_dot(way, c->back);
     const double scale = shorter / 2 / c->half / (c->kind == SCENE_Perspective ? depth : 1);
     pixel[0] = scale * scene_vector_dot(way, c->right);
     pixel[1] = scale * scene_vector_dot(way, c->up);
-    return depth > c->near && fabs(pixel[0]) < scene->width / 2. && fabs(pixel[1]) < scene->height / 2.;
+    return depth > c->near && fabs(pixel[0]) < scene->width / 2. &&
+           fabs(pixel[1]) < scene->height / 2.;
 }
 
 /* Where a light's ray through a point meets the ground, z = 0; false: it does not. */
@@ -72,7 +79,8 @@ static bool cast(const SceneLight *light, const double at[3], double to[3])
 {
     double way[3];
     for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? light->direction[i] : at[i] - light->position[i];
+        way[i] =
+            light->kind == SCENE_Directional ? light->direction[i] : at[i] - light->position[i];
     if (way[2] >= 0 || at[2] < 0)
         return false;
     for (int i = 0; i < 3; i++)
@@ -85,7 +93,8 @@ typedef struct {
     long compared;
 } Off;
 
-static double apart(const SceneCamera *camera, const Scene *scene, const double a[3], const double b[3], Off *off)
+static double apart(const SceneCamera *camera, const Scene *scene, const double a[3],
+                    const double b[3], Off *off)
 {
     double p[2], q[2];
     if (!project(camera, scene, a, p) || !project(camera, scene, b, q))
@@ -94,13 +103,15 @@ static double apart(const SceneCamera *camera, const Scene *scene, const double 
     return hypot(p[0] - q[0], p[1] - q[1]);
 }
 
-/* The point nearest to `at` of a light's ray through `by`: how far a shadow's border is off is measured across the rays, since on ground that they
- * graze a shadow is as much longer as it is itself. */
+/* The point nearest to `at` of a light's ray through `by`: how far a shadow's border is off is
+ * measured across the rays, since on ground that they graze a shadow is as much longer as it is
+ * itself. */
 static void across(const SceneLight *light, const double by[3], const double at[3], double near[3])
 {
     double way[3], from[3];
     for (int i = 0; i < 3; i++) {
-        way[i] = light->kind == SCENE_Directional ? light->direction[i] : by[i] - light->position[i];
+        way[i] =
+            light->kind == SCENE_Directional ? light->direction[i] : by[i] - light->position[i];
         from[i] = at[i] - by[i];
     }
     const double t = scene_vector_dot(way, from) / scene_vector_dot(way, way);
@@ -109,7 +120,8 @@ static void across(const SceneLight *light, const double by[3], const double at[
 }
 
 /* The middle of a chord against the middle of its arc, around the foot and around the top. */
-static void compare(const Scene *scene, const SceneCamera *camera, const SceneObject *object, Off *off)
+static void compare(const Scene *scene, const SceneCamera *camera, const SceneObject *object,
+                    Off *off)
 {
     const double steps = object->numbers[scene_detail_number(object->kind)], r = object->numbers[0];
     for (int i = 0; i < 2 * 8; i++) {
@@ -118,7 +130,8 @@ static void compare(const Scene *scene, const SceneCamera *camera, const SceneOb
                      z = i % 2 && object->kind == SCENE_Cylinder ? object->numbers[1] : 0;
         double arc[3], chord[3], arcs[3], chords[3];
         apply(&object->world_from_local, (double[]){r * cos(turn), r * sin(turn), z}, arc);
-        apply(&object->world_from_local, (double[]){inner * cos(turn), inner * sin(turn), z}, chord);
+        apply(&object->world_from_local, (double[]){inner * cos(turn), inner * sin(turn), z},
+              chord);
         off->direct = fmax(off->direct, apart(camera, scene, arc, chord, off));
         for (int k = 0; k < scene->light_count; k++)
             if (cast(&scene->lights[k], arc, arcs)) {
@@ -128,26 +141,34 @@ static void compare(const Scene *scene, const SceneCamera *camera, const SceneOb
     }
 }
 
-#define STAND                                                                                                          \
-    "materials: { m: { material: RGBA } }\nimage: { width: 640, height: 360 }\n"                                       \
-    "lights:\n- { light: Directional, direction: [1, .3, -.4] }\n- { light: Point, position: [0, 3, 6] }\n"
-#define TRUNKS                                                                                                         \
-    "objects:\n- { object: Scatter, count: 1500, least: .3, most: 3, rotation: [1, 1, 3], size: [120, 120, 4], "       \
-    "transform: { "                                                                                                    \
-    "translation: [0, 0, 3] }, objects: [{ object: Cylinder, radius: .2, height: 1, material: m }, { object: Sphere, " \
-    "radius: "                                                                                                         \
+#define STAND                                                                                      \
+    "materials: { m: { material: RGBA } }\nimage: { width: 640, height: 360 }\n"                   \
+    "lights:\n- { light: Directional, direction: [1, .3, -.4] }\n- { light: Point, position: [0, " \
+    "3, 6] }\n"
+#define TRUNKS                                                                                     \
+    "objects:\n- { object: Scatter, count: 1500, least: .3, most: 3, rotation: [1, 1, 3], size: "  \
+    "[120, 120, 4], "                                                                              \
+    "transform: { "                                                                                \
+    "translation: [0, 0, 3] }, objects: [{ object: Cylinder, radius: .2, height: 1, material: m "  \
+    "}, { object: Sphere, "                                                                        \
+    "radius: "                                                                                     \
     ".3, material: m }, { object: Cone, radius: .3, height: 1, material: m, detail: 100 }] }\n"
 
 static const char *const cameras[] = {
     "camera: { camera: Perspective, position: [0, -30, 8], target: [0, 0, 1], angle: 60 }\n",
-    "camera: { camera: Perspective, position: [0, -30, 8], target: [0, 0, 1], angle: 100 }\nmotion: { motion: Path, "
+    "camera: { camera: Perspective, position: [0, -30, 8], target: [0, 0, 1], angle: 100 "
+    "}\nmotion: { motion: Path, "
     "frames: 60, keys: [{ "
-    "time: 0, position: [0, -60, 8] }, { time: 1, position: [9, 0, 2] }, { time: 2, position: [40, 30, 9] }] }\n",
-    "camera: { camera: Perspective, position: [30, 0, 8], target: [0, 0, 1], angle: 40 }\nmotion: { motion: Turntable, "
+    "time: 0, position: [0, -60, 8] }, { time: 1, position: [9, 0, 2] }, { time: 2, position: [40, "
+    "30, 9] }] }\n",
+    "camera: { camera: Perspective, position: [30, 0, 8], target: [0, 0, 1], angle: 40 }\nmotion: "
+    "{ motion: Turntable, "
     "frames: 40 }\n",
-    "camera: { camera: Orthographic, position: [0, -90, 40], target: [0, 0, 0], size: 90, depth: 400 }\n"};
+    "camera: { camera: Orthographic, position: [0, -90, 40], target: [0, 0, 0], size: 90, depth: "
+    "400 }\n"};
 
-/* In every frame of a camera that moves, too, through the midst of the bodies; some are seen with each number of steps. */
+/* In every frame of a camera that moves, too, through the midst of the bodies; some are seen with
+ * each number of steps. */
 static void outlines_and_shadows_are_right(void **state)
 {
     (void)state;
@@ -158,7 +179,8 @@ static void outlines_and_shadows_are_right(void **state)
         Off off = {0};
         snprintf(text, sizeof text, "%s%s%s", cameras[i], STAND, TRUNKS);
         Scene *scene =
-            read_text(text, &document); /* a path through all of it leaves many triangles, of which it warns */
+            /* a path through all of it leaves many triangles, of which it warns */
+            read_text(text, &document);
         assert_non_null(scene);
         for (int k = 0; k < scene->object_count; k++) {
             const SceneObject *object = &scene->objects[k];
@@ -176,8 +198,8 @@ static void outlines_and_shadows_are_right(void **state)
                 compare(scene, &camera, object, &off);
             }
         }
-        fprintf(stderr, "camera %d: levels %x, off by %.4f, in shadows by %.4f pixels, of %ld\n", i, (unsigned)levels,
-                off.direct, off.shadow, off.compared);
+        fprintf(stderr, "camera %d: levels %x, off by %.4f, in shadows by %.4f pixels, of %ld\n", i,
+                (unsigned)levels, off.direct, off.shadow, off.compared);
         if (i < 3) {
             assert_true((levels & 12) && (levels & 16) && off.compared > 1000);
             assert_true(off.direct > allowed / 16); /* not all are finer than they need be */
@@ -191,9 +213,9 @@ static void outlines_and_shadows_are_right(void **state)
 static void small_scenes_are_as_they_are_written(void **state)
 {
     (void)state;
-    static const char text[] =
-        STAND "objects:\n- { object: Scatter, count: 14, size: [1, 1, 1], objects: [{ object: Sphere, material: "
-              "m, transform: { translation: [0, 1000, 0] } }] }\n";
+    static const char text[] = STAND "objects:\n- { object: Scatter, count: 14, size: [1, 1, 1], "
+                                     "objects: [{ object: Sphere, material: "
+                                     "m, transform: { translation: [0, 1000, 0] } }] }\n";
     MatcDocument *document;
     Scene *scene = read_fine(text, &document);
     for (int i = 0; i < scene->object_count; i++)
@@ -222,7 +244,8 @@ static void larger_pictures_are_finer(void **state)
     forget(scene, document);
 }
 
-/* The greatest distance of a mesh's vertices from where its object's own size leads them, in pixels. */
+/* The greatest distance of a mesh's vertices from where its object's own size leads them, in
+ * pixels. */
 static double off_of(const Scene *scene, const SceneObject *object)
 {
     const Shape *shape = &scene->meshes[object->mesh].shape;
@@ -244,20 +267,24 @@ static double off_of(const Scene *scene, const SceneObject *object)
         apply(m, local, there);
         double distance = 0;
         for (int k = 0; k < 3; k++) {
-            distance += (there[k] - scene->camera.position[k]) * (there[k] - scene->camera.position[k]);
+            distance +=
+                (there[k] - scene->camera.position[k]) * (there[k] - scene->camera.position[k]);
             way[k] = there[k] - point.position[k];
         }
         const double shorter = fmin(scene->width, scene->height);
-        most = fmax(most, sqrt(scene_vector_dot(way, way) / distance) * shorter / 2 / scene->camera.half);
+        most = fmax(most,
+                    sqrt(scene_vector_dot(way, way) / distance) * shorter / 2 / scene->camera.half);
     }
     return most;
 }
 
-#define ROCKS(camera, image, height)                                                                                   \
-    "image: " image "\ncamera: { camera: Perspective, position: " camera                                               \
-    " }\nobjects:\n- { object: Scatter, count: 40, size: "                                                             \
-    "[6, 6, 0], least: 0.7, most: 1.5, objects: [{ object: Sphere, radius: .4, material: { material: Phong, "          \
-    "displacement: \"" height "\" } }] }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\n"
+#define ROCKS(camera, image, height)                                                               \
+    "image: " image "\ncamera: { camera: Perspective, position: " camera                           \
+    " }\nobjects:\n- { object: Scatter, count: 40, size: "                                         \
+    "[6, 6, 0], least: 0.7, most: 1.5, objects: [{ object: Sphere, radius: .4, material: { "       \
+    "material: Phong, "                                                                            \
+    "displacement: \"" height                                                                      \
+    "\" } }] }\nlights: [{ light: Directional, direction: [0, 0, -1] }]\n"
 
 static void displaced_copies_share_meshes(void **state)
 {
@@ -270,7 +297,8 @@ static void displaced_copies_share_meshes(void **state)
         {ROCKS("[0, -9, 4]", "{ width: 64, height: 64 }", "= .1 * fbm(3 * p, 4)"), 30, 40000},
         {ROCKS("[0, -90, 40]", "{ width: 64, height: 64 }", "= .1 * fbm(3 * p, 4)"), 4, 40000},
         {ROCKS("[0, -9, 4]", "{ width: 640, height: 640 }", "= .1 * fbm(3 * p, 4)"), 40, 2500000},
-        {ROCKS("[0, -9, 4]", "{ width: 64, height: 64 }", "= .1 * fbm(3 * p, 4) + .01 * sin(P.x)"), 40, 40000},
+        {ROCKS("[0, -9, 4]", "{ width: 64, height: 64 }", "= .1 * fbm(3 * p, 4) + .01 * sin(P.x)"),
+         40, 40000},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
@@ -281,9 +309,10 @@ static void displaced_copies_share_meshes(void **state)
             triangles += scene->meshes[scene->objects[k].mesh].shape.index_count / 3;
             most = fmax(most, i < 3 ? off_of(scene, &scene->objects[k]) : 0);
         }
-        fprintf(stderr, "%zu: %d meshes, %lld triangles, off by %.4f pixels\n", i, scene->mesh_count,
-                (long long)triangles, most);
-        assert_true(scene->mesh_count <= cases[i].most_meshes && triangles <= cases[i].most_triangles);
+        fprintf(stderr, "%zu: %d meshes, %lld triangles, off by %.4f pixels\n", i,
+                scene->mesh_count, (long long)triangles, most);
+        assert_true(scene->mesh_count <= cases[i].most_meshes &&
+                    triangles <= cases[i].most_triangles);
         assert_true(most <= allowed);
         assert_true(i != 1 || most > 0);
         assert_true(i != 3 || scene->mesh_count == 40); /* a height of each copy's own */
@@ -294,9 +323,10 @@ static void displaced_copies_share_meshes(void **state)
 static void many_triangles_are_told(void **state)
 {
     (void)state;
-    static const char balls[] =
-        "materials: { m: { material: RGBA } }\nlights: [{ light: Point }]\nobjects:\n- { object: Box, material: m }\n"
-        "- { object: Scatter, count: %d, size: [9, 9, 9], objects: [{ object: Sphere, detail: 192, material: m }] }\n";
+    static const char balls[] = "materials: { m: { material: RGBA } }\nlights: [{ light: Point "
+                                "}]\nobjects:\n- { object: Box, material: m }\n"
+                                "- { object: Scatter, count: %d, size: [9, 9, 9], objects: [{ "
+                                "object: Sphere, detail: 192, material: m }] }\n";
     char text[512];
     MatcDocument *document;
     snprintf(text, sizeof text, balls, 135); /* of 36,864 triangles each */
@@ -306,7 +336,8 @@ static void many_triangles_are_told(void **state)
     scene = read_text(text, &document);
     assert_non_null(scene);
     assert_int_equal(matc_error_count(document), 0);
-    const char *said = "scene.yaml:5:61: warning: the scene has 5013516 triangles, 5013504 of them in this Sphere and "
+    const char *said = "scene.yaml:5:61: warning: the scene has 5013516 triangles, 5013504 of them "
+                       "in this Sphere and "
                        "its copies, 136 in all: ";
     const char *told = matc_diagnostics(document, MATC_TEXT);
     if (strncmp(told, said, strlen(said)) != 0)
@@ -317,9 +348,12 @@ static void many_triangles_are_told(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sides_are_off_by_an_eighth_of_a_pixel), cmocka_unit_test(outlines_and_shadows_are_right),
-        cmocka_unit_test(small_scenes_are_as_they_are_written),  cmocka_unit_test(larger_pictures_are_finer),
-        cmocka_unit_test(displaced_copies_share_meshes),         cmocka_unit_test(many_triangles_are_told),
+        cmocka_unit_test(sides_are_off_by_an_eighth_of_a_pixel),
+        cmocka_unit_test(outlines_and_shadows_are_right),
+        cmocka_unit_test(small_scenes_are_as_they_are_written),
+        cmocka_unit_test(larger_pictures_are_finer),
+        cmocka_unit_test(displaced_copies_share_meshes),
+        cmocka_unit_test(many_triangles_are_told),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

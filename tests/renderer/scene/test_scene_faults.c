@@ -1,4 +1,5 @@
-/* What is refused of scenes, where and in which words; several faults in one run; aliases that would unfold to 4^30 objects. */
+/* What is refused of scenes, where and in which words; several faults in one run; aliases that
+ * would unfold to 4^30 objects. */
 #include "tests/test.h"
 #include <stdio.h>
 #include "tests/scene_text.h"
@@ -17,7 +18,8 @@ static void faults(void **state)
         {RED "objects: [{ object: Sphere, radius: big, material: red }]\n",
          "2:37: error: radius wants a number, not 'big'"},
         {RED "objects: [{ object: Sphere, radius: .nan, material: red }]\n",
-         "2:37: error: '.nan' is not a number as matc reads them: decimal digits, a point, an exponent"},
+         "2:37: error: '.nan' is not a number as matc reads them: decimal digits, a point, an "
+         "exponent"},
         {RED "objects: [{ object: Sphere, radius: 1e999, material: red }]\n", NULL},
         {RED "objects: [{ object: Sphere, radius: -1, material: red }]\n",
          "2:37: error: radius is -1.0; it must be from 0.000001 to 1e+09"},
@@ -43,28 +45,36 @@ static void faults(void **state)
         {RED "objects: [{ object: Mesh, material: red }]\n", "2:11: error: Mesh wants 'file'"},
         {RED "objects: { object: Sphere }\n", "2:10: error: objects wants a list, not an object"},
         {RED "objects: [Sphere]\n",
-         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, Instance, Sphere, "
+         "2:11: error: this wants the key `object:`, and the object is one of Group, Scatter, "
+         "Instance, Sphere, "
          "Box, Cylinder, Cone, Parallelogram, Plane, Mesh: it is written `{ object: Sphere }`"},
-        {RED "objects: [{ object: Cube, material: red }]\n", "2:21: error: no object is called 'Cube'; here it is Box"},
+        {RED "objects: [{ object: Cube, material: red }]\n",
+         "2:21: error: no object is called 'Cube'; here it is Box"},
         {RED "objects: [{ object: Box, position: [0, 0, 1], material: red }]\n",
-         "2:26: error: Box has no parameter 'position'; here it is transform: { translation: [x, y, z] }"},
+         "2:26: error: Box has no parameter 'position'; here it is transform: { translation: [x, "
+         "y, z] }"},
         {RED "lights: [{ light: Sun }]\nobjects: []\n",
          "2:19: error: no light is called 'Sun'; here it is Directional"},
         {RED "objects: []\ntoneMapping: Filmic\n",
-         "3:14: error: this wants the key `toneMapping:`, and the toneMapping is one of Clamp, Filmic, Shoulder, "
+         "3:14: error: this wants the key `toneMapping:`, and the toneMapping is one of Clamp, "
+         "Filmic, Shoulder, "
          "Exponential, "
          "Linear, ReinhardDevlin, Drago: it is written `{ toneMapping: Filmic }`"},
         {RED "objects: []\ncamera: { position: [0, 0, 3] }\n",
-         "3:9: error: this wants the key `camera:`, and the camera is one of Perspective, Orthographic: it is written "
+         "3:9: error: this wants the key `camera:`, and the camera is one of Perspective, "
+         "Orthographic: it is written "
          "`{ camera: Perspective, ... }`"},
-        {RED "objects: [{ Object: Sphere }]\n", "2:13: error: 'Object' is written 'object': names are case-sensitive"},
+        {RED "objects: [{ Object: Sphere }]\n",
+         "2:13: error: 'Object' is written 'object': names are case-sensitive"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: [1, 0, 1] } }]\n",
          "2:55: error: the transformation makes it flat"},
         {RED "objects: [{ object: Sphere, material: red, transform: { scale: 1e38 } }]\n",
          "2:55: error: the transformation leads too far away"},
-        {RED "objects: [{ object: Sphere, radius: 1e9, material: red, transform: { scale: 1e25 } }]\n",
+        {RED
+         "objects: [{ object: Sphere, radius: 1e9, material: red, transform: { scale: 1e25 } }]\n",
          "2:68: error: the transformation leads too far away"},
-        {RED "objects: [{ object: Scatter, count: 257, objects: [{ object: Plane, material: red }] }]\n",
+        {RED "objects: [{ object: Scatter, count: 257, objects: [{ object: Plane, material: red }] "
+             "}]\n",
          "2:52: error: more than 256 planes"},
         {RED "objects: [{ object: Sphere, material: red, transform: { size: 2 } }]\n",
          "2:57: error: a transform has no parameter 'size'"},
@@ -74,35 +84,46 @@ static void faults(void **state)
          "2:68: error: u and v span nothing"},
         {RED "objects: [{ object: Sphere, detail: 2, material: red }]\n",
          "2:37: error: detail is 2; it must be from 3 to 1024"},
-        {RED "lights: [{ light: Pont }]\n", "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
+        {RED "lights: [{ light: Pont }]\n",
+         "2:19: error: no light is called 'Pont'; did you mean 'Point'?"},
         {RED "lights: [{ light: Point, shadows: soft }]\n",
          "2:35: error: shadows wants none, map, silhouette, hybrid or exact, not 'soft'"},
         {RED "lights: [{ light: Point, shadows: \"true\" }]\n",
          "2:35: error: shadows wants none, map, silhouette, hybrid or exact, not 'true'"},
         {RED "lights: [{ light: Ambient, shadows: true }]\n",
          "2:28: error: Ambient has no parameter 'shadows'; it has color, intensity, name"},
-        {RED "shadowMaps: { size: 8 }\nlights: []\n", "2:21: error: size is 8; it must be from 16 to 8192"},
-        {RED "tools: { gridCells: 0 }\nlights: []\n", "2:21: error: gridCells is 0; it must be from 1 to 1000"},
-        {RED "tools: { grids: true }\n", "2:10: error: Tools has no parameter 'grids'; did you mean 'grid'?"},
-        {RED "shadowMaps: { filter: 9 }\nlights: []\n", "2:23: error: filter is 9; it must be from 0 to 8"},
-        {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n", "2:43: error: direction has no direction"},
+        {RED "shadowMaps: { size: 8 }\nlights: []\n",
+         "2:21: error: size is 8; it must be from 16 to 8192"},
+        {RED "tools: { gridCells: 0 }\nlights: []\n",
+         "2:21: error: gridCells is 0; it must be from 1 to 1000"},
+        {RED "tools: { grids: true }\n",
+         "2:10: error: Tools has no parameter 'grids'; did you mean 'grid'?"},
+        {RED "shadowMaps: { filter: 9 }\nlights: []\n",
+         "2:23: error: filter is 9; it must be from 0 to 8"},
+        {RED "lights: [{ light: Directional, direction: [0, 0, 0] }]\n",
+         "2:43: error: direction has no direction"},
         {RED "lights: [{ light: Spot, innerAngle: 40 }]\n",
          "2:37: error: the inner angle is greater than the outer one"},
         {RED "voxels: { size: 100 }\nobjects: []\n",
          "2:17: error: 100 voxels along an edge: it is to be a power of two"},
-        {RED "voxels: { size: 1024 }\nobjects: []\n", "2:17: error: size is 1024; it must be from 32 to 512"},
+        {RED "voxels: { size: 1024 }\nobjects: []\n",
+         "2:17: error: size is 1024; it must be from 32 to 512"},
         {RED "displacement: { method: bisection, level: 8 }\nobjects: []\n",
-         "2:43: error: by bisection no edge has a number of parts: `triangles` and `pixels` say how far it goes"},
+         "2:43: error: by bisection no edge has a number of parts: `triangles` and `pixels` say "
+         "how far it goes"},
         {RED "displacement: { pixels: 2 }\nobjects: []\n",
-         "2:25: error: by mesh triangles are divided evenly: by pixels of the picture go `method: bisection`, `auto`, "
+         "2:25: error: by mesh triangles are divided evenly: by pixels of the picture go `method: "
+         "bisection`, `auto`, "
          "`grid` and `tessellation`"},
         {RED "displacement: { method: traced, pixels: 2 }\nobjects: []\n",
-         "2:41: error: by traced triangles are divided evenly: by pixels of the picture go `method: bisection`, "
+         "2:41: error: by traced triangles are divided evenly: by pixels of the picture go "
+         "`method: bisection`, "
          "`auto`, `grid` and `tessellation`"},
         {RED "displacement: { method: grid, level: 65 }\nobjects: []\n",
          "2:38: error: level is 65; it must be from 0 to 64"},
         {RED "lights: [{ light: Sky }]\n", "2:10: error: the scene has no sky that could shine"},
-        {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n", "2:42: error: u and v span nothing"},
+        {RED "lights: [{ light: Area, u: [1, 1, 0], v: [-2, -2, 0] }]\n",
+         "2:42: error: u and v span nothing"},
         {RED "lights: [{ light: Area, shadows: exact }]\n",
          "2:34: error: an Area casts shadows by map, or none, and not by exact"},
         {RED "lights: [{ light: Area, bothSides: 2 }]\n",
@@ -113,27 +134,35 @@ static void faults(void **state)
          "2:9: error: up, seen along the view, has no direction"},
         {RED "camera: { camera: Fisheye }\n",
          "2:19: error: no camera is called 'Fisheye'; there are Perspective, Orthographic"},
-        {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red }]\n",
-         "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add "
+        {RED
+         "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red }]\n",
+         "2:9: error: a plane is behind this camera, at least in part of the picture: move its "
+         "position back, and add "
          "as "
          "much to its depth"},
-        {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red, transform: { "
+        {RED "camera: { camera: Orthographic, size: 6 }\nobjects: [{ object: Plane, material: red, "
+             "transform: { "
              "translation: [0, 0, -100] } }, { object: Plane, material: red }]\n",
-         "2:9: error: a plane is behind this camera, at least in part of the picture: move its position back, and add "
+         "2:9: error: a plane is behind this camera, at least in part of the picture: move its "
+         "position back, and add "
          "as "
          "much to its depth"},
         {RED "image: { width: 0 }\n", "2:17: error: width is 0; it must be from 1 to 16384"},
-        {RED "image: { width: 2.5 }\n", "2:17: error: width wants a whole number, not the number 2.5"},
-        {RED "toneMapping: { toneMapping: Gamma }\n", "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, "
-                                                      "Filmic, Shoulder, Exponential, Linear, ReinhardDevlin, Drago"},
-        {RED "toneMapping: { toneMapping: Drago, bias: 2 }\n", "2:42: error: bias is 2.0; it must be from 0.01 to 1.0"},
+        {RED "image: { width: 2.5 }\n",
+         "2:17: error: width wants a whole number, not the number 2.5"},
+        {RED "toneMapping: { toneMapping: Gamma }\n",
+         "2:29: error: no toneMapping is called 'Gamma'; there are Clamp, "
+         "Filmic, Shoulder, Exponential, Linear, ReinhardDevlin, Drago"},
+        {RED "toneMapping: { toneMapping: Drago, bias: 2 }\n",
+         "2:42: error: bias is 2.0; it must be from 0.01 to 1.0"},
         {RED "toneMapping: { toneMapping: ReinhardDevlin, exposure: 1 }\n",
-         "2:45: error: ReinhardDevlin has no parameter 'exposure'; it has intensity, contrast, chromaticAdaptation, "
+         "2:45: error: ReinhardDevlin has no parameter 'exposure'; it has intensity, contrast, "
+         "chromaticAdaptation, "
          "lightAdaptation"},
         {RED "image: { tiles: grey }\n", "2:17: error: tiles wants true or false, not 'grey'"},
         {RED "sky: blue\n", "2:6: error: no material 'blue' in the document; there are red"},
-        {RED "lights: []\nshadows: true\n",
-         "3:1: error: a document has no 'shadows'; here it is shadowMaps of the scene, or `shadows:` of a light"},
+        {RED "lights: []\nshadows: true\n", "3:1: error: a document has no 'shadows'; here it is "
+                                            "shadowMaps of the scene, or `shadows:` of a light"},
         {RED "cammera: { camera: Perspective }\nlights: []\n",
          "2:1: error: a document has no 'cammera'; did you mean 'camera'?"},
         {"materials: [red]\nlights: []\n", "1:12: error: materials wants an object, not a list"},
@@ -150,9 +179,9 @@ static void several(void **state)
 {
     (void)state;
     MatcDocument *document;
-    assert_null(read_text(
-        "objects:\n- &a { object: Spere }\n- *a\n- *a\n- { object: Box, sice: 2 }\nlights: [{ light: Sun }]\n",
-        &document));
+    assert_null(read_text("objects:\n- &a { object: Spere }\n- *a\n- *a\n- { object: Box, sice: 2 "
+                          "}\nlights: [{ light: Sun }]\n",
+                          &document));
     assert_int_equal(matc_error_count(document), 3);
     matc_document_free(document);
 }
@@ -180,17 +209,20 @@ static void alias_bombs(void **state)
         char text[4096];
         size_t size = (size_t)snprintf(text, sizeof text, RED "objects:\n- &a0 %s\n", innermost[k]);
         for (int i = 1; i <= 30; i++)
-            size += (size_t)snprintf(text + size, sizeof text - size,
-                                     "- &a%d { object: Group, objects: [*a%d, *a%d, *a%d, *a%d] }\n", i, i - 1, i - 1,
-                                     i - 1, i - 1);
+            size +=
+                (size_t)snprintf(text + size, sizeof text - size,
+                                 "- &a%d { object: Group, objects: [*a%d, *a%d, *a%d, *a%d] }\n", i,
+                                 i - 1, i - 1, i - 1, i - 1);
         MatcDocument *document;
         assert_null(read_text(text, &document));
-        assert_non_null(strstr(matc_diagnostics(document, MATC_TEXT), "more than 1048576 objects and groups"));
+        assert_non_null(
+            strstr(matc_diagnostics(document, MATC_TEXT), "more than 1048576 objects and groups"));
         matc_document_free(document);
     }
 }
 
-/* Meshes that differ are bounded by their triangles, before one is made: 64 spheres of 1,024 steps are 2^26. */
+/* Meshes that differ are bounded by their triangles, before one is made: 64 spheres of 1,024 steps
+ * are 2^26. */
 static void triangles(void **state)
 {
     (void)state;
@@ -200,9 +232,10 @@ static void triangles(void **state)
     for (int more = 0; more < 2; more++) {
         size_t size = (size_t)snprintf(text, sizeof text, RED "objects:\n");
         for (int i = 0; i < 2 * SPHERES + more; i++) /* each of them twice */
-            size += (size_t)snprintf(text + size, sizeof text - size,
-                                     "- { object: Sphere, detail: %d, radius: %d, material: red }\n", STEPS,
-                                     i % 2 ? i : i + 1);
+            size +=
+                (size_t)snprintf(text + size, sizeof text - size,
+                                 "- { object: Sphere, detail: %d, radius: %d, material: red }\n",
+                                 STEPS, i % 2 ? i : i + 1);
         if (more)
             assert_fault(text, "131:3: error: more than 67108864 triangles in meshes that differ");
         else
@@ -210,7 +243,8 @@ static void triangles(void **state)
     }
 }
 
-/* A black picture is not drawn without a word; light of any kind, and an empty list, say that it is meant. */
+/* A black picture is not drawn without a word; light of any kind, and an empty list, say that it is
+ * meant. */
 static void darkness_is_warned_of(void **state)
 {
     (void)state;
@@ -221,21 +255,24 @@ static void darkness_is_warned_of(void **state)
     } rows[] = {
         {BALL("material: Phong, diffuse: red"), true},
         {BALL("material: Principled, emission: 0, emissionColor: red"), true},
-        {"sky: { material: RGBA, r: 1 }\n" BALL("material: Phong"), true}, /* which lights nothing by itself */
+        /* which lights nothing by itself */
+        {"sky: { material: RGBA, r: 1 }\n" BALL("material: Phong"), true},
         {BALL("material: Phong, emissive: 0.1"), false},
         {BALL("material: Phong, emissive: { map: Checker, color1: 0, color2: [0, 0, 1] }"), false},
         {BALL("material: Principled, emission: 2"), false},
         {BALL("material: glTF, emissiveFactor: [0, .5, 0]"), false},
         {"lights: []\n" BALL("material: Phong"), false},
         {"lights: [{ light: Ambient }]\n" BALL("material: Phong"), false},
-        {"sky: { material: RGBA, r: 1 }\nlights: [{ light: Sky }]\n" BALL("material: Phong"), false},
+        {"sky: { material: RGBA, r: 1 }\nlights: [{ light: Sky }]\n" BALL("material: Phong"),
+         false},
         {"sky: { material: RGBA, r: 1 }\nobjects: []\n", false},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         Scene *scene = NULL;
         MatcOptions options;
         matc_options_init(&options);
-        MatcDocument *document = scene_read("scene.yaml", rows[i].text, strlen(rows[i].text), &options, &scene);
+        MatcDocument *document =
+            scene_read("scene.yaml", rows[i].text, strlen(rows[i].text), &options, &scene);
         const char *said = matc_diagnostics(document, MATC_TEXT);
         if (!scene || (strstr(said, "[-Wno_light]") != NULL) != rows[i].warned)
             fail_msg("%s: %s", rows[i].text, said);
@@ -246,8 +283,12 @@ static void darkness_is_warned_of(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(darkness_is_warned_of), cmocka_unit_test(faults),      cmocka_unit_test(several),   cmocka_unit_test(materials_alone),
-        cmocka_unit_test(alias_bombs), cmocka_unit_test(triangles),
+        cmocka_unit_test(darkness_is_warned_of),
+        cmocka_unit_test(faults),
+        cmocka_unit_test(several),
+        cmocka_unit_test(materials_alone),
+        cmocka_unit_test(alias_bombs),
+        cmocka_unit_test(triangles),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

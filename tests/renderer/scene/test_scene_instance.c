@@ -1,4 +1,5 @@
-/* Objects that are drawn more than once: instances of definitions, by their matrices and materials; what is refused, and where. */
+/* Objects that are drawn more than once: instances of definitions, by their matrices and materials;
+ * what is refused, and where. */
 #include <stdio.h>
 #include "tests/scene_text.h"
 
@@ -8,20 +9,25 @@ static void faults(void **state)
     static const struct {
         const char *text, *said;
     } cases[] = {
-        {RED "objects: [{ object: Instance, material: red }]\n", "2:11: error: Instance wants 'of'"},
-        {RED "objects: [{ object: Instance, of: fri }]\ndefs: { fir: { object: Box, material: red } }\n",
+        {RED "objects: [{ object: Instance, material: red }]\n",
+         "2:11: error: Instance wants 'of'"},
+        {RED "objects: [{ object: Instance, of: fri }]\ndefs: { fir: { object: Box, material: red "
+             "} }\n",
          "2:35: error: nothing is called 'fri' under `defs:`; did you mean 'fir'?"},
-        {RED "objects: [{ object: Instance, of: fir }]\n", "2:35: error: nothing is called 'fir' under `defs:`"},
+        {RED "objects: [{ object: Instance, of: fir }]\n",
+         "2:35: error: nothing is called 'fir' under `defs:`"},
         {RED "objects: [{ object: Instance, of: [fir] }]\n",
          "2:35: error: of wants the name of an object under `defs:`, not a list"},
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { map: Checker } }\n",
          "2:35: error: of wants the name of an object under `defs:`, not a map or a material"},
         {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box } }\n",
          "3:14: error: Box wants 'material'"},
-        {RED "objects: [{ object: Instance, of: fir, size: 2 }]\ndefs: { fir: { object: Box, material: red } }\n",
+        {RED "objects: [{ object: Instance, of: fir, size: 2 }]\ndefs: { fir: { object: Box, "
+             "material: red } }\n",
          "2:40: error: Instance has no parameter 'size'; it has of, transform, material, name"},
         /* a definition is read where something instances it, and where nothing does */
-        {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box, sice: 2, material: red } }\n",
+        {RED "objects: [{ object: Instance, of: fir }]\ndefs: { fir: { object: Box, sice: 2, "
+             "material: red } }\n",
          "3:29: error: Box has no parameter 'sice'; did you mean 'size'?"},
         {RED "objects: []\ndefs: { fir: { object: Box, sice: 2, material: red } }\n",
          "3:29: error: Box has no parameter 'sice'; did you mean 'size'?"},
@@ -29,29 +35,31 @@ static void faults(void **state)
          "3:51: error: no material is called 'Phnog'; did you mean 'Phong'?"},
         {RED "objects: [{ object: Instance, of: a }]\ndefs:\n  a: { object: Instance, of: a }\n",
          "4:30: error: 'a' contains itself"},
-        {RED
-         "objects: [{ object: Instance, of: a }]\ndefs:\n  a: { object: Group, objects: [{ object: Instance, of: b }] "
-         "}\n  b: { object: Group, objects: [{ object: Instance, of: a }] }\n",
+        {RED "objects: [{ object: Instance, of: a }]\ndefs:\n  a: { object: Group, objects: [{ "
+             "object: Instance, of: b }] "
+             "}\n  b: { object: Group, objects: [{ object: Instance, of: a }] }\n",
          "5:57: error: 'a' contains itself"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
         assert_fault(cases[i].text, cases[i].said);
 }
 
-/* What is instanced stands under the instance's matrix, in the order of the document; where it has no material, in the instance's; a map of
- * `defs:` beside it is one as ever. */
+/* What is instanced stands under the instance's matrix, in the order of the document; where it has
+ * no material, in the instance's; a map of `defs:` beside it is one as ever. */
 static void instances(void **state)
 {
     (void)state;
     MatcDocument *document;
     Scene *scene = read_fine(
-        "materials: { red: { material: Phong, diffuse: { ref: checks } }, blue: { material: RGBA, b: 1 } }\n"
+        "materials: { red: { material: Phong, diffuse: { ref: checks } }, blue: { material: RGBA, "
+        "b: 1 } }\n"
         "defs:\n"
         "  pair:\n"
         "    object: Group\n"
         "    transform: { translation: [0, 0, 1] }\n"
         "    objects: [{ object: Sphere, radius: 2, material: red }, { object: Box }]\n"
-        "  row: { object: Group, transform: { scale: 2 }, objects: [{ object: Instance, of: pair, transform: { "
+        "  row: { object: Group, transform: { scale: 2 }, objects: [{ object: Instance, of: pair, "
+        "transform: { "
         "translation: [1, 0, 0] } }] }\n"
         "  checks: { map: Checker }\n"
         "  nobody: { object: Cone }\n"
@@ -79,7 +87,8 @@ static void instances(void **state)
     forget(scene, document);
 }
 
-/* A definition that nothing instances has no material in use, and no plane that a camera could cut; what comes after it in the scene has. */
+/* A definition that nothing instances has no material in use, and no plane that a camera could cut;
+ * what comes after it in the scene has. */
 static void unused(void **state)
 {
     (void)state;
@@ -87,7 +96,8 @@ static void unused(void **state)
     Scene *scene =
         read_fine("materials: { red: { material: RGBA, r: 1 }, blue: { material: RGBA, b: 1 } }\n"
                   "camera: { camera: Orthographic, size: 6 }\n"
-                  "defs: { ground: { object: Group, objects: [{ object: Plane, material: blue }, { object: Box }] } }\n"
+                  "defs: { ground: { object: Group, objects: [{ object: Plane, material: blue }, { "
+                  "object: Box }] } }\n"
                   "objects: [{ object: Box, material: red }]\n"
                   "sky: blue\n",
                   &document);
@@ -97,7 +107,8 @@ static void unused(void **state)
     forget(scene, document);
 }
 
-/* matc compiles the materials of a scene, whatever objects its `defs:` have; in a document of materials these are no definitions. */
+/* matc compiles the materials of a scene, whatever objects its `defs:` have; in a document of
+ * materials these are no definitions. */
 static void materials_alone(void **state)
 {
     (void)state;
@@ -114,32 +125,37 @@ static void materials_alone(void **state)
     matc_document_free(document);
 }
 
-/* Definitions that instance the next four times would be 4^30 objects; a chain of them is as deep as it is long. */
+/* Definitions that instance the next four times would be 4^30 objects; a chain of them is as deep
+ * as it is long. */
 static void instance_bombs(void **state)
 {
     (void)state;
     static const struct {
         int length, times;
         const char *said;
-    } cases[] = {
-        {30, 4, "more than 1048576 objects and groups"}, {1000, 1, "nested deeper than 256 levels"}, {100, 1, NULL}};
+    } cases[] = {{30, 4, "more than 1048576 objects and groups"},
+                 {1000, 1, "nested deeper than 256 levels"},
+                 {100, 1, NULL}};
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         static char text[1 << 17];
-        size_t size = (size_t)snprintf(text, sizeof text,
-                                       RED "objects: [{ object: Instance, of: d1 }]\ndefs:\n  d%d: { "
-                                           "object: Box, material: red }\n",
-                                       cases[k].length);
+        size_t size =
+            (size_t)snprintf(text, sizeof text,
+                             RED "objects: [{ object: Instance, of: d1 }]\ndefs:\n  d%d: { "
+                                 "object: Box, material: red }\n",
+                             cases[k].length);
         for (int i = 1; i < cases[k].length; i++) {
-            size += (size_t)snprintf(text + size, sizeof text - size, "  d%d: { object: Group, objects: [", i);
+            size += (size_t)snprintf(text + size, sizeof text - size,
+                                     "  d%d: { object: Group, objects: [", i);
             for (int t = 0; t < cases[k].times; t++)
-                size += (size_t)snprintf(text + size, sizeof text - size, "%s{ object: Instance, of: d%d }",
-                                         t ? ", " : "", i + 1);
+                size += (size_t)snprintf(text + size, sizeof text - size,
+                                         "%s{ object: Instance, of: d%d }", t ? ", " : "", i + 1);
             size += (size_t)snprintf(text + size, sizeof text - size, "] }\n");
         }
         MatcDocument *document;
         Scene *scene = read_text(text, &document);
         const char *said = matc_diagnostics(document, MATC_TEXT);
-        assert_true(cases[k].said ? !scene && strstr(said, cases[k].said) : scene && scene->object_count == 1);
+        assert_true(cases[k].said ? !scene && strstr(said, cases[k].said)
+                                  : scene && scene->object_count == 1);
         forget(scene, document);
     }
 }
@@ -147,8 +163,9 @@ static void instance_bombs(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(faults),          cmocka_unit_test(instances),      cmocka_unit_test(unused),
-        cmocka_unit_test(materials_alone), cmocka_unit_test(instance_bombs),
+        cmocka_unit_test(faults),         cmocka_unit_test(instances),
+        cmocka_unit_test(unused),         cmocka_unit_test(materials_alone),
+        cmocka_unit_test(instance_bombs),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,17 +1,20 @@
-/* Ranges of vectors: every vector that scene.def has is bounded, is accepted at either border in each component,
- * and is a fault with its place one step beyond. Transforms have no row of their own and end where a float does. */
+/* Ranges of vectors: every vector that scene.def has is bounded, is accepted at either border in
+ * each component, and is a fault with its place one step beyond. Transforms have no row of their
+ * own and end where a float does. */
 #include "tests/scene_text.h"
 #include <float.h>
 #include <stdlib.h>
 
-/* Documents that hold one vector of each sort; %s are the kind and the key with its value. The second line has the vector. */
+/* Documents that hold one vector of each sort; %s are the kind and the key with its value. The
+ * second line has the vector. */
 static const struct {
     SceneSort sort;
     const char *text;
 } documents[] = {
     {SCENE_SORT_camera, RED "camera: { camera: %s, %s }\n"},
     {SCENE_SORT_motion, RED "motion: { motion: %s, frames: 2, %s }\n"},
-    {SCENE_SORT_key, RED "motion: { motion: Path, frames: 2, keys: [{ time: 0, %2$s }, { time: 1 }] } # %1$s\n"},
+    {SCENE_SORT_key,
+     RED "motion: { motion: Path, frames: 2, keys: [{ time: 0, %2$s }, { time: 1 }] } # %1$s\n"},
     {SCENE_SORT_object, RED "objects: [{ object: %s, material: red, %s }]\n"},
     {SCENE_SORT_light, RED "lights: [{ light: %s, %s }]\nsky: red\n"},
 };
@@ -29,12 +32,16 @@ static void put_text(const SceneParamRow *row, int lane, double value, char text
 {
     char vector[160], component[3][40];
     for (int i = 0; i < 3; i++)
-        snprintf(component[i], sizeof component[i], "%.17g", i == lane ? value : row->param.init[i]);
-    snprintf(vector, sizeof vector, "%s: [%s, %s, %s]", row->param.name, component[0], component[1], component[2]);
-    snprintf(text, 512, document_of(scene_kind_table[row->kind].sort), scene_kind_table[row->kind].name, vector);
+        snprintf(component[i], sizeof component[i], "%.17g",
+                 i == lane ? value : row->param.init[i]);
+    snprintf(vector, sizeof vector, "%s: [%s, %s, %s]", row->param.name, component[0], component[1],
+             component[2]);
+    snprintf(text, 512, document_of(scene_kind_table[row->kind].sort),
+             scene_kind_table[row->kind].name, vector);
 }
 
-/* Whether a value is refused for its range; it may be for what it means, as a view along `up` is. */
+/* Whether a value is refused for its range; it may be for what it means, as a view along `up`
+ * is. */
 static bool is_out_of_range(const SceneParamRow *row, int lane, double value)
 {
     char text[512], fault[96], *said;
@@ -63,10 +70,12 @@ static void vectors_have_borders(void **state)
         if (!isfinite(row->param.low) || !isfinite(row->param.high))
             fail_msg("%s.%s has no range", scene_kind_table[row->kind].name, row->param.name);
         for (int lane = 0; lane < 3; lane++)
-            if (is_out_of_range(row, lane, row->param.low) || is_out_of_range(row, lane, row->param.high) ||
+            if (is_out_of_range(row, lane, row->param.low) ||
+                is_out_of_range(row, lane, row->param.high) ||
                 !is_out_of_range(row, lane, nextafter(row->param.low, -INFINITY)) ||
                 !is_out_of_range(row, lane, nextafter(row->param.high, INFINITY)))
-                fail_msg("%s.%s, component %d", scene_kind_table[row->kind].name, row->param.name, lane);
+                fail_msg("%s.%s, component %d", scene_kind_table[row->kind].name, row->param.name,
+                         lane);
     }
     assert_true(vectors > 25);
 }
@@ -83,6 +92,7 @@ static void words(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(vectors_have_borders), cmocka_unit_test(words)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(vectors_have_borders),
+                                       cmocka_unit_test(words)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* Bisection: whatever is divided, in whatever order, no edge has a point of another triangle within, seen by the half-edges alone; and by error: what is flat stays
- * as it is, what is found is finer, and the error is that of many times as many triangles of an even division. */
+/* Bisection: whatever is divided, in whatever order, no edge has a point of another triangle
+ * within, seen by the half-edges alone; and by error: what is flat stays as it is, what is found is
+ * finer, and the error is that of many times as many triangles of an even division. */
 #include "tests/test.h"
 #include "runtime/scene/scene_bisection.h"
 #include "runtime/scene/scene_divide.h"
@@ -30,7 +31,8 @@ static Edge *edges_of(const SceneBisection *b)
     Edge *edges = malloc((3 * b->count + 1) * sizeof *edges);
     for (size_t i = 0; i < 3 * b->count; i++) {
         const SceneBisectionTriangle *t = &b->triangles[i / 3];
-        const float *p = b->vertices[t->vertex[i % 3]].position, *q = b->vertices[t->vertex[(i + 1) % 3]].position;
+        const float *p = b->vertices[t->vertex[i % 3]].position,
+                    *q = b->vertices[t->vertex[(i + 1) % 3]].position;
         bool first = true;
         for (int lane = 0; lane < 3; lane++)
             if (p[lane] != q[lane]) {
@@ -48,11 +50,13 @@ static double length(const Edge *edge)
 {
     double sum = 0;
     for (int lane = 0; lane < 3; lane++)
-        sum += ((double)edge->ends[0][lane] - edge->ends[1][lane]) * ((double)edge->ends[0][lane] - edge->ends[1][lane]);
+        sum += ((double)edge->ends[0][lane] - edge->ends[1][lane]) *
+               ((double)edge->ends[0][lane] - edge->ends[1][lane]);
     return sqrt(sum);
 }
 
-/* How long all edges are that one triangle has alone. A point of one triangle within the edge of another makes them more: neither that edge nor its parts have two. */
+/* How long all edges are that one triangle has alone. A point of one triangle within the edge of
+ * another makes them more: neither that edge nor its parts have two. */
 static double rim(const SceneBisection *b)
 {
     Edge *edges = edges_of(b);
@@ -80,7 +84,8 @@ static double area(const SceneBisection *b)
         double e[2][3], n[3];
         for (int k = 0; k < 2; k++)
             for (int lane = 0; lane < 3; lane++)
-                e[k][lane] = (double)b->vertices[v[k + 1]].position[lane] - b->vertices[v[0]].position[lane];
+                e[k][lane] =
+                    (double)b->vertices[v[k + 1]].position[lane] - b->vertices[v[0]].position[lane];
         for (int k = 0; k < 3; k++)
             n[k] = e[0][(k + 1) % 3] * e[1][(k + 2) % 3] - e[0][(k + 2) % 3] * e[1][(k + 1) % 3];
         sum += sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / 2;
@@ -91,10 +96,15 @@ static double area(const SceneBisection *b)
 /* Five in a row around one edge, of other sizes, so that each waits for the next one. */
 static void fan(Shape *made)
 {
-    *made = (Shape){.vertices = calloc(7, sizeof *made->vertices), .indices = calloc(15, sizeof *made->indices), .vertex_count = 7, .index_count = 15};
+    *made = (Shape){.vertices = calloc(7, sizeof *made->vertices),
+                    .indices = calloc(15, sizeof *made->indices),
+                    .vertex_count = 7,
+                    .index_count = 15};
     for (int i = 0; i < 7; i++) {
         const double size = pow(1.4, i);
-        made->vertices[i] = (ShapeVertex){.position = {(float)(size * cos(.5 * i)), (float)(size * sin(.5 * i)), 0}, .normal = {0, 0, 1}};
+        made->vertices[i] =
+            (ShapeVertex){.position = {(float)(size * cos(.5 * i)), (float)(size * sin(.5 * i)), 0},
+                          .normal = {0, 0, 1}};
     }
     for (int i = 0; i < 5; i++)
         for (int k = 0; k < 3; k++)
@@ -104,7 +114,8 @@ static void fan(Shape *made)
 static void nothing_ends_within_an_edge(void **state)
 {
     (void)state;
-    static const ShapeKind kinds[] = {SHAPE_sphere, SHAPE_cube, SHAPE_torus, SHAPE_cloth, SHAPE_plane, SHAPE_count};
+    static const ShapeKind kinds[] = {SHAPE_sphere, SHAPE_cube,  SHAPE_torus,
+                                      SHAPE_cloth,  SHAPE_plane, SHAPE_count};
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int order = 0; order < 4; order++) {
             Shape shape;
@@ -116,9 +127,11 @@ static void nothing_ends_within_an_edge(void **state)
                 assert_true(shape_make_detailed(kinds[k], (int[]){9, 5}, &shape));
             assert_true(scene_bisection_begin(&shape, &b));
             const double whole = area(&b), outline = rim(&b);
-            for (int step = 0; step < 1500; step++) { /* by chance; at one corner; what was made last; the first */
+            /* by chance; at one corner; what was made last; the first */
+            for (int step = 0; step < 1500; step++) {
                 chance = chance * 1664525u + 1013904223u;
-                const uint32_t which[] = {(uint32_t)(chance >> 8) % (uint32_t)b.count, step % 3 ? 0 : (chance >> 8) % (uint32_t)b.count,
+                const uint32_t which[] = {(uint32_t)(chance >> 8) % (uint32_t)b.count,
+                                          step % 3 ? 0 : (chance >> 8) % (uint32_t)b.count,
                                           (uint32_t)b.count - 1, (uint32_t)step % 7};
                 if (b.triangles[which[order]].depth < 24)
                     assert_true(scene_bisection_split(&b, which[order]));
@@ -135,9 +148,15 @@ static void nothing_ends_within_an_edge(void **state)
 
 typedef double Height(double x, double y);
 
-static double hill(double x, double y) { return .3 * exp(-80 * ((x - .2) * (x - .2) + (y + .3) * (y + .3))); }
+static double hill(double x, double y)
+{
+    return .3 * exp(-80 * ((x - .2) * (x - .2) + (y + .3) * (y + .3)));
+}
 static double flat(double x, double y) { return .25 * x - .5 * y; }
-static double waves(double x, double y) { return .05 * sin(9 * x * x + 14 * y) * exp(-3 * (x * x + y * y)); }
+static double waves(double x, double y)
+{
+    return .05 * sin(9 * x * x + 14 * y) * exp(-3 * (x * x + y * y));
+}
 static double dome(double x, double y) { return .3 - .1 * (x * x + y * y); }
 static double cliff(double x, double y) { return 1e-3 * x * x + (x + .5 * y < .1 ? 0 : .2); }
 static double wall(double x, double y) { return .2 / (1 + exp(-120 * (x + .5 * y - .1))); }
@@ -153,7 +172,8 @@ static bool lift(void *user, const ShapeVertex *at, int count, double (*to)[3])
     return true;
 }
 
-/* How far, in the mean square, triangles over a square are from a height, at points on a grid that no division has. */
+/* How far, in the mean square, triangles over a square are from a height, at points on a grid that
+ * no division has. */
 static double error_of(const Shape *shape, Height *height)
 {
     enum { GRID = 700 };
@@ -169,15 +189,24 @@ static double error_of(const Shape *shape, Height *height)
                 high[lane] = fmax(high[lane], p[k][lane]);
             }
         }
-        const double twice = ((double)p[1][0] - p[0][0]) * ((double)p[2][1] - p[0][1]) - ((double)p[2][0] - p[0][0]) * ((double)p[1][1] - p[0][1]);
-        for (int row = (int)ceil((low[1] + 1) * GRID / 2 - .37); row >= 0 && row < GRID && (row + .37) * 2 / GRID - 1 < high[1]; row++)
-            for (int column = (int)ceil((low[0] + 1) * GRID / 2 - .41); column >= 0 && column < GRID && (column + .41) * 2 / GRID - 1 < high[0]; column++) {
+        const double twice = ((double)p[1][0] - p[0][0]) * ((double)p[2][1] - p[0][1]) -
+                             ((double)p[2][0] - p[0][0]) * ((double)p[1][1] - p[0][1]);
+        for (int row = (int)ceil((low[1] + 1) * GRID / 2 - .37);
+             row >= 0 && row < GRID && (row + .37) * 2 / GRID - 1 < high[1]; row++)
+            for (int column = (int)ceil((low[0] + 1) * GRID / 2 - .41);
+                 column >= 0 && column < GRID && (column + .41) * 2 / GRID - 1 < high[0];
+                 column++) {
                 const double x = (column + .41) * 2 / GRID - 1, y = (row + .37) * 2 / GRID - 1;
-                const double b = ((x - p[0][0]) * ((double)p[2][1] - p[0][1]) - ((double)p[2][0] - p[0][0]) * (y - p[0][1])) / twice;
-                const double c = (((double)p[1][0] - p[0][0]) * (y - p[0][1]) - (x - p[0][0]) * ((double)p[1][1] - p[0][1])) / twice;
+                const double b = ((x - p[0][0]) * ((double)p[2][1] - p[0][1]) -
+                                  ((double)p[2][0] - p[0][0]) * (y - p[0][1])) /
+                                 twice;
+                const double c = (((double)p[1][0] - p[0][0]) * (y - p[0][1]) -
+                                  (x - p[0][0]) * ((double)p[1][1] - p[0][1])) /
+                                 twice;
                 if (b < 0 || c < 0 || b + c > 1)
                     continue;
-                const double z = p[0][2] + b * ((double)p[1][2] - p[0][2]) + c * ((double)p[2][2] - p[0][2]);
+                const double z =
+                    p[0][2] + b * ((double)p[1][2] - p[0][2]) + c * ((double)p[2][2] - p[0][2]);
                 square += (z - height(x, y)) * (z - height(x, y));
                 met++;
             }
@@ -217,22 +246,25 @@ static void error_is_less(void **state)
         assert_true(scene_refine(&square, &how, &made));
         assert_true(made.index_count / 3 >= 8192 && made.index_count / 3 < 8192 + 200);
         const double error = error_of(&made, height), even = even_error(&square, 64, height);
-        print_message("%-6s %d triangles: %.3g, evenly %.3g, %.1f times\n", rows[i].name, made.index_count / 3, error, even, even / error);
+        print_message("%-6s %d triangles: %.3g, evenly %.3g, %.1f times\n", rows[i].name,
+                      made.index_count / 3, error, even, even / error);
         assert_true(even / error > rows[i].times);
         shape_free(&made);
     }
     shape_free(&square);
 }
 
-/* Where all triangles miss on one side their corners leave the surface, which takes more than a third off the error; none goes farther than the farthest that
- * was asked for, and what is nearly flat beside a cliff stays. */
+/* Where all triangles miss on one side their corners leave the surface, which takes more than a
+ * third off the error; none goes farther than the farthest that was asked for, and what is nearly
+ * flat beside a cliff stays. */
 static void corners_leave_what_is_bent(void **state)
 {
     (void)state;
     Shape square, made;
     Height *height = dome;
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
-    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
+    assert_true(scene_refine(
+        &square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
     const double fitted = error_of(&made, height);
     for (int i = 0; i < made.vertex_count; i++) {
         float *p = made.vertices[i].position;
@@ -244,7 +276,8 @@ static void corners_leave_what_is_bent(void **state)
     assert_true(fitted < .6 * upon);
     shape_free(&made);
     height = cliff;
-    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
+    assert_true(scene_refine(
+        &square, &(SceneRefining){.move = lift, .user = &height, .triangles = 2000}, &made));
     int below = 0, above = 0;
     for (int i = 0; i < made.vertex_count; i++) {
         const float *p = made.vertices[i].position;
@@ -266,10 +299,12 @@ static void what_is_flat_stays(void **state)
     Shape square, made;
     Height *height = flat;
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
-    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 16}, &made));
+    assert_true(scene_refine(
+        &square, &(SceneRefining){.move = lift, .user = &height, .triangles = 16}, &made));
     assert_int_equal(made.index_count / 3, 2);
     shape_free(&made);
-    assert_true(scene_refine(&square, &(SceneRefining){.move = lift, .user = &height, .triangles = 100000}, &made));
+    assert_true(scene_refine(
+        &square, &(SceneRefining){.move = lift, .user = &height, .triangles = 100000}, &made));
     assert_true(made.index_count / 3 < 100000 / 16 + 100 && error_of(&made, flat) < 1e-7);
     shape_free(&made);
     shape_free(&square);
@@ -289,7 +324,8 @@ static void what_cannot_be_moved_is_empty(void **state)
     assert_true(shape_make_detailed(SHAPE_plane, (int[]){1, 1}, &square));
     for (int calls = 0; calls < 6; calls++) {
         int left = calls;
-        assert_false(scene_refine(&square, &(SceneRefining){.move = refuse, .user = &left, .triangles = 20000}, &made));
+        assert_false(scene_refine(
+            &square, &(SceneRefining){.move = refuse, .user = &left, .triangles = 20000}, &made));
         assert_null(made.vertices);
     }
     shape_free(&square);
@@ -298,10 +334,8 @@ static void what_cannot_be_moved_is_empty(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_ends_within_an_edge),
-        cmocka_unit_test(error_is_less),
-        cmocka_unit_test(corners_leave_what_is_bent),
-        cmocka_unit_test(what_is_flat_stays),
+        cmocka_unit_test(nothing_ends_within_an_edge),   cmocka_unit_test(error_is_less),
+        cmocka_unit_test(corners_leave_what_is_bent),    cmocka_unit_test(what_is_flat_stays),
         cmocka_unit_test(what_cannot_be_moved_is_empty),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);

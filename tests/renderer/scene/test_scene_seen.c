@@ -1,5 +1,6 @@
-/* Bisection by what is seen: pixels of a length by closed forms; and of a terrain, how far its triangles are from where the material has them, as the camera sees
- * it, projected here by the camera's own numbers. */
+/* Bisection by what is seen: pixels of a length by closed forms; and of a terrain, how far its
+ * triangles are from where the material has them, as the camera sees it, projected here by the
+ * camera's own numbers. */
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene_seen.h"
@@ -16,19 +17,34 @@ static void lengths_have_pixels(void **state)
         const char *camera;
         double at[3], pixels;
     } rows[] = {
-        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }", {0, 10, 0}, 30},
-        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }", {3, 4, 0}, 60},
-        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }", {0, -10, 0}, 30. / 8},
-        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }", {0, 6, 8}, 30. / 8},
-        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }", {12, 5, 0}, 300. / 13 / 8},
-        {"{ camera: Orthographic, position: [0, 0, 0], target: [0, 1, 0], size: 4 }", {1, 90, 0}, 150},
-        {"{ camera: Orthographic, position: [0, 0, 0], target: [0, 1, 0], size: 4 }", {0, 1, 9}, 150. / 8},
+        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }",
+         {0, 10, 0},
+         30},
+        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }",
+         {3, 4, 0},
+         60},
+        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }",
+         {0, -10, 0},
+         30. / 8},
+        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }",
+         {0, 6, 8},
+         30. / 8},
+        {"{ camera: Perspective, position: [0, 0, 0], target: [0, 1, 0], angle: 90 }",
+         {12, 5, 0},
+         300. / 13 / 8},
+        {"{ camera: Orthographic, position: [0, 0, 0], target: [0, 1, 0], size: 4 }",
+         {1, 90, 0},
+         150},
+        {"{ camera: Orthographic, position: [0, 0, 0], target: [0, 1, 0], size: 4 }",
+         {0, 1, 9},
+         150. / 8},
     };
     for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
         char text[500];
         MatcDocument *document;
         SceneSeen seen;
-        snprintf(text, sizeof text, "image: { width: 900, height: 600 }\ncamera: %s\nobjects: []\n", rows[i].camera);
+        snprintf(text, sizeof text, "image: { width: 900, height: 600 }\ncamera: %s\nobjects: []\n",
+                 rows[i].camera);
         Scene *scene = read_scene(text, &document);
         scene_seen_find(scene, &seen);
         const double pixels = scene_seen_pixels(&seen, rows[i].at);
@@ -42,9 +58,12 @@ static void lengths_have_pixels(void **state)
 static void the_nearest_frame_counts(void **state)
 {
     (void)state;
-    static const char text[] = "image: { width: 600, height: 600 }\ncamera: { camera: Perspective, position: [0, -10, 0], angle: 90 }\n"
-                               "motion: { motion: Path, frames: 5, keys: [{ time: 0, position: [0, -10, 0], target: [0, 0, 0] }, "
-                               "{ time: 1, position: [0, -2, 0], target: [0, 0, 0] }] }\nobjects: []\n";
+    static const char text[] =
+        "image: { width: 600, height: 600 }\ncamera: { camera: Perspective, position: [0, -10, 0], "
+        "angle: 90 }\n"
+        "motion: { motion: Path, frames: 5, keys: [{ time: 0, position: [0, -10, 0], target: [0, "
+        "0, 0] }, "
+        "{ time: 1, position: [0, -2, 0], target: [0, 0, 0] }] }\nobjects: []\n";
     MatcDocument *document;
     SceneSeen seen;
     SceneCamera last;
@@ -64,19 +83,22 @@ static bool project(const Scene *scene, const double at[3], double pixel[2])
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - c->position[i];
-    const double depth = -scene_vector_dot(way, c->back), unit = fmin(scene->width, scene->height) / 2 / (c->half * depth);
+    const double depth = -scene_vector_dot(way, c->back),
+                 unit = fmin(scene->width, scene->height) / 2 / (c->half * depth);
     pixel[0] = scene->width / 2. + scene_vector_dot(way, c->right) * unit;
     pixel[1] = scene->height / 2. + scene_vector_dot(way, c->up) * unit;
-    return depth > 0 && pixel[0] >= 0 && pixel[1] >= 0 && pixel[0] <= scene->width && pixel[1] <= scene->height;
+    return depth > 0 && pixel[0] >= 0 && pixel[1] >= 0 && pixel[0] <= scene->width &&
+           pixel[1] <= scene->height;
 }
 
 typedef struct {
     double square;
-    int count, over;  /* points in view; those that are off by more than twice what may be */
+    int count, over; /* points in view; those that are off by more than twice what may be */
     int triangles[2];
 } Found;
 
-/* A point of each triangle, off its middle: where the triangle has it, and where the material has. */
+/* A point of each triangle, off its middle: where the triangle has it, and where the material
+ * has. */
 static void look(const Scene *scene, double pixels, Found *f)
 {
     const MatcOptions by = options();
@@ -97,7 +119,8 @@ static void look(const Scene *scene, double pixels, Found *f)
             point.position[lane] -= 30;
         }
         f->triangles[has[1] < -6]++;
-        assert_true(matc_move(scene->materials[0].document, scene->materials[0].index, &by, &point, 1));
+        assert_true(
+            matc_move(scene->materials[0].document, scene->materials[0].index, &by, &point, 1));
         if (!project(scene, point.position, pixel[0]) || !project(scene, has, pixel[1]))
             continue;
         const double off = hypot(pixel[0][0] - pixel[1][0], pixel[0][1] - pixel[1][1]);
@@ -116,16 +139,20 @@ static void errors_are_below_pixels(void **state)
         MatcDocument *document;
         Found f = {0};
         snprintf(text, sizeof text,
-                 "image: { width: 300, height: 200 }\ncamera: { camera: Perspective, position: [0, -6, 1.2], target: [0, 0, 0.3], angle: 50 }\n"
+                 "image: { width: 300, height: 200 }\ncamera: { camera: Perspective, position: [0, "
+                 "-6, 1.2], target: [0, 0, 0.3], angle: 50 }\n"
                  "displacement: { method: bisection, pixels: %g, triangles: 400000 }\n"
-                 "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: 0.7, octaves: 5, noiseRatio: 0.45 } } }\n"
-                 "objects:\n- { object: Parallelogram, u: [60, 0, 0], v: [0, 60, 0], material: m, transform: { translation: [-30, -30, 0] } }\n",
+                 "materials: { m: { material: Phong, displacement: { map: VolumeTurbulence, size: "
+                 "0.7, octaves: 5, noiseRatio: 0.45 } } }\n"
+                 "objects:\n- { object: Parallelogram, u: [60, 0, 0], v: [0, 60, 0], material: m, "
+                 "transform: { translation: [-30, -30, 0] } }\n",
                  pixels[i]);
         Scene *scene = read_scene(text, &document);
         assert_true(scene_displace_patches(scene)); /* as for a driver that cannot bisect */
         look(scene, pixels[i], &f);
         const double root = sqrt(f.square / f.count);
-        print_message("%g pixels: %d triangles before the camera, %d behind, which is two fifths of the square; off by %.2f, %d of %d by more than twice that\n",
+        print_message("%g pixels: %d triangles before the camera, %d behind, which is two fifths "
+                      "of the square; off by %.2f, %d of %d by more than twice that\n",
                       pixels[i], f.triangles[0], f.triangles[1], root, f.over, f.count);
         assert_true(scene->meshes[scene->objects[0].mesh].shape.index_count / 3 < 400000);
         assert_true(root < pixels[i] && root > .2 * pixels[i] && f.over < .02 * f.count);

@@ -118,9 +118,11 @@ static void each_light(void **state)
 
 /* -- Sky and sun ------------------------------------------------------------------------------- */
 
-#define NO_SUN   0, {0}, {0}
-#define FROM_SUN 1, {-3. / 13, -4. / 13, -12. / 13}
-#define SUN      "material: SunSkyLight, sun: [3, 4, 12]"
+#define NO_SUN                                                                                     \
+    0, {0}, { 0 }
+#define FROM_SUN                                                                                   \
+    1, { -3. / 13, -4. / 13, -12. / 13 }
+#define SUN "material: SunSkyLight, sun: [3, 4, 12]"
 
 /* A white surface that faces the sun sends back (2.0567, 1.6258, 1.2533) at turbidity 6 and
  * (3.0220, 2.6081, 2.3030) at turbidity 2: integrals of Preetham's tables over the CIE's
@@ -330,9 +332,8 @@ static void copies(void **state)
     const SceneObject expected = {
         .kind = SCENE_Box,
         .numbers = {1, 1, 1},
-        .world_from_local = {
-            {scaled_cosine, scaled_sine, 0, 0, -scaled_sine, scaled_cosine, 0, 0,
-             0, 0, scale, 0, 0, 0, 0, 1}}};
+        .world_from_local = {{scaled_cosine, scaled_sine, 0, 0, -scaled_sine, scaled_cosine, 0, 0,
+                              0, 0, scale, 0, 0, 0, 0, 1}}};
     MatcDocument *document;
     Scene *scene = read_fine(text, &document);
     assert_int_equal(scene->object_count, 1 + 9);
@@ -344,12 +345,11 @@ static void copies(void **state)
 static void names(void **state)
 {
     (void)state;
-    static const char text[] =
-        RED "lights: [{ light: Ambient }, { light: Point, name: bulb }]\n"
-            "objects:\n"
-            "- { object: Group, name: lamps, material: red, "
-            "objects: [{ object: Sphere, name: bulb }] }\n"
-            "- { object: Box, material: red }\n";
+    static const char text[] = RED "lights: [{ light: Ambient }, { light: Point, name: bulb }]\n"
+                                   "objects:\n"
+                                   "- { object: Group, name: lamps, material: red, "
+                                   "objects: [{ object: Sphere, name: bulb }] }\n"
+                                   "- { object: Box, material: red }\n";
     MatcDocument *document;
     Scene *scene = read_fine(text, &document);
     assert_int_equal(scene->object_count, 2);
@@ -365,12 +365,9 @@ static void names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_light),
-        cmocka_unit_test(suns_of_skies),
-        cmocka_unit_test(each_object),
-        cmocka_unit_test(objects_within_others),
-        cmocka_unit_test(copies),
-        cmocka_unit_test(names),
+        cmocka_unit_test(each_light),  cmocka_unit_test(suns_of_skies),
+        cmocka_unit_test(each_object), cmocka_unit_test(objects_within_others),
+        cmocka_unit_test(copies),      cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

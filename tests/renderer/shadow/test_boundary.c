@@ -1,4 +1,5 @@
-/* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant; what is not measured. */
+/* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant;
+ * what is not measured. */
 #include "tests/test.h"
 #include "tests/frame/boundary.h"
 #include <math.h>
@@ -13,8 +14,10 @@ typedef struct {
     float light[PIXELS], truth[PIXELS], shares[PIXELS];
 } Picture;
 
-/* Discs around the middle of a plane that pixels see at x = across[0] i + across[1] j, y = up[0] i + up[1] j; and to the right another surface. */
-static Picture *picture_of(const double across[2], const double up[2], double true_radius, double radius)
+/* Discs around the middle of a plane that pixels see at x = across[0] i + across[1] j, y = up[0] i
+ * + up[1] j; and to the right another surface. */
+static Picture *picture_of(const double across[2], const double up[2], double true_radius,
+                           double radius)
 {
     Picture *p = malloc(sizeof *p);
     assert_non_null(p);
@@ -51,7 +54,8 @@ static void discs(void **state)
     compare((double[]){.3, .1}, (double[]){.2, -.2}, 20, 19);
 }
 
-/* What faces away, is nothing, or lies on two surfaces, adds neither length nor area: half of the plane. */
+/* What faces away, is nothing, or lies on two surfaces, adds neither length nor area: half of the
+ * plane. */
 static void halves(void **state)
 {
     (void)state;

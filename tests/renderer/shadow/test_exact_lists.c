@@ -1,5 +1,6 @@
-/* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a light, in double, is in the list of the point's
- * cell; each cell has all triangles that cover any of it, by a clipper that goes through cell by cell, and few others. */
+/* Lists of exact shadows, as the driver's programs make them: whatever stands between a point and a
+ * light, in double, is in the list of the point's cell; each cell has all triangles that cover any
+ * of it, by a clipper that goes through cell by cell, and few others. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "runtime/exact/exact_cover.h"
@@ -43,7 +44,8 @@ static Things some_things(int count, double least)
             middle[k] = 2 * chance() - 1;
         for (int corner = 0; corner < 3; corner++)
             for (int k = 0; k < 3; k++)
-                made.corners[i][corner][k] = (float)(middle[k] + (i % 7 && corner != 1 ? size * (chance() - .5) : 0));
+                made.corners[i][corner][k] =
+                    (float)(middle[k] + (i % 7 && corner != 1 ? size * (chance() - .5) : 0));
         if (i % 11 == 0) /* a needle */
             for (int k = 0; k < 3; k++)
                 made.corners[i][2][k] = made.corners[i][1][k] + 1e-6f * (float)k;
@@ -75,15 +77,16 @@ static bool make(Made *made, const Scene *scene, Things *things)
     const GlContext *gl = made->gl;
     things->triangles.objects = &things->all;
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, made->corners);
-    gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)((size_t)things->triangles.count * sizeof *things->corners),
+    gl->BufferData(GL_SHADER_STORAGE_BUFFER,
+                   (GLsizeiptr)((size_t)things->triangles.count * sizeof *things->corners),
                    things->corners, GL_STATIC_DRAW);
     if (!exact_cover_make(&made->cover, scene, &things->triangles, made->corners))
         return false;
     made->words = realloc(made->words, made->cover.words * sizeof *made->words);
     assert_non_null(made->words);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, made->cover.lists);
-    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, (GLsizeiptr)(made->cover.words * sizeof *made->words),
-                         made->words);
+    gl->GetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0,
+                         (GLsizeiptr)(made->cover.words * sizeof *made->words), made->words);
     for (int i = 0, head = 0; i < scene->light_count; i++)
         made->heads[i] = exact_lists_wanted(&scene->lights[i]) ? head++ : -1;
     return true;
@@ -109,7 +112,8 @@ static bool is_met(const ExactCorners corners, const double at[3], const double 
         cross(from[i], from[(i + 1) % 3], normal);
         sides[i] = dot(normal, way);
     }
-    if (!((sides[0] > 0 && sides[1] > 0 && sides[2] > 0) || (sides[0] < 0 && sides[1] < 0 && sides[2] < 0)))
+    if (!((sides[0] > 0 && sides[1] > 0 && sides[2] > 0) ||
+          (sides[0] < 0 && sides[1] < 0 && sides[2] < 0)))
         return false;
     for (int i = 0; i < 2; i++)
         for (int k = 0; k < 3; k++)
@@ -184,11 +188,14 @@ static void count_cells(const Things *things, const Made *made, int light, Count
         const int face = t % faces;
         const ExactPolygon polygon = exact_cell_polygon(head, &things->corners[t / faces], face);
         for (int i = 0; i < size * size; i++) {
-            const bool covered = exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 - 1e-4);
-            const bool listed = is_listed(made, head, face * size * size + i, (uint32_t)(t / faces));
+            const bool covered =
+                exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 - 1e-4);
+            const bool listed =
+                is_listed(made, head, face * size * size + i, (uint32_t)(t / faces));
             counts->covered += covered;
             counts->listed += listed;
-            counts->wide += exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 + 1e-4);
+            counts->wide +=
+                exact_cell_has(head, &polygon, (int[]){i % size, i / size}, 1. / 64 + 1e-4);
             assert_true(listed || !covered);
         }
     }
@@ -201,8 +208,16 @@ static SceneLight lights[] = {
     {.kind = SCENE_Point, EXACT, .position = {.1, .2, .3}}, /* among the triangles */
     {.kind = SCENE_Point, .shadows = WORD_Shadows_map},
     {.kind = SCENE_Point, EXACT, .position = {4, 1, 2}},
-    {.kind = SCENE_Spot, EXACT, .position = {0, 3, 3}, .direction = {0, -.8, -.6}, .outer_cosine = .8},
-    {.kind = SCENE_Spot, EXACT, .position = {0, 1, 2}, .direction = {0, -.8, -.6}, .outer_cosine = -.3},
+    {.kind = SCENE_Spot,
+     EXACT,
+     .position = {0, 3, 3},
+     .direction = {0, -.8, -.6},
+     .outer_cosine = .8},
+    {.kind = SCENE_Spot,
+     EXACT,
+     .position = {0, 1, 2},
+     .direction = {0, -.8, -.6},
+     .outer_cosine = -.3},
     {.kind = SCENE_Directional, EXACT, .direction = {.6, 0, -.8}},
 };
 enum { LIGHTS = sizeof lights / sizeof *lights, EXACT_LIGHTS = LIGHTS - 1 };
@@ -226,8 +241,8 @@ static void all_are_listed(void **state)
     free_things(&things);
 }
 
-/* Each cell has all that covers it where it is 1/64 wider on all sides, and 2 % more: what goes through the plane in which the light is, and what it
- * sees from the side. */
+/* Each cell has all that covers it where it is 1/64 wider on all sides, and 2 % more: what goes
+ * through the plane in which the light is, and what it sees from the side. */
 static void cells(void **state)
 {
     (void)state;
@@ -239,15 +254,17 @@ static void cells(void **state)
         if (made.heads[i] < 0)
             continue;
         count_cells(&things, &made, i, &counts);
-        print_message("light %d: %ld triangles in cells 1/64 wider, %ld a bit beyond, %ld listed\n", i, counts.covered,
-                      counts.wide, counts.listed);
-        assert_true(counts.covered > TRIANGLES && (double)counts.listed <= 1.02 * (double)counts.wide);
+        print_message("light %d: %ld triangles in cells 1/64 wider, %ld a bit beyond, %ld listed\n",
+                      i, counts.covered, counts.wide, counts.listed);
+        assert_true(counts.covered > TRIANGLES &&
+                    (double)counts.listed <= 1.02 * (double)counts.wide);
     }
     close_made(&made);
     free_things(&things);
 }
 
-/* So many large triangles that the programs' own lists of blocks of rows, and the lists, have to be made longer; then few of them again. */
+/* So many large triangles that the programs' own lists of blocks of rows, and the lists, have to be
+ * made longer; then few of them again. */
 static void many_large(void **state)
 {
     (void)state;
@@ -274,7 +291,8 @@ static void many_large(void **state)
     free_things(&few);
 }
 
-/* With less room cells are wider, and the lists are as complete; with too little, it is said how much there has to be. */
+/* With less room cells are wider, and the lists are as complete; with too little, it is said how
+ * much there has to be. */
 static void less_room(void **state)
 {
     (void)state;
@@ -309,8 +327,9 @@ static void of_nothing(void **state)
 int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(all_are_listed), cmocka_unit_test(cells),      cmocka_unit_test(many_large),
-        cmocka_unit_test(less_room),      cmocka_unit_test(of_nothing),
+        cmocka_unit_test(all_are_listed), cmocka_unit_test(cells),
+        cmocka_unit_test(many_large),     cmocka_unit_test(less_room),
+        cmocka_unit_test(of_nothing),
     };
     kind = frame_kind(count, arguments);
     return cmocka_run_group_tests(tests, NULL, NULL);

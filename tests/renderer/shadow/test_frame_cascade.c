@@ -1,5 +1,6 @@
-/* Cascades of a directional light: their texels stand still while the camera moves and turns, and so do ends of shadows in pictures. That light is right in each
- * of them, test_frame_cast.c says. */
+/* Cascades of a directional light: their texels stand still while the camera moves and turns, and
+ * so do ends of shadows in pictures. That light is right in each of them, test_frame_cast.c
+ * says. */
 #include "tests/test.h"
 #include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
@@ -49,7 +50,8 @@ static void move(SceneCamera *camera, double along, double turn)
 {
     double *axes[] = {camera->right, camera->up, camera->back};
     for (int i = 0; i < 3; i++)
-        camera->position[i] += along * (camera->right[i] + .3 * camera->up[i] - .7 * camera->back[i]);
+        camera->position[i] +=
+            along * (camera->right[i] + .3 * camera->up[i] - .7 * camera->back[i]);
     for (int k = 0; k < 3; k++) {
         const double x = axes[k][0], y = axes[k][1];
         axes[k][0] = cos(turn) * x - sin(turn) * y;
@@ -57,7 +59,8 @@ static void move(SceneCamera *camera, double along, double turn)
     }
 }
 
-/* Of two neighbouring frames: no map has moved by a part of a texel. So many have got other texels. */
+/* Of two neighbouring frames: no map has moved by a part of a texel. So many have got other
+ * texels. */
 static int count_jumps(const ShadowViews *before, const ShadowViews *after)
 {
     static const double points[3][3] = {{0, 0, 0}, {3, 20, 1}, {-40, 70, 0}};
@@ -65,7 +68,8 @@ static int count_jumps(const ShadowViews *before, const ShadowViews *after)
     for (int i = 0; i < CASCADES; i++)
         for (int axis = 0; axis < 2; axis++) {
             const ShadowView *a = &before->views[i], *b = &after->views[i];
-            const bool other = fabs(width_of(a, axis) - width_of(b, axis)) > 1e-9 * width_of(a, axis);
+            const bool other =
+                fabs(width_of(a, axis) - width_of(b, axis)) > 1e-9 * width_of(a, axis);
             jumps += other;
             for (int k = 0; !other && k < 3; k++) {
                 const double shift = texels_at(b, axis, points[k]) - texels_at(a, axis, points[k]);
@@ -75,15 +79,19 @@ static int count_jumps(const ShadowViews *before, const ShadowViews *after)
     return jumps;
 }
 
-/* 400 frames, in which the camera walks ten units and turns by 29 degrees: of 3200 widths not one in a hundred is another than in the frame before. */
+/* 400 frames, in which the camera walks ten units and turns by 29 degrees: of 3200 widths not one
+ * in a hundred is another than in the frame before. */
 static void texels_stand_still(void **state)
 {
     (void)state;
     static const char text[] =
         "camera: { camera: Perspective, position: [1.5, -9, 3], target: [.3, 0, 1], angle: 42 }\n"
-        "shadowMaps: { size: 512, cascades: 4 }\nlights: [{ light: Directional, direction: [.4, .5, -.8] }]\nobjects:\n"
-        "- { object: Box, size: [200, 200, 1], material: { material: Phong }, transform: { translation: [0, 90, -.5] } "
-        "}\n- { object: Box, size: [2, 2, 30], material: { material: Phong }, transform: { translation: [9, 60, 15] } "
+        "shadowMaps: { size: 512, cascades: 4 }\nlights: [{ light: Directional, direction: [.4, "
+        ".5, -.8] }]\nobjects:\n"
+        "- { object: Box, size: [200, 200, 1], material: { material: Phong }, transform: { "
+        "translation: [0, 90, -.5] } "
+        "}\n- { object: Box, size: [2, 2, 30], material: { material: Phong }, transform: { "
+        "translation: [9, 60, 15] } "
         "}\n";
     MatcOptions options = frame_exact_options();
     MatcDocument *document;
@@ -94,11 +102,13 @@ static void texels_stand_still(void **state)
         move(&scene->camera, .02, .00125);
         ShadowViews after = views_of(scene);
         jumps += count_jumps(&before, &after);
-        moves += memcmp(before.views[0].rows, after.views[0].rows, sizeof before.views[0].rows) != 0;
+        moves +=
+            memcmp(before.views[0].rows, after.views[0].rows, sizeof before.views[0].rows) != 0;
         shadow_views_free(&before);
         before = after;
     }
-    print_message("%d of %d widths are others, the first map has moved %d times\n", jumps, 400 * 8, moves);
+    print_message("%d of %d widths are others, the first map has moved %d times\n", jumps, 400 * 8,
+                  moves);
     assert_true(jumps < 32 && moves > 40);
     shadow_views_free(&before);
     frame_forget(scene, document);
@@ -108,18 +118,21 @@ static void texels_stand_still(void **state)
 
 enum { WIDTH = 96, HEIGHT = 64, STEPS = 6 };
 
-/* A parallel view moves by a pixel at a time, a tenth of a unit; texels of the first map are .06. So what a pixel shows, its neighbour shows next: at the end of a
- * shadow as well. */
+/* A parallel view moves by a pixel at a time, a tenth of a unit; texels of the first map are .06.
+ * So what a pixel shows, its neighbour shows next: at the end of a shadow as well. */
 static void shadows_stand_still(void **state)
 {
     (void)state;
     static const char text[] =
-        "image: { width: 96, height: 64 }\ncamera: { camera: Orthographic, position: [0, -20, 14], target: [0, 0, 0], "
+        "image: { width: 96, height: 64 }\ncamera: { camera: Orthographic, position: [0, -20, 14], "
+        "target: [0, 0, 0], "
         "size: 6.4, depth: 60 }\nshadowMaps: { size: 256, cascades: 3, filter: 0 }\n"
         "lights: [{ light: Directional, direction: [.4, .55, -.8] }]\nobjects:\n"
-        "- { object: Box, size: [60, 60, 1], material: { material: Phong, diffuse: .8 }, transform: { translation: [0, "
+        "- { object: Box, size: [60, 60, 1], material: { material: Phong, diffuse: .8 }, "
+        "transform: { translation: [0, "
         "20, -.5] } }\n"
-        "- { object: Scatter, count: 60, seed: 3, size: [14, 12, 0], rotation: [.5, .5, 3], objects: [{ object: Box, "
+        "- { object: Scatter, count: 60, seed: 3, size: [14, 12, 0], rotation: [.5, .5, 3], "
+        "objects: [{ object: Box, "
         "size: [.6, .5, 2.5], material: { material: Phong, diffuse: .5 } }] }\n";
     MatcLayout *layout;
     const MatcOptions compile = frame_float_options(&layout);
@@ -131,7 +144,8 @@ static void shadows_stand_still(void **state)
     float *before = NULL;
     int edges = 0, others = 0;
     for (int step = 0; step < STEPS; step++) {
-        float *after = frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
+        float *after =
+            frame_floats(gl, scene, &(RenderOptions){.compile = &compile, .view = "light"});
         for (int i = 0; before && i < WIDTH * HEIGHT; i++)
             if (i % WIDTH + 1 < WIDTH) {
                 edges += fabsf(before[4 * i + 4] - before[4 * i]) > .2f;
@@ -142,7 +156,8 @@ static void shadows_stand_still(void **state)
         for (int i = 0; i < 3; i++)
             camera->position[i] += pixel * camera->right[i];
     }
-    print_message("%d pixels at ends of shadows and objects, %d are others when the camera moves\n", edges, others);
+    print_message("%d pixels at ends of shadows and objects, %d are others when the camera moves\n",
+                  edges, others);
     assert_true(edges > 1000 && others < edges / 100);
     free(before);
     gl_close(gl);
@@ -152,6 +167,7 @@ static void shadows_stand_still(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(texels_stand_still), cmocka_unit_test(shadows_stand_still)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(texels_stand_still),
+                                       cmocka_unit_test(shadows_stand_still)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,5 +1,6 @@
-/* Shadows of what lets light through, against rays of Embree that go on through it with the oracle's transparency in double. A pixel is compared
- * wherever no end of a shadow is near: where points of the tangent planes of all its layers, a few texels away as each light sees them, have
+/* Shadows of what lets light through, against rays of Embree that go on through it with the
+ * oracle's transparency in double. A pixel is compared wherever no end of a shadow is near: where
+ * points of the tangent planes of all its layers, a few texels away as each light sees them, have
  * the same light. There a shadow map knows all that a ray does. */
 /* ctest: unsanitized unoptimized seconds=50 */
 #include "tests/test.h"
@@ -16,12 +17,14 @@
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, FAR = 400 /* across the far ground */ };
 
-static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit, double shares[3])
+static void shares_of(const Tracer *tracer, const SceneLight *light, const Hit *hit,
+                      double shares[3])
 {
     glass_shares(tracer, light, hit->world, hit->facet, shares);
 }
 
-/* As far as all can be seen there: the far ground is 400 deep, so cascades end at 25, 100 and 400; the picture's diagonal is 1.3 of the depth. */
+/* As far as all can be seen there: the far ground is 400 deep, so cascades end at 25, 100 and 400;
+ * the picture's diagonal is 1.3 of the depth. */
 static double reach_of_cascade(const Scene *scene, const double point[3])
 {
     double depth = 0;
@@ -41,8 +44,8 @@ static bool has_cut_outs(const Scene *scene)
     return has;
 }
 
-/* How far a light's texel reaches at a point, as the documents say. Exact shadows have none: what is transparent is lit at a point that is lifted by 1/64 of
- * a pixel, 0.001. */
+/* How far a light's texel reaches at a point, as the documents say. Exact shadows have none: what
+ * is transparent is lit at a point that is lifted by 1/64 of a pixel, 0.001. */
 static double texel_at(const Scene *scene, const SceneLight *light, const double point[3])
 {
     if (light->shadows == WORD_Shadows_exact && !has_cut_outs(scene))
@@ -55,7 +58,8 @@ static double texel_at(const Scene *scene, const SceneLight *light, const double
 /* The light that arrives there is that of all points beside it. */
 static bool is_even(const Tracer *tracer, const SceneLight *light, const Hit *hit)
 {
-    const double step = 3.0 * (tracer->scene->shadow_filter + 1) * texel_at(tracer->scene, light, hit->world);
+    const double step =
+        3.0 * (tracer->scene->shadow_filter + 1) * texel_at(tracer->scene, light, hit->world);
     double way[3], moved[3], shares[3], others[3];
     shadow_way_to(light, hit->world, way);
     if (reference_dot(way, hit->facet) * reference_dot(way, hit->normal) <= 0)
@@ -88,7 +92,8 @@ static bool are_even(const Tracer *tracer, const Hit *hits, int count)
     return true;
 }
 
-static void add_pixel(const Tracer *tracer, const MatcOptions *options, int pixel, const float *rgba, Count *count)
+static void add_pixel(const Tracer *tracer, const MatcOptions *options, int pixel,
+                      const float *rgba, Count *count)
 {
     Hit hits[REFERENCE_LAYERS];
     double light[3], unshaded[3], off = 0, shade = 0;
@@ -137,60 +142,85 @@ static Count compare(GlContext *gl, const char *text, const RenderOptions *with)
     return count;
 }
 
-#define VIEW                                                                                                           \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "   \
+#define VIEW                                                                                       \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], "   \
+    "target: [0, 0, .5], "                                                                         \
     "angle: 42 }\n"
-#define GROUND                                                                                                         \
-    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+#define GROUND                                                                                     \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
+    "translation: [-4, "                                                                           \
     "-4, 0] } }\n"
-#define THINGS                                                                                                         \
-    "- { object: Sphere, radius: .8, material: round, transform: { translation: [-.6, -.4, .9] } }\n"                  \
-    "- { object: Sphere, radius: .3, material: m, transform: { translation: [-.6, -.4, .9] } }\n"                      \
-    "- { object: Box, material: solid, transform: { translation: [1.1, .6, .6], rotation: [0, 0, .3] } }\n"            \
-    "- { object: Box, size: [.4, .4, .4], material: clear, transform: { translation: [.2, 1.4, .3] } }\n"              \
-    "- { object: Box, size: [.4, .4, .4], material: dim, transform: { translation: [.6, -1.5, .3] } }\n"               \
-    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: coarse, transform: { translation: [-2.2, "    \
-    "-.6, .1], scale: [-1, 1, 1] } }\n"                                                                                \
-    "- { object: Parallelogram, u: [.9, 0, 0], v: [0, .9, .1], material: coarse, transform: { translation: [1.3, "     \
-    "-1.5, .8] } }\n"                                                                                                  \
-    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { translation: [-1.9, "    \
-    "1.1, .7] } }\n"                                                                                                   \
-    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { translation: [-.8, "     \
+#define THINGS                                                                                     \
+    "- { object: Sphere, radius: .8, material: round, transform: { translation: [-.6, -.4, .9] } " \
+    "}\n"                                                                                          \
+    "- { object: Sphere, radius: .3, material: m, transform: { translation: [-.6, -.4, .9] } }\n"  \
+    "- { object: Box, material: solid, transform: { translation: [1.1, .6, .6], rotation: [0, 0, " \
+    ".3] } }\n"                                                                                    \
+    "- { object: Box, size: [.4, .4, .4], material: clear, transform: { translation: [.2, 1.4, "   \
+    ".3] } }\n"                                                                                    \
+    "- { object: Box, size: [.4, .4, .4], material: dim, transform: { translation: [.6, -1.5, "    \
+    ".3] } }\n"                                                                                    \
+    "- { object: Parallelogram, u: [0, 1.6, 0], v: [.4, 0, 1], material: coarse, transform: { "    \
+    "translation: [-2.2, "                                                                         \
+    "-.6, .1], scale: [-1, 1, 1] } }\n"                                                            \
+    "- { object: Parallelogram, u: [.9, 0, 0], v: [0, .9, .1], material: coarse, transform: { "    \
+    "translation: [1.3, "                                                                          \
+    "-1.5, .8] } }\n"                                                                              \
+    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { "    \
+    "translation: [-1.9, "                                                                         \
+    "1.1, .7] } }\n"                                                                               \
+    "- { object: Parallelogram, u: [.7, 0, .1], v: [0, .7, .1], material: sided, transform: { "    \
+    "translation: [-.8, "                                                                          \
     "1.4, .9], scale: [-1, 1, 1] } }\n"
 
-/* Panes one over the other, with the ground and a ball between; a clear ball with a solid in it; boxes that cross. */
-#define PANES                                                                                                          \
-    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: clear, transform: { translation: [-.5, "     \
-    "-2.2, .3] } }\n"                                                                                                  \
-    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: red, transform: { translation: [-.5, -2.2, " \
-    ".6] } }\n"                                                                                                        \
-    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: dim, transform: { translation: [-.5, -2.2, " \
-    "1.1] } }\n"                                                                                                       \
-    "- { object: Sphere, radius: .15, material: m, transform: { translation: [.1, -1.6, .85] } }\n"                    \
-    "- { object: Sphere, radius: .5, material: red, transform: { translation: [2.2, -.6, .6] } }\n"                    \
-    "- { object: Box, size: .3, material: m, transform: { translation: [2.2, -.6, .6] } }\n"                           \
-    "- { object: Box, size: [.9, .4, .4], material: clear, transform: { translation: [-1.6, -1.6, .5] } }\n"           \
-    "- { object: Box, size: [.4, .9, .3], material: red, transform: { translation: [-1.6, -1.6, .5], rotation: [.2, "  \
+/* Panes one over the other, with the ground and a ball between; a clear ball with a solid in it;
+ * boxes that cross. */
+#define PANES                                                                                      \
+    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: clear, transform: { "    \
+    "translation: [-.5, "                                                                          \
+    "-2.2, .3] } }\n"                                                                              \
+    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: red, transform: { "      \
+    "translation: [-.5, -2.2, "                                                                    \
+    ".6] } }\n"                                                                                    \
+    "- { object: Parallelogram, u: [1.2, 0, 0], v: [0, 1.2, 0], material: dim, transform: { "      \
+    "translation: [-.5, -2.2, "                                                                    \
+    "1.1] } }\n"                                                                                   \
+    "- { object: Sphere, radius: .15, material: m, transform: { translation: [.1, -1.6, .85] } "   \
+    "}\n"                                                                                          \
+    "- { object: Sphere, radius: .5, material: red, transform: { translation: [2.2, -.6, .6] } "   \
+    "}\n"                                                                                          \
+    "- { object: Box, size: .3, material: m, transform: { translation: [2.2, -.6, .6] } }\n"       \
+    "- { object: Box, size: [.9, .4, .4], material: clear, transform: { translation: [-1.6, "      \
+    "-1.6, .5] } }\n"                                                                              \
+    "- { object: Box, size: [.4, .9, .3], material: red, transform: { translation: [-1.6, -1.6, "  \
+    ".5], rotation: [.2, "                                                                         \
     ".1, .4] } }\n"
 
 /* Infinite planes: of cells, tilted, over all; one whose sides differ, beside; and one of glass. */
-#define SHEETS                                                                                                         \
-    "- { object: Plane, material: coarse, transform: { scale: [3, -3, 3], rotation: [.1, .05, .4], translation: [.3, " \
-    ".2, 3] } }\n"                                                                                                     \
-    "- { object: Plane, material: sided, transform: { rotation: [.1, 1.4, 0], translation: [-2.5, 0, 0] } }\n"         \
-    "- { object: Plane, material: clear, transform: { rotation: [-1.5, 0, 0], translation: [0, 4.5, 0] } }\n"
+#define SHEETS                                                                                     \
+    "- { object: Plane, material: coarse, transform: { scale: [3, -3, 3], rotation: [.1, .05, "    \
+    ".4], translation: [.3, "                                                                      \
+    ".2, 3] } }\n"                                                                                 \
+    "- { object: Plane, material: sided, transform: { rotation: [.1, 1.4, 0], translation: "       \
+    "[-2.5, 0, 0] } }\n"                                                                           \
+    "- { object: Plane, material: clear, transform: { rotation: [-1.5, 0, 0], translation: [0, "   \
+    "4.5, 0] } }\n"
 
 /* Along a wide ground, with something at every distance. */
-#define FAR_VIEW                                                                                                       \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 3], target: [1, 0, 1.6], "  \
+#define FAR_VIEW                                                                                   \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [1.5, -7, 3], "   \
+    "target: [1, 0, 1.6], "                                                                        \
     "angle: 42 }\n"
-#define FAR_GROUND                                                                                                     \
-    "objects:\n- { object: Parallelogram, u: [400, 0, 0], v: [0, 400, 0], material: m, transform: { translation: "     \
-    "[-200, -10, 0] } }\n"                                                                                             \
-    "- { object: Box, size: [3, 3, 6], material: m, transform: { translation: [-6, 20, 3] } }\n"                       \
-    "- { object: Box, size: [3, 3, 6], material: clear, transform: { translation: [6, 14, 3.1] } }\n"                  \
-    "- { object: Box, size: [8, 8, 16], material: m, transform: { translation: [14, 60, 8] } }\n"                      \
-    "- { object: Box, size: [20, 20, 50], material: m, transform: { translation: [-30, 150, 25] } }\n"
+#define FAR_GROUND                                                                                 \
+    "objects:\n- { object: Parallelogram, u: [400, 0, 0], v: [0, 400, 0], material: m, "           \
+    "transform: { translation: "                                                                   \
+    "[-200, -10, 0] } }\n"                                                                         \
+    "- { object: Box, size: [3, 3, 6], material: m, transform: { translation: [-6, 20, 3] } }\n"   \
+    "- { object: Box, size: [3, 3, 6], material: clear, transform: { translation: [6, 14, 3.1] } " \
+    "}\n"                                                                                          \
+    "- { object: Box, size: [8, 8, 16], material: m, transform: { translation: [14, 60, 8] } }\n"  \
+    "- { object: Box, size: [20, 20, 50], material: m, transform: { translation: [-30, 150, 25] "  \
+    "} }\n"
 
 /* A light, but for its place and direction. */
 typedef struct {
@@ -199,46 +229,55 @@ typedef struct {
     const char *maps;
     int first, step; /* angles */
     bool far;        /* over a wide ground */
-    bool old;        /* OpenGL 3.3: objects are drawn by themselves, depth in clip space begins at -1 */
+    /* OpenGL 3.3: objects are drawn by themselves, depth in clip space begins at -1 */
+    bool old;
 } Lamp;
 static const Lamp lamps[] = {
     {"directional", "Directional", false, true, "filter: 0", 0, 2, false, false},
     {"spot", "Spot, innerAngle: 30, outerAngle: 45", true, true, "filter: 0", 1, 3, false, false},
-    {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "filter: 1", 2, 3, false, false},
+    {"wide spot", "Spot, innerAngle: 80, outerAngle: 100", true, true, "filter: 1", 2, 3, false,
+     false},
     {"point", "Point", true, false, "filter: 1", 1, 3, false, false},
     {"OpenGL 3.3", "Directional", false, true, "filter: 0", 2, 4, false, true}};
 static const Lamp hybrids[] = {
     {"sun, hybrid", "Directional, shadows: hybrid", false, true, "filter: 0", 1, 3, false, false},
-    {"spot, hybrid", "Spot, innerAngle: 30, outerAngle: 45, shadows: hybrid", true, true, "filter: 0, volume: plain", 2,
-     4, false, false},
+    {"spot, hybrid", "Spot, innerAngle: 30, outerAngle: 45, shadows: hybrid", true, true,
+     "filter: 0, volume: plain", 2, 4, false, false},
     {"point, hybrid", "Point, shadows: hybrid", true, false, "filter: 1", 3, 2, false, false}};
-static const Lamp cascaded = {"cascades", "Directional", false, true, "filter: 0, cascades: 4", 0, 2, true, false};
-static const Lamp exact[] = {{"exact", "Directional, shadows: exact", false, true, "filter: 0", 4, 7, false, false},
-                             {"exact", "Point, shadows: exact", true, false, "filter: 0", 4, 7, false, false}};
-static const Lamp exact_and_maps = {"exact, maps", "Directional, shadows: exact", false, true, "filter: 0", 4, 2, false,
-                                    false};
-static const Lamp uncascaded = {"one map", "Directional", false, true, "filter: 0", 2, 4, true, false};
+static const Lamp cascaded = {"cascades", "Directional", false, true, "filter: 0, cascades: 4", 0,
+                              2,          true,          false};
+static const Lamp exact[] = {
+    {"exact", "Directional, shadows: exact", false, true, "filter: 0", 4, 7, false, false},
+    {"exact", "Point, shadows: exact", true, false, "filter: 0", 4, 7, false, false}};
+static const Lamp exact_and_maps = {
+    "exact, maps", "Directional, shadows: exact", false, true, "filter: 0", 4, 2, false, false};
+static const Lamp uncascaded = {"one map", "Directional", false, true, "filter: 0", 2,
+                                4,         true,          false};
 enum { LAMPS = sizeof lamps / sizeof *lamps };
 
 /* The light stands at an angle, 6 from the origin, and shines there. */
-static void write_scene(const Lamp *lamp, const double angle[2], const char *things, bool colored, char text[TEXT])
+static void write_scene(const Lamp *lamp, const double angle[2], const char *things, bool colored,
+                        char text[TEXT])
 {
     char place[128] = "", direction[128] = "";
     double at[3];
     shadow_place(angle, 6, at);
     if (lamp->placed)
-        snprintf(place, sizeof place, ", position: [%g, %g, %g], intensity: 36", at[0], at[1], at[2]);
+        snprintf(place, sizeof place, ", position: [%g, %g, %g], intensity: 36", at[0], at[1],
+                 at[2]);
     if (lamp->directed)
         snprintf(direction, sizeof direction, ", direction: [%g, %g, %g]", -at[0], -at[1], -at[2]);
-    int size =
-        snprintf(text, TEXT, "%sshadowMaps: { %s, colored: %s }\nlights: [{ light: %s%s%s }]\nmaterials:\n",
-                 lamp->far ? FAR_VIEW : VIEW, lamp->maps, colored ? "true" : "false", lamp->kind, place, direction);
+    int size = snprintf(
+        text, TEXT, "%sshadowMaps: { %s, colored: %s }\nlights: [{ light: %s%s%s }]\nmaterials:\n",
+        lamp->far ? FAR_VIEW : VIEW, lamp->maps, colored ? "true" : "false", lamp->kind, place,
+        direction);
     for (int i = 0; i < GLASS_COUNT; i++)
         size += snprintf(text + size, (size_t)(TEXT - size), "  %s\n", glass_text(i));
     snprintf(text + size, (size_t)(TEXT - size), "%s%s", lamp->far ? FAR_GROUND : GROUND, things);
 }
 
-static Count by_angles(const Lamp *lamp, const char *things, bool colored, const RenderOptions *options)
+static Count by_angles(const Lamp *lamp, const char *things, bool colored,
+                       const RenderOptions *options)
 {
     GlContext *gl = frame_context();
     static char text[TEXT];
@@ -250,8 +289,10 @@ static Count by_angles(const Lamp *lamp, const char *things, bool colored, const
     for (int i = lamp->first; i < SHADOW_ANGLES; i += lamp->step) {
         write_scene(lamp, shadow_angles[i], things, colored, text);
         const Count count = compare(gl, text, options);
-        print_message("%-12s %4g degrees: %5d compared, %5d shaded, %5d in bands; wrong %d, off by %.2g\n", lamp->name,
-                      shadow_angles[i][0], count.compared, count.shaded, count.band, count.wrong, count.most);
+        print_message(
+            "%-12s %4g degrees: %5d compared, %5d shaded, %5d in bands; wrong %d, off by %.2g\n",
+            lamp->name, shadow_angles[i][0], count.compared, count.shaded, count.band, count.wrong,
+            count.most);
         all.compared += count.compared, all.shaded += count.shaded, all.wrong += count.wrong;
     }
     gl_close(gl);
@@ -259,7 +300,8 @@ static Count by_angles(const Lamp *lamp, const char *things, bool colored, const
     return all;
 }
 
-static void by_every_angle(const Lamp *lamp, const char *things, bool colored, const RenderOptions *options)
+static void by_every_angle(const Lamp *lamp, const char *things, bool colored,
+                           const RenderOptions *options)
 {
     assert_int_equal(by_angles(lamp, things, colored, options).wrong, 0);
 }
@@ -293,7 +335,8 @@ static void colors_beside_volumes(void **state)
 static void cut_outs_beside_volumes(void **state)
 {
     (void)state;
-    static const char *const words[2] = {"light, as shadows are not colored\n", "light: it takes OpenGL 4.3\n"};
+    static const char *const words[2] = {"light, as shadows are not colored\n",
+                                         "light: it takes OpenGL 4.3\n"};
     static char text[TEXT];
     for (int old = 0; old < 2; old++) {
         GlContext *gl = frame_context();
@@ -311,7 +354,8 @@ static void cut_outs_beside_volumes(void **state)
     }
 }
 
-/* The same, where lists of the maps, of 1 and 25 MB of heads alone, find room only in parts: beside lists of pixels and while peeling. */
+/* The same, where lists of the maps, of 1 and 25 MB of heads alone, find room only in parts: beside
+ * lists of pixels and while peeling. */
 static void colors_in_parts(void **state)
 {
     (void)state;
@@ -320,10 +364,12 @@ static void colors_in_parts(void **state)
         {"point", "Point", true, false, "size: 1024, filter: 1", 1, 3, false, false}};
     for (int i = 0; i < 2; i++)
         by_every_angle(&divided[i], THINGS PANES, true,
-                       &(RenderOptions){.list_bytes = i ? 5000000 : 700000, .transparency = i ? "peeling" : "lists"});
+                       &(RenderOptions){.list_bytes = i ? 5000000 : 700000,
+                                        .transparency = i ? "peeling" : "lists"});
 }
 
-/* What varies over an infinite plane is known for each way to a light, without a map: in colours, and all or nothing. */
+/* What varies over an infinite plane is known for each way to a light, without a map: in colours,
+ * and all or nothing. */
 static void sheets(void **state)
 {
     (void)state;
@@ -351,12 +397,14 @@ static void cascades(void **state)
     assert_true(by_angles(&uncascaded, THINGS, true, &(RenderOptions){0}).wrong > 0);
 }
 
-/* What is transparent by the same everywhere is as exact as what is opaque: up to 0.01 from ends of shadows, where maps end at 0.07 and more. */
+/* What is transparent by the same everywhere is as exact as what is opaque: up to 0.01 from ends of
+ * shadows, where maps end at 0.07 and more. */
 static void exact_colors(void **state)
 {
     (void)state;
     for (int i = 0; i < 4; i++)
-        by_every_angle(&exact[i % 2], PANES, i < 2, &(RenderOptions){.transparency = i % 2 ? "peeling" : "lists"});
+        by_every_angle(&exact[i % 2], PANES, i < 2,
+                       &(RenderOptions){.transparency = i % 2 ? "peeling" : "lists"});
     by_every_angle(&exact_and_maps, THINGS PANES, true, &(RenderOptions){0});
 }
 

@@ -1,4 +1,5 @@
-/* Coloured shadows by their closed form, and what is there for them: lists where something transparent casts shadows, and nowhere else. */
+/* Coloured shadows by their closed form, and what is there for them: lists where something
+ * transparent casts shadows, and nowhere else. */
 /* ctest: seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -11,17 +12,20 @@
 
 enum { PANES_MOST = 10, TEXT = 8192 };
 
-/* From under panes and under an infinite plane of glass: on the ground, which is an infinite plane as well. */
+/* From under panes and under an infinite plane of glass: on the ground, which is an infinite plane
+ * as well. */
 static void write_panes(int panes, double expected[3], char text[TEXT])
 {
-    int size =
-        snprintf(text, TEXT,
-                 "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, .5], up: [0, "
-                 "1, 0], angle: 60 }\nshadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: [3, 0, -4] "
-                 "}]\nobjects:\n"
-                 "- { object: Plane, material: { material: Phong, diffuse: [.5, .6, .7] } }\n"
-                 "- { object: Plane, transform: { translation: [0, 0, 20] }, material: { material: Phong, "
-                 "transparency: [.75, 1, .625] } }\n");
+    int size = snprintf(
+        text, TEXT,
+        "image: { width: 16, height: 16 }\ncamera: { camera: Perspective, position: [0, 0, .5], "
+        "up: [0, "
+        "1, 0], angle: 60 }\nshadowMaps: { size: 256 }\nlights: [{ light: Directional, direction: "
+        "[3, 0, -4] "
+        "}]\nobjects:\n"
+        "- { object: Plane, material: { material: Phong, diffuse: [.5, .6, .7] } }\n"
+        "- { object: Plane, transform: { translation: [0, 0, 20] }, material: { material: Phong, "
+        "transparency: [.75, 1, .625] } }\n");
     for (int i = 0; i < 3; i++)
         expected[i] = (.5 + .1 * i) * .8 * (i == 0 ? .75 : i == 1 ? 1 : .625);
     for (int k = 0; k < panes; k++) {
@@ -30,7 +34,8 @@ static void write_panes(int panes, double expected[3], char text[TEXT])
             expected[i] *= t[i] = .8 + .02 * ((7 * k + 3 * i) % 11);
         size +=
             snprintf(text + size, (size_t)(TEXT - size),
-                     "- { object: Parallelogram, u: [30, 0, 0], v: [0, 30, 0], transform: { translation: [-15, -15, "
+                     "- { object: Parallelogram, u: [30, 0, 0], v: [0, 30, 0], transform: { "
+                     "translation: [-15, -15, "
                      "%d] }, material: { material: Phong, transparency: [%.2f, %.2f, %.2f] } }\n",
                      k + 1, t[0], t[1], t[2]);
     }
@@ -60,7 +65,8 @@ static void products(void **state)
     const MatcOptions options = frame_float_options(&layout);
     GlContext *gl = frame_context();
     for (int panes = 0; panes <= PANES_MOST; panes += 5) {
-        const double off = panes_off(gl, panes, &(RenderOptions){.compile = &options, .view = "light"});
+        const double off =
+            panes_off(gl, panes, &(RenderOptions){.compile = &options, .view = "light"});
         print_message("%2d panes and a plane: off by %.2g\n", panes, off);
         assert_true(off <= 1e-6);
     }
@@ -68,7 +74,8 @@ static void products(void **state)
     matc_layout_free(layout);
 }
 
-/* The same, where there is not room for all at once: some dozens of parts, of rows; and the other entry. */
+/* The same, where there is not room for all at once: some dozens of parts, of rows; and the other
+ * entry. */
 static void products_in_parts(void **state)
 {
     (void)state;
@@ -76,10 +83,13 @@ static void products_in_parts(void **state)
     const MatcOptions options = frame_float_options(&layout);
     GlContext *gl = frame_context();
     for (int i = 0; i < 2; i++) {
-        const RenderOptions choice = {
-            .compile = &options, .view = "light", .list_bytes = 100000 + 100000 * (size_t)i, .fragment = i == 1};
+        const RenderOptions choice = {.compile = &options,
+                                      .view = "light",
+                                      .list_bytes = 100000 + 100000 * (size_t)i,
+                                      .fragment = i == 1};
         const double off = panes_off(gl, PANES_MOST, &choice);
-        print_message("in parts of %lu bytes: off by %.2g\n", (unsigned long)choice.list_bytes, off);
+        print_message("in parts of %lu bytes: off by %.2g\n", (unsigned long)choice.list_bytes,
+                      off);
         assert_true(off <= 1e-6);
     }
     gl_close(gl);
@@ -88,8 +98,9 @@ static void products_in_parts(void **state)
 
 /* -- what is there for it */
 
-/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels in 12 rows see it, or only some of them. 32 bytes, 4 a texel, 16 a
- * fragment: a row of 12 takes 288, and a texel 52. */
+/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels in 12 rows see
+ * it, or only some of them. 32 bytes, 4 a texel, 16 a fragment: a row of 12 takes 288, and a texel
+ * 52. */
 static void room(void **state)
 {
     (void)state;
@@ -98,12 +109,14 @@ static void room(void **state)
         size_t most;
         bool old, buffer;
     } cases[] = {
-        {"true", ".5", "a buffer of what is transparent there: 3360 bytes for 144 fragments\n", 3360, false, true},
+        {"true", ".5", "a buffer of what is transparent there: 3360 bytes for 144 fragments\n",
+         3360, false, true},
         {"true", ".5", "for 144 fragments, in 2 parts", 3359, false, true},
         {"true", ".5", "288 bytes for 144 fragments, in ", 288, false, true},
         {"true", ".5", "52 bytes for 144 fragments, in ", 52, false, true},
         {"true", ".5", "take 52 bytes for 1 fragments, and there may be 51", 51, false, false},
-        {"true", "1", "a buffer of what is transparent there: 1056 bytes for 0 fragments\n", 0, false, true},
+        {"true", "1", "a buffer of what is transparent there: 1056 bytes for 0 fragments\n", 0,
+         false, true},
         {"true", "0", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"false", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, false, false},
         {"true", ".5", "shadow 1 maps of 16 x 16, DEPTH32F, 1024 bytes", 0, true, false},
@@ -113,8 +126,10 @@ static void room(void **state)
         char text[1024];
         MatcDocument *document;
         snprintf(text, sizeof text,
-                 "image: { width: 8, height: 8 }\nshadowMaps: { size: 16, colored: %s }\nlights: [{ light: Directional "
-                 "}]\nobjects:\n- { object: Parallelogram, material: { material: Phong, transparency: %s } }\n",
+                 "image: { width: 8, height: 8 }\nshadowMaps: { size: 16, colored: %s }\nlights: "
+                 "[{ light: Directional "
+                 "}]\nobjects:\n- { object: Parallelogram, material: { material: Phong, "
+                 "transparency: %s } }\n",
                  cases[i].colored, cases[i].clear);
         Scene *scene = frame_scene(text, &options, &document);
         GlContext *gl = frame_context();
@@ -122,9 +137,12 @@ static void room(void **state)
             gl->major = gl->minor = 3;
             gl->ClipControl = NULL;
         }
-        char *said = frame_graph_or_fault(
-            gl, scene, &(RenderOptions){.compile = &options, .list_bytes = cases[i].most, .transparency = "peeling"});
-        if (!strstr(said, cases[i].said) || cases[i].buffer != (strstr(said, "transparent there") != NULL))
+        char *said = frame_graph_or_fault(gl, scene,
+                                          &(RenderOptions){.compile = &options,
+                                                           .list_bytes = cases[i].most,
+                                                           .transparency = "peeling"});
+        if (!strstr(said, cases[i].said) ||
+            cases[i].buffer != (strstr(said, "transparent there") != NULL))
             fail_msg("case %d: %s", (int)i, said);
         free(said);
         gl_close(gl);
@@ -137,14 +155,17 @@ static void lacks_are_said(void **state)
 {
     (void)state;
     static const char text[] =
-        "image: { width: 8, height: 8 }\nlights: [{ light: Directional }, { light: Area, u: [1, 0, 0], v: [0, 1, 0], "
+        "image: { width: 8, height: 8 }\nlights: [{ light: Directional }, { light: Area, u: [1, 0, "
+        "0], v: [0, 1, 0], "
         "shadows: none }]\n"
         "objects:\n- { object: Box, material: &glass { material: Phong, transparency: .5 } }\n"
-        "- { object: Plane, transform: { translation: [0, 0, -3] }, material: { material: Phong, transparency: { map: "
+        "- { object: Plane, transform: { translation: [0, 0, -3] }, material: { material: Phong, "
+        "transparency: { map: "
         "Checker } } }\n";
-    static const char *const said[] = {"shadow none falls from 1 area lights and 0 skies",
-                                       "shadow planes whose transparency varies cast none: it takes OpenGL 4.3",
-                                       "shadow what is transparent casts all or nothing: colours take OpenGL 4.3"};
+    static const char *const said[] = {
+        "shadow none falls from 1 area lights and 0 skies",
+        "shadow planes whose transparency varies cast none: it takes OpenGL 4.3",
+        "shadow what is transparent casts all or nothing: colours take OpenGL 4.3"};
     const MatcOptions options = frame_exact_options();
     for (int old = 0; old < 2; old++) {
         MatcDocument *document;

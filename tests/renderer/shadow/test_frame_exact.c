@@ -1,5 +1,6 @@
-/* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are asked again. `build/tests/test_frame_exact
- * 10000000` draws as many pixels at least, and `... 10000000 egl` on a GPU. */
+/* Exact shadows: no pixel is wrong by Embree's rays, and by all triangles in double where those are
+ * asked again. `build/tests/test_frame_exact 10000000` draws as many pixels at least, and `...
+ * 10000000 egl` on a GPU. */
 /* ctest: seconds=31 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -16,28 +17,38 @@ static int wide = 72, high = 54; /* pixels of a picture */
 static GlKind kind;
 
 /* Bodies that cross, needles, sheets a hair apart, copies in one place. */
-#define NASTY                                                                                                          \
-    "- { object: Sphere, radius: .7, detail: 48, material: m, transform: { translation: [-.9, -.4, .5] } }\n"          \
-    "- { object: Sphere, radius: .7, detail: 9, material: m, transform: { translation: [-.3, -.2, .6] } }\n"           \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
-    "- { object: Parallelogram, u: [3, 0, 0], v: [0, .0001, .3], material: m, transform: { translation: [-1, -1.5, "   \
-    ".2] "                                                                                                             \
-    "} }\n"                                                                                                            \
-    "- { object: Parallelogram, u: [3, 0, 1], v: [0, .00001, 0], material: m, transform: { translation: [-1, -1.7, "   \
-    ".2] "                                                                                                             \
-    "} }\n"                                                                                                            \
-    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { translation: [-1, .5, .0005] } " \
-    "}\n"                                                                                                              \
-    "- { object: Box, size: [.000001, 1, 1], material: m, transform: { translation: [0, .9, .5] } }\n"                 \
-    "- { object: Cone, radius: .001, height: 2, material: m, transform: { translation: [.4, -.8, 0] } }\n"
+#define NASTY                                                                                      \
+    "- { object: Sphere, radius: .7, detail: 48, material: m, transform: { translation: [-.9, "    \
+    "-.4, .5] } }\n"                                                                               \
+    "- { object: Sphere, radius: .7, detail: 9, material: m, transform: { translation: [-.3, "     \
+    "-.2, .6] } }\n"                                                                               \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] " \
+    "} }\n"                                                                                        \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] " \
+    "} }\n"                                                                                        \
+    "- { object: Parallelogram, u: [3, 0, 0], v: [0, .0001, .3], material: m, transform: { "       \
+    "translation: [-1, -1.5, "                                                                     \
+    ".2] "                                                                                         \
+    "} }\n"                                                                                        \
+    "- { object: Parallelogram, u: [3, 0, 1], v: [0, .00001, 0], material: m, transform: { "       \
+    "translation: [-1, -1.7, "                                                                     \
+    ".2] "                                                                                         \
+    "} }\n"                                                                                        \
+    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { "            \
+    "translation: [-1, .5, .0005] } "                                                              \
+    "}\n"                                                                                          \
+    "- { object: Box, size: [.000001, 1, 1], material: m, transform: { translation: [0, .9, .5] "  \
+    "} }\n"                                                                                        \
+    "- { object: Cone, radius: .001, height: 2, material: m, transform: { translation: [.4, -.8, " \
+    "0] } }\n"
 typedef struct {
     int counts[SHADOW_VERDICTS], dark;
 } Count;
 
 static void put_wrong(const char *name, int pixel, bool lit)
 {
-    print_message("%s: pixel %d, %d is %s\n", name, pixel % wide, pixel / wide, lit ? "lit" : "dark");
+    print_message("%s: pixel %d, %d is %s\n", name, pixel % wide, pixel / wide,
+                  lit ? "lit" : "dark");
 }
 
 /* Judges a picture of one light. */
@@ -64,12 +75,16 @@ static void compare(const ShadowPair *pair, const char *name, const Scene *scene
 
 /* -- scenes */
 
-static Scene *scene_of(const MatcOptions *options, int angle, const char *objects[2], MatcDocument **document)
+static Scene *scene_of(const MatcOptions *options, int angle, const char *objects[2],
+                       MatcDocument **document)
 {
     char head[64];
     snprintf(head, sizeof head, "image: { width: %d, height: %d }\n", wide, high);
-    const ShadowScene from = {
-        head, "exact", &shadow_lamps[angle % SHADOW_LAMPS], shadow_angles[angle], {objects[0], objects[1]}};
+    const ShadowScene from = {head,
+                              "exact",
+                              &shadow_lamps[angle % SHADOW_LAMPS],
+                              shadow_angles[angle],
+                              {objects[0], objects[1]}};
     return shadow_scene(&from, options, document);
 }
 
@@ -85,8 +100,9 @@ static Count by_every_lamp(const char *name, const char *objects[2])
         frame_forget(scene, document);
     }
     shadow_pair_close(&pair);
-    print_message("%s: %d right, %d dark, %d ties, %d of what is seen, %d wrong\n", name, count.counts[SHADOW_right],
-                  count.dark, count.counts[SHADOW_tie], count.counts[SHADOW_seen_tie], count.counts[SHADOW_wrong]);
+    print_message("%s: %d right, %d dark, %d ties, %d of what is seen, %d wrong\n", name,
+                  count.counts[SHADOW_right], count.dark, count.counts[SHADOW_tie],
+                  count.counts[SHADOW_seen_tie], count.counts[SHADOW_wrong]);
     return count;
 }
 
@@ -95,14 +111,16 @@ static void assert_exact(const Count *count)
     assert_int_equal(count->counts[SHADOW_wrong], 0);
     assert_true(count->dark > wide * high / 10);
     assert_true(count->counts[SHADOW_right] > 3 * wide * high);
-    assert_true(count->counts[SHADOW_tie] + count->counts[SHADOW_seen_tie] <= count->counts[SHADOW_right] / 100);
+    assert_true(count->counts[SHADOW_tie] + count->counts[SHADOW_seen_tie] <=
+                count->counts[SHADOW_right] / 100);
 }
 
 static void on_a_mesh(void **state)
 {
     (void)state;
     const Count count =
-        by_every_lamp("things on a mesh", (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")});
+        by_every_lamp("things on a mesh",
+                      (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")});
     assert_exact(&count);
 }
 
@@ -110,21 +128,24 @@ static void on_a_plane(void **state)
 {
     (void)state;
     const Count count =
-        by_every_lamp("things on a plane", (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("detail: 48, ")});
+        by_every_lamp("things on a plane",
+                      (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("detail: 48, ")});
     assert_exact(&count);
 }
 
 static void nasty(void **state)
 {
     (void)state;
-    const Count count = by_every_lamp("nasty things", (const char *[2]){SHADOW_SCENE_GROUND, NASTY});
+    const Count count =
+        by_every_lamp("nasty things", (const char *[2]){SHADOW_SCENE_GROUND, NASTY});
     assert_exact(&count);
 }
 
 /* -- what else is in a scene */
 
 static const char mixed[] = SHADOW_SCENE_MIXED(
-    "", "exact", ",\n  { light: Point, position: [0, -2, 3], intensity: 2, shadows: none }", "detail: 48, ");
+    "", "exact", ",\n  { light: Point, position: [0, -2, 3], intensity: 2, shadows: none }",
+    "detail: 48, ");
 
 static void changes(void **state)
 {
@@ -134,7 +155,8 @@ static void changes(void **state)
     GlContext *gl = frame_context_of(kind);
     Scene *scene = shadow_scene_mixed(mixed, ".5", &options, &document);
     frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene,
-                       &(FrameMoves){3.25, 1, 0, -.5}); /* the object is then the farthest to that side */
+                       /* the object is then the farthest to that side */
+                       &(FrameMoves){3.25, 1, 0, -.5});
     frame_forget(scene, document);
     gl_close(gl);
 }
@@ -156,8 +178,9 @@ static void no_instances(void **state)
     const RenderOptions how = {.compile = &options, .view = "light"};
     MatcDocument *document;
     GlContext *gl = frame_context_of(kind);
-    Scene *scene =
-        scene_of(&options, 3, (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")}, &document);
+    Scene *scene = scene_of(
+        &options, 3, (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("detail: 48, ")},
+        &document);
     int others = 0, dark = 0;
     float *newest = frame_floats(gl, scene, &how);
     gl->minor = 3;
@@ -177,15 +200,17 @@ static void older_drivers(void **state)
 {
     (void)state;
     GlContext *gl = frame_context_of(kind);
-    shadow_scene_assert_refused(gl, mixed, "shadows: exact takes OpenGL 4.3, and the driver has 3.3");
+    shadow_scene_assert_refused(gl, mixed,
+                                "shadows: exact takes OpenGL 4.3, and the driver has 3.3");
     gl_close(gl);
 }
 
 int main(int count, char **arguments)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(on_a_mesh),     cmocka_unit_test(on_a_plane), cmocka_unit_test(nasty),
-        cmocka_unit_test(changes),       cmocka_unit_test(glass),      cmocka_unit_test(no_instances),
+        cmocka_unit_test(on_a_mesh),     cmocka_unit_test(on_a_plane),
+        cmocka_unit_test(nasty),         cmocka_unit_test(changes),
+        cmocka_unit_test(glass),         cmocka_unit_test(no_instances),
         cmocka_unit_test(older_drivers),
     };
     if (count > 1 && atof(arguments[1]) > 0) {

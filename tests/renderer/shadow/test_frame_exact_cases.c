@@ -1,5 +1,6 @@
-/* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a light, a camera that moves past what is opaque alone,
- * copies of which one is mirrored, glass that casts in two ways at once. */
+/* Exact shadows where chance would hardly come: rays through edges bit for bit, what is beyond a
+ * light, a camera that moves past what is opaque alone, copies of which one is mirrored, glass that
+ * casts in two ways at once. */
 /* ctest: seconds=22 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -10,12 +11,14 @@
 enum { EDGE = 64, PIXELS = EDGE * EDGE };
 
 /* From above: a pixel is 1/32 wide, so that all that follows is exact in floats. */
-#define HEAD                                                                                                           \
-    "image: { width: 64, height: 64 }\n"                                                                               \
-    "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], size: 2 }\n"               \
+#define HEAD                                                                                       \
+    "image: { width: 64, height: 64 }\n"                                                           \
+    "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], "      \
+    "size: 2 }\n"                                                                                  \
     "materials: { m: { material: Phong, diffuse: .5 } }\n"
-#define GROUND                                                                                                         \
-    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, "    \
+#define GROUND                                                                                     \
+    "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
+    "translation: [-4, "                                                                           \
     "-4, 0] } }\n"
 
 static int count_dark(const char *text)
@@ -35,15 +38,17 @@ static int count_dark(const char *text)
     return dark;
 }
 
-/* A square of two triangles, beside what is seen, and light over it at 45 degrees: rays of pixels on a diagonal go through the edge that the triangles share, and are
- * stopped, like all others. */
+/* A square of two triangles, beside what is seen, and light over it at 45 degrees: rays of pixels
+ * on a diagonal go through the edge that the triangles share, and are stopped, like all others. */
 static void edges(void **state)
 {
     (void)state;
-    assert_int_equal(count_dark(HEAD "lights: [{ light: Directional, direction: [1, 0, -1], shadows: exact }]\n" GROUND
-                                     "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { "
-                                     "translation: [-3, -1, 2] } }\n"),
-                     PIXELS);
+    assert_int_equal(
+        count_dark(
+            HEAD "lights: [{ light: Directional, direction: [1, 0, -1], shadows: exact }]\n" GROUND
+                 "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: m, transform: { "
+                 "translation: [-3, -1, 2] } }\n"),
+        PIXELS);
 }
 
 /* A ceiling over a lamp. */
@@ -52,22 +57,27 @@ static void beyond(void **state)
     (void)state;
     assert_int_equal(
         count_dark(
-            HEAD "lights: [{ light: Point, position: [2, 0, 3], intensity: 9, shadows: exact }]\n" GROUND
-                 "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [1.5, "
-                 "-4, 4] } }\n"),
+            HEAD
+            "lights: [{ light: Point, position: [2, 0, 3], intensity: 9, shadows: exact }]\n" GROUND
+            "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "
+            "translation: [1.5, "
+            "-4, 4] } }\n"),
         0);
 }
 
 /* -- changes, where nothing is transparent */
 
-#define MOVING                                                                                                         \
-    "image: { width: 64, height: 64 }\n"                                                                               \
-    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 32 }\n"                         \
-    "materials: { m: { material: Phong, diffuse: .5 } }\n"                                                             \
-    "lights: [{ light: Point, position: [-3, -3, 4], intensity: 20, shadows: exact }]\n" GROUND                        \
-    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [-1, .5, 0] } }\n"                \
-    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [.8, 0, 0] } }\n"                 \
-    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [0, -1.2, 0] } }\n"
+#define MOVING                                                                                     \
+    "image: { width: 64, height: 64 }\n"                                                           \
+    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 32 }\n"     \
+    "materials: { m: { material: Phong, diffuse: .5 } }\n"                                         \
+    "lights: [{ light: Point, position: [-3, -3, 4], intensity: 20, shadows: exact }]\n" GROUND    \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [-1, .5, 0] " \
+    "} }\n"                                                                                        \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [.8, 0, 0] "  \
+    "} }\n"                                                                                        \
+    "- { object: Cone, radius: .5, height: 1, material: m, transform: { translation: [0, -1.2, "   \
+    "0] } }\n"
 
 static void changes(void **state)
 {
@@ -95,22 +105,28 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* A pane that casts by its triangle in one light and by a map in the other, beside a cut-out, by maps in both: light is the sum of each light's own. */
+/* A pane that casts by its triangle in one light and by a map in the other, beside a cut-out, by
+ * maps in both: light is the sum of each light's own. */
 static void two_ways(void **state)
 {
     (void)state;
     static const char text[] =
         "image: { width: 64, height: 64 }\nshadowMaps: { size: 256 }\n"
-        "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], size: 4 }\n"
-        "materials:\n  m: { material: Phong, diffuse: .5 }\n  glass: { material: Phong, diffuse: 0, transparency: .5 "
+        "camera: { camera: Orthographic, position: [0, 0, 8], target: [0, 0, 0], up: [0, 1, 0], "
+        "size: 4 }\n"
+        "materials:\n  m: { material: Phong, diffuse: .5 }\n  glass: { material: Phong, diffuse: "
+        "0, transparency: .5 "
         "}\n"
-        "  net: { material: Phong, diffuse: .5, transparency: { map: Checker, color1: 1, color2: 0 } }\n"
+        "  net: { material: Phong, diffuse: .5, transparency: { map: Checker, color1: 1, color2: 0 "
+        "} }\n"
         "lights:\n- { light: Directional, direction: [1, 0, -1], shadows: exact }\n"
         "- { light: Directional, direction: [0, 1, -1], shadows: map }\n" GROUND
-        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: glass, transform: { translation: [-1.5, "
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: glass, transform: { "
+        "translation: [-1.5, "
         "-1.5, "
         "1] } }\n"
-        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: net, transform: { translation: [0, 0, 1] } "
+        "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: net, transform: { "
+        "translation: [0, 0, 1] } "
         "}\n";
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light", .deep = true};
@@ -137,7 +153,7 @@ static void two_ways(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(edges), cmocka_unit_test(beyond), cmocka_unit_test(changes),
-                                       cmocka_unit_test(two_ways)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(edges), cmocka_unit_test(beyond),
+                                       cmocka_unit_test(changes), cmocka_unit_test(two_ways)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

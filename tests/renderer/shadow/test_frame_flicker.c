@@ -1,4 +1,5 @@
-/* Steps of a moving light: no pixel flickers by exact shadows that does not by rays; by maps some do. The measure of flicker by hand. */
+/* Steps of a moving light: no pixel flickers by exact shadows that does not by rays; by maps some
+ * do. The measure of flicker by hand. */
 #include "tests/test.h"
 #include "tests/frame/flicker.h"
 #include "tests/frame/frame_draw.h"
@@ -9,18 +10,23 @@
 
 enum { WIDE = 72, HIGH = 54, PIXELS = WIDE * HIGH, STEPS = 32 };
 
-#define SCENE                                                                                                          \
-    "image: { width: 72, height: 54 }\nshadowMaps: { size: 64 }\n"                                                     \
-    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 36 }\n"                         \
-    "materials: { m: { material: Phong, diffuse: .5 } }\n"                                                             \
-    "lights: [{ light: %s, shadows: %s }]\nobjects:\n"                                                                 \
-    "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, -4, 0] } }\n"  \
-    "- { object: Sphere, radius: .8, detail: 24, material: m, transform: { translation: [-.6, -.4, .8] } }\n"          \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } }\n"                  \
-    "- { object: Cone, radius: .3, height: 1.4, detail: 24, material: m, transform: { translation: [.6, -1.4, 0] } "   \
+#define SCENE                                                                                      \
+    "image: { width: 72, height: 54 }\nshadowMaps: { size: 64 }\n"                                 \
+    "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 36 }\n"     \
+    "materials: { m: { material: Phong, diffuse: .5 } }\n"                                         \
+    "lights: [{ light: %s, shadows: %s }]\nobjects:\n"                                             \
+    "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "            \
+    "translation: [-4, -4, 0] } }\n"                                                               \
+    "- { object: Sphere, radius: .8, detail: 24, material: m, transform: { translation: [-.6, "    \
+    "-.4, .8] } }\n"                                                                               \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3] } " \
+    "}\n"                                                                                          \
+    "- { object: Cone, radius: .3, height: 1.4, detail: 24, material: m, transform: { "            \
+    "translation: [.6, -1.4, 0] } "                                                                \
     "}\n"
 
-/* By hand: what should turn once turns three times, or as it should but a step later, or not at all; or is not seen for a while. */
+/* By hand: what should turn once turns three times, or as it should but a step later, or not at
+ * all; or is not seen for a while. */
 static void by_hand(void **state)
 {
     (void)state;
@@ -47,7 +53,8 @@ typedef struct {
     Render *render;
 } Drawn;
 
-static Drawn open_drawn(GlContext *gl, const char *light, const char *method, const RenderOptions *how)
+static Drawn open_drawn(GlContext *gl, const char *light, const char *method,
+                        const RenderOptions *how)
 {
     Drawn drawn;
     char text[2048];
@@ -93,7 +100,9 @@ static void trace(const Scene *scene, const float *with, const float *without, f
         const bool lit = with[4 * i] > .5f * without[4 * i];
         const double at[2] = {i % WIDE + .5, i / WIDE + .5};
         const bool seen = without[4 * i] > 1e-7f;
-        shares[i] = !seen ? -1 : lit != (shadow_verdict(&judge, &scene->lights[0], at, lit) == SHADOW_wrong);
+        shares[i] =
+            !seen ? -1
+                  : lit != (shadow_verdict(&judge, &scene->lights[0], at, lit) == SHADOW_wrong);
     }
     reference_close(&tracer);
 }
@@ -126,8 +135,9 @@ static void by_a_light(GlContext *gl, const char *light)
     assert_true(flicker_open(PIXELS, &made.exact) && flicker_open(PIXELS, &made.map) &&
                 flicker_open(PIXELS, &made.truth));
     walk(drawn, &made);
-    print_message("%.11s: %ld turns, flickers: %ld exact, %ld by a map\n", light, flicker_turns(&made.truth),
-                  flicker_count(&made.exact, &made.truth), flicker_count(&made.map, &made.truth));
+    print_message("%.11s: %ld turns, flickers: %ld exact, %ld by a map\n", light,
+                  flicker_turns(&made.truth), flicker_count(&made.exact, &made.truth),
+                  flicker_count(&made.map, &made.truth));
     assert_true(flicker_turns(&made.truth) > 100);
     assert_int_equal(flicker_count(&made.exact, &made.truth), 0);
     assert_int_equal(flicker_count(&made.truth, &made.exact), 0);

@@ -1,5 +1,6 @@
-/* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band around the ends of shadows; a shadow's end by
- * its closed form; paths of data against each other, bit for bit; turned diagonals against distances from planes. */
+/* Hybrid shadows against rays of Embree for each kind of light and volume, outside of a stated band
+ * around the ends of shadows; a shadow's end by its closed form; paths of data against each other,
+ * bit for bit; turned diagonals against distances from planes. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -17,28 +18,35 @@ static GlKind kind; /* of the driver that draws: `test_frame_hybrid egl` has a G
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 
-#define SEEN_BY(camera)                                                                                                \
-    "image: { width: 120, height: 90 }\ncamera: { camera: " camera                                                     \
+#define SEEN_BY(camera)                                                                            \
+    "image: { width: 120, height: 90 }\ncamera: { camera: " camera                                 \
     " }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
-#define ORTHOGRAPHIC SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5, depth: 12.5")
-#define LEVEL        SEEN_BY("Perspective, position: [0, -7, 1.5], target: [0, 0, 1.5], angle: 42")
-#define VIEW         SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
-/* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the origin's height. */
-#define THINGS                                                                                                         \
-    "objects:\n- { object: Plane, material: m }\n"                                                                     \
-    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n"                     \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], scale: [-1, 1, 1] } "  \
-    "}\n"                                                                                                              \
-    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, -1.4, 0] } }\n"         \
-    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, 1] } }\n"             \
-    "- { object: Box, size: [.3, 1.5, .3], material: m, transform: { translation: [-1.9, -.8, .9], rotation: [.4, 0, " \
+#define ORTHOGRAPHIC                                                                               \
+    SEEN_BY("Orthographic, position: [-1, -6, 5], target: [0, 0, .5], size: 5.5, depth: 12.5")
+#define LEVEL SEEN_BY("Perspective, position: [0, -7, 1.5], target: [0, 0, 1.5], angle: 42")
+#define VIEW  SEEN_BY("Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42")
+/* Closed, as what casts hybrid shadows is; one is mirrored, one above the light of a lamp at the
+ * origin's height. */
+#define THINGS                                                                                     \
+    "objects:\n- { object: Plane, material: m }\n"                                                 \
+    "- { object: Sphere, radius: .8, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .5], rotation: [0, 0, .3], "  \
+    "scale: [-1, 1, 1] } "                                                                         \
+    "}\n"                                                                                          \
+    "- { object: Cylinder, radius: .3, height: .8, material: m, transform: { translation: [.6, "   \
+    "-1.4, 0] } }\n"                                                                               \
+    "- { object: Cone, radius: .3, height: .6, material: m, transform: { translation: [.6, -1.4, " \
+    "1] } }\n"                                                                                     \
+    "- { object: Box, size: [.3, 1.5, .3], material: m, transform: { translation: [-1.9, -.8, "    \
+    ".9], rotation: [.4, 0, "                                                                      \
     ".3] } }\n"
 
 /* Light that arrives at each pixel, as a share of all of it; -1 where none would. From malloc. */
 static float *shares_of(GlContext *gl, Scene *scene, const MatcOptions *options)
 {
     float *with = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light"});
-    float *without = frame_floats(gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
+    float *without = frame_floats(
+        gl, scene, &(RenderOptions){.compile = options, .view = "light", .no_shadows = true});
     for (int i = 0; i < PIXELS; i++)
         with[i] = without[4 * i] > 1e-7f ? with[4 * i] / without[4 * i] : -1;
     free(without);
@@ -64,8 +72,8 @@ static int expected(const Tracer *tracer, const Hit *hit, const Case *c)
     const SceneLight *light = &tracer->scene->lights[0];
     double way[3];
     const double distance = shadow_way_to(light, hit->world, way);
-    return shadow_band_expected(tracer, hit,
-                                c->band * c->reach * (light->kind == SCENE_Directional ? 1 : distance) / SIZE);
+    return shadow_band_expected(
+        tracer, hit, c->band * c->reach * (light->kind == SCENE_Directional ? 1 : distance) / SIZE);
 }
 
 static void add(const Tracer *tracer, const Case *c, int pixel, double share, Count *count)
@@ -76,7 +84,8 @@ static void add(const Tracer *tracer, const Case *c, int pixel, double share, Co
     if (hit.object < 0 || reference_is_edge(tracer, pixel % WIDTH, pixel / WIDTH, &hit, 1))
         return;
     shadow_way_to(&tracer->scene->lights[0], hit.world, way);
-    if (reference_dot(way, hit.facet) <= .05 * sqrt(reference_dot(way, way)) || reference_dot(way, hit.normal) <= 0)
+    if (reference_dot(way, hit.facet) <= .05 * sqrt(reference_dot(way, way)) ||
+        reference_dot(way, hit.normal) <= 0)
         return; /* at the terminator of what is not smooth */
     const int lit = expected(tracer, &hit, c);
     count->band += lit < 0;
@@ -91,9 +100,10 @@ static Count compare(GlContext *gl, const Case *c)
     MatcDocument *document;
     char text[4096];
     Count count = {0};
-    snprintf(text, sizeof text,
-             "%sshadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS, c->view, SIZE,
-             c->volume, c->light);
+    snprintf(
+        text, sizeof text,
+        "%sshadowMaps: { size: %d, volume: %s }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
+        c->view, SIZE, c->volume, c->light);
     Scene *scene = frame_scene(text, &options, &document);
     float *shares = shares_of(gl, scene, &options);
     Tracer tracer = reference_open(scene);
@@ -106,15 +116,16 @@ static Count compare(GlContext *gl, const Case *c)
     return count;
 }
 
-#define LIGHTS(volume, band)                                                                                           \
-    {"Directional, direction: [1, .2, -.15]", 5, volume, band, VIEW},                                                  \
-        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, volume, band,      \
-         VIEW},                                                                                                        \
-    {                                                                                                                  \
-        "Point, position: [0, .6, 1.1]", 2, volume, band, VIEW                                                         \
+#define LIGHTS(volume, band)                                                                       \
+    {"Directional, direction: [1, .2, -.15]", 5, volume, band, VIEW},                              \
+        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30",     \
+         1.2, volume, band, VIEW},                                                                 \
+    {                                                                                              \
+        "Point, position: [0, .6, 1.1]", 2, volume, band, VIEW                                     \
     }
 
-/* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its centre; means reach two texels further. */
+/* The volume's walls stand up to a texel off, and depths of a texel hold half a texel beside its
+ * centre; means reach two texels further. */
 static void rays(void **state)
 {
     (void)state;
@@ -124,20 +135,23 @@ static void rays(void **state)
         LIGHTS("blurred", 5),
         LIGHTS("silhouette", 1),
         {"Directional, direction: [.5, .6, -1]", 4.5, "perfect", 2.5, VIEW},
-        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5, VIEW},
-        /* the camera looks as some of their rays go, or across them; walls go on beyond its farthest */
+        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "perfect", 2.5,
+         VIEW},
+        /* the camera looks as some of their rays go, or across them; walls go on beyond its
+         * farthest */
         {"Directional, direction: [1, .2, -.15]", 5, "perfect", 2.5, ORTHOGRAPHIC},
-        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2, "perfect", 2.5,
-         ORTHOGRAPHIC},
+        {"Spot, position: [-2, -4, 5], direction: [2, 4, -5], innerAngle: 25, outerAngle: 30", 1.2,
+         "perfect", 2.5, ORTHOGRAPHIC},
         {"Point, position: [0, .6, 1.1]", 2, "plain", 2.5, ORTHOGRAPHIC},
         {"Directional", 4.5, "perfect", 2.5, LEVEL},
-        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "silhouette", 1, VIEW}};
+        {"Spot, position: [-.2, -1.3, 2.6], innerAngle: 80, outerAngle: 100", 2, "silhouette", 1,
+         VIEW}};
     GlContext *gl = frame_context_of(kind);
     int wrong = 0, lit = 0, dark = 0;
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         const Count count = compare(gl, &cases[i]);
-        print_message("%-8s %-40.40s %5d lit, %4d dark, %4d in bands: %d wrong\n", cases[i].volume, cases[i].light,
-                      count.lit, count.dark, count.band, count.wrong);
+        print_message("%-8s %-40.40s %5d lit, %4d dark, %4d in bands: %d wrong\n", cases[i].volume,
+                      cases[i].light, count.lit, count.dark, count.band, count.wrong);
         wrong += count.wrong, lit += count.lit, dark += count.dark;
     }
     gl_close(gl);
@@ -147,8 +161,9 @@ static void rays(void **state)
 
 /* -- a shadow's end */
 
-/* Light from above onto a box whose edge is 1: the map is fitted to it, 2 (filter + 2) texels wider. The shadow ends at the outermost centre of a texel
- * that the box covers, or, stretched, where that centre is taken to be. */
+/* Light from above onto a box whose edge is 1: the map is fitted to it, 2 (filter + 2) texels
+ * wider. The shadow ends at the outermost centre of a texel that the box covers, or, stretched,
+ * where that centre is taken to be. */
 static double end_of_shadow(bool stretched)
 {
     const double half = .5 * (1 + 6.0 / SIZE);
@@ -161,12 +176,16 @@ static double end_of_shadow(bool stretched)
     return end;
 }
 
-/* A picture of one edge: its 120 pixels are 2.4 texels. Means are not 0 for two texels more, so blurred volumes end so much later. */
-#define EDGE_VIEW                                                                                                      \
-    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [3, 0, 1], target: [.5, 0, 0], "      \
-    "angle: "                                                                                                          \
-    ".15 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\nlights: [{ light: Directional, shadows: hybrid }]\n"   \
-    "objects:\n- { object: Plane, material: m }\n- { object: Box, material: m, transform: { translation: [0, 0, 3] } " \
+/* A picture of one edge: its 120 pixels are 2.4 texels. Means are not 0 for two texels more, so
+ * blurred volumes end so much later. */
+#define EDGE_VIEW                                                                                  \
+    "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [3, 0, 1], "      \
+    "target: [.5, 0, 0], "                                                                         \
+    "angle: "                                                                                      \
+    ".15 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\nlights: [{ light: Directional, "   \
+    "shadows: hybrid }]\n"                                                                         \
+    "objects:\n- { object: Plane, material: m }\n- { object: Box, material: m, transform: { "      \
+    "translation: [0, 0, 3] } "                                                                    \
     "}\n"
 
 static void end_is_at(GlContext *gl, const char *volume, bool stretched, double end)
@@ -175,8 +194,8 @@ static void end_is_at(GlContext *gl, const char *volume, bool stretched, double 
     char text[2048];
     MatcDocument *document;
     int wrong = 0, dark = 0;
-    snprintf(text, sizeof text, EDGE_VIEW "shadowMaps: { size: %d, volume: %s, stretched: %s }\n", SIZE, volume,
-             stretched ? "true" : "false");
+    snprintf(text, sizeof text, EDGE_VIEW "shadowMaps: { size: %d, volume: %s, stretched: %s }\n",
+             SIZE, volume, stretched ? "true" : "false");
     Scene *scene = frame_scene(text, &options, &document);
     float *shares = shares_of(gl, scene, &options);
     Tracer tracer = reference_open(scene);
@@ -217,10 +236,13 @@ static double distance_of(const double z[4], int corner)
 {
     static const double x[4] = {0, 1, 1, 0}, y[4] = {0, 0, 1, 1};
     const int a = (corner + 1) % 4, b = (corner + 2) % 4, c = (corner + 3) % 4;
-    const double u[3] = {x[a] - x[b], y[a] - y[b], z[a] - z[b]}, v[3] = {x[c] - x[b], y[c] - y[b], z[c] - z[b]};
-    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+    const double u[3] = {x[a] - x[b], y[a] - y[b], z[a] - z[b]},
+                 v[3] = {x[c] - x[b], y[c] - y[b], z[c] - z[b]};
+    const double n[3] = {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2],
+                         u[0] * v[1] - u[1] * v[0]};
     const double p[3] = {x[corner] - x[b], y[corner] - y[b], z[corner] - z[b]};
-    return fabs(n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) / sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+    return fabs(n[0] * p[0] + n[1] * p[1] + n[2] * p[2]) /
+           sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
 }
 
 static bool is_turned(const double z[4])
@@ -238,7 +260,8 @@ static void diagonals(void **state)
     enum { EDGE = 64 };
     static const char body[] =
         "vec4 passPixel(ivec2 pixel)\n{\n    int number = pixel.y * 64 + pixel.x;\n"
-        "    return vec4(volumeTurned(vec4(number & 7, number >> 3 & 7, number >> 6 & 7, number >> 9)));\n}\n";
+        "    return vec4(volumeTurned(vec4(number & 7, number >> 3 & 7, number >> 6 & 7, number >> "
+        "9)));\n}\n";
     GlContext *gl = frame_context_of(kind);
     Store *store = store_new(gl);
     ScreenPass pass;
@@ -247,14 +270,17 @@ static void diagonals(void **state)
     int turned = 0;
     const ScreenPassText text = {.body = {render_text_shadow_volume, body}, .format = "RGBA32F"};
     assert_true(store && screen_make(gl, &screen) && screen_pass_make(store, &text, &pass));
-    assert_true(framebuffer_make(gl, &(FramebufferSpec){EDGE, EDGE, 1, GL_RGBA32F, false}, &target));
+    assert_true(
+        framebuffer_make(gl, &(FramebufferSpec){EDGE, EDGE, 1, GL_RGBA32F, false}, &target));
     float *pixels = malloc(4 * sizeof *pixels * EDGE * EDGE);
     screen_pass_run(&pass, &target, &screen);
     assert_true(framebuffer_read(gl, &target, 0, pixels));
     for (int i = 0; i < EDGE * EDGE; i++) {
         const double z[4] = {i & 7, i >> 3 & 7, i >> 6 & 7, i >> 9};
-        const double a = distance_of(z, 0), b = distance_of(z, 1), c = distance_of(z, 2), d = distance_of(z, 3);
-        if (fmin(fmin(fabs(b - a), fabs(b - c)), fmin(fabs(d - a), fabs(d - c))) < 1e-12 && a + b + c + d > 0)
+        const double a = distance_of(z, 0), b = distance_of(z, 1), c = distance_of(z, 2),
+                     d = distance_of(z, 3);
+        if (fmin(fmin(fabs(b - a), fabs(b - c)), fmin(fabs(d - a), fabs(d - c))) < 1e-12 &&
+            a + b + c + d > 0)
             continue; /* equal but for rounding */
         assert_int_equal(pixels[4 * i] > .5f, is_turned(z));
         turned += is_turned(z);
@@ -269,26 +295,29 @@ static void diagonals(void **state)
     gl_close(gl);
 }
 
-/* A box that moves changes what the map is fitted to: a frame is then that of a new renderer, bit for bit. */
+/* A box that moves changes what the map is fitted to: a frame is then that of a new renderer, bit
+ * for bit. */
 static void changes(void **state)
 {
     (void)state;
-    static const char *const lights[] = {"Directional, direction: [1, .2, -.6]", "Point, position: [0, .6, 1.1]"};
+    static const char *const lights[] = {"Directional, direction: [1, .2, -.6]",
+                                         "Point, position: [0, .6, 1.1]"};
     const MatcOptions options = frame_exact_options();
     const RenderOptions how = {.compile = &options, .view = "light"};
     GlContext *gl = frame_context_of(kind);
     for (int k = 0; k < 2; k++) {
         char text[4096];
         MatcDocument *document;
-        snprintf(text, sizeof text, VIEW "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
+        snprintf(text, sizeof text,
+                 VIEW "shadowMaps: { size: 64 }\nlights: [{ light: %s, shadows: hybrid }]\n" THINGS,
                  lights[k]);
         Scene *scene = frame_scene(text, &options, &document);
         Render *render = render_open(gl, &how);
         float *changed = malloc(4 * sizeof *changed * PIXELS);
         assert_true(render && render_scene(render, scene) && render_frame(render));
         scene->objects[scene->object_count - 1].world_from_local.m[12] -= .7;
-        assert_true(render_changed_objects(render, scene->object_count - 1, 1) && render_frame(render) &&
-                    render_read(render, changed));
+        assert_true(render_changed_objects(render, scene->object_count - 1, 1) &&
+                    render_frame(render) && render_read(render, changed));
         render_close(render);
         float *anew = frame_floats(gl, scene, &how);
         assert_memory_equal(changed, anew, 4 * sizeof *anew * PIXELS);
@@ -299,7 +328,8 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* Two frames of three lights, between which a box moves, into floats; a further frame writes to no buffer and makes none. */
+/* Two frames of three lights, between which a box moves, into floats; a further frame writes to no
+ * buffer and makes none. */
 static void draw_path(GlContext *gl, const char *volume, const char *path, float *frames)
 {
     const MatcOptions options = frame_exact_options();
@@ -310,15 +340,17 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
              VIEW "shadowMaps: { size: 48, volume: %s, path: %s }\nlights:\n"
                   "- { light: Directional, direction: [1, .2, -.6], shadows: hybrid }\n"
                   "- { light: Point, position: [-3, -2, 3], shadows: map }\n"
-                  "- { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: hybrid }\n"
+                  "- { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, "
+                  "shadows: hybrid }\n"
                   "- { light: Point, position: [0, .6, 1.1], shadows: hybrid }\n" THINGS,
              volume, path);
     Scene *scene = frame_scene(text, &options, &document);
     Render *render = render_open(gl, &how);
-    assert_true(render && render_scene(render, scene) && render_frame(render) && render_read(render, frames));
+    assert_true(render && render_scene(render, scene) && render_frame(render) &&
+                render_read(render, frames));
     scene->objects[scene->object_count - 1].world_from_local.m[12] += 1.1;
-    assert_true(render_changed_objects(render, scene->object_count - 1, 1) && render_frame(render) &&
-                render_read(render, frames + 4 * PIXELS));
+    assert_true(render_changed_objects(render, scene->object_count - 1, 1) &&
+                render_frame(render) && render_read(render, frames + 4 * PIXELS));
     frame_calls = (FrameCalls){0};
     assert_true(render_frame(render));
     assert_int_equal(frame_calls.made + frame_calls.written, 0);
@@ -330,7 +362,9 @@ static void draw_path(GlContext *gl, const char *volume, const char *path, float
 static void paths(void **state)
 {
     (void)state;
-    static const char *const volumes[] = {"plain", "blurred", "perfect"}, *const ways[] = {"copy", "compute", "auto"};
+    static const char *const volumes[] = {"plain", "blurred", "perfect"}, *const ways[] = {
+                                                                              "copy", "compute",
+                                                                              "auto"};
     const size_t floats = 2 * 4 * PIXELS;
     GlContext *gl = frame_context_of(kind);
     frame_count_calls(gl);
@@ -347,7 +381,8 @@ static void paths(void **state)
     gl_close(gl);
 }
 
-/* Nine lights take a second lane of the mask: the last alone keeps its own shadows. 33 are refused. */
+/* Nine lights take a second lane of the mask: the last alone keeps its own shadows. 33 are
+ * refused. */
 static void many_lights(void **state)
 {
     (void)state;
@@ -359,15 +394,18 @@ static void many_lights(void **state)
         int size = snprintf(text, sizeof text, VIEW "shadowMaps: { size: 64 }\nlights:\n");
         for (int i = 0; i < count; i++)
             size += snprintf(text + size, sizeof text - (size_t)size,
-                             "- { light: Directional, direction: [%d, .2, -.6], intensity: %d, shadows: hybrid }\n",
+                             "- { light: Directional, direction: [%d, .2, -.6], intensity: %d, "
+                             "shadows: hybrid }\n",
                              i < count - 1 ? -1 : 1, i == count - 1);
         snprintf(text + size, sizeof text - (size_t)size, THINGS);
         Scene *scene = frame_scene(text, &options, &document);
         if (count == 9) {
-            float *nine = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            float *nine =
+                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
             scene->lights[0] = scene->lights[count - 1];
             scene->light_count = 1;
-            float *one = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
+            float *one =
+                frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light"});
             for (int i = 0; i < 4 * PIXELS; i++)
                 assert_true(fabsf(nine[i] - one[i]) <= 1e-6f);
             free(nine);

@@ -1,5 +1,6 @@
-/* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on four receivers; pixels that are wrong away from ends, for each kind
- * of light, from half a degree over the ground to straight above. */
+/* Silhouette shadows against rays of Embree: mean distances of their ends from the true ones, on
+ * four receivers; pixels that are wrong away from ends, for each kind of light, from half a degree
+ * over the ground to straight above. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"
@@ -21,10 +22,12 @@ static void ends_are_true(void **state)
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int i = 0; i < SHADOW_ENDS_RECEIVERS; i++) {
         const ShadowEndsReceiver receiver = (ShadowEndsReceiver)i;
-        const double distance = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false, 0, 0});
-        const double all = shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true, 0, 0});
-        print_message("ends on %s: %.4f texels off; %.4f with triangles that look away\n", shadow_ends_receivers[i],
-                      distance, all);
+        const double distance =
+            shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, false, 0, 0});
+        const double all =
+            shadow_ends_distance(&pair, &(ShadowEnds){&shape, "silhouette", receiver, true, 0, 0});
+        print_message("ends on %s: %.4f texels off; %.4f with triangles that look away\n",
+                      shadow_ends_receivers[i], distance, all);
         assert_true(distance <= .01 && all <= .02);
     }
     shadow_pair_close(&pair);
@@ -35,17 +38,23 @@ static void ends_are_true(void **state)
 
 #define HEAD "image: { width: 120, height: 90 }\nshadowMaps: { size: 256 }\n"
 /* Bodies that cross, copies in one place, a box without width, triangles without area. */
-#define NASTY                                                                                                          \
-    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.9, -.4, .5] } }\n"                      \
-    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.3, -.2, .6] } }\n"                      \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] } }\n"                \
-    "- { object: Parallelogram, u: [3, 0, 0], v: [0, .0001, .3], material: m, transform: { translation: [-1, -1.5, "   \
-    ".2] } }\n"                                                                                                        \
-    "- { object: Box, size: [.000001, 1, 1], material: m, transform: { translation: [0, .9, .5] } }\n"                 \
-    "- { object: Cylinder, radius: .3, height: .000001, material: m, transform: { translation: [.6, -1.9, .5] } }\n"
+#define NASTY                                                                                      \
+    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.9, -.4, .5] } }\n"  \
+    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.3, -.2, .6] } }\n"  \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] " \
+    "} }\n"                                                                                        \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .3], rotation: [.3, .2, .3] " \
+    "} }\n"                                                                                        \
+    "- { object: Parallelogram, u: [3, 0, 0], v: [0, .0001, .3], material: m, transform: { "       \
+    "translation: [-1, -1.5, "                                                                     \
+    ".2] } }\n"                                                                                    \
+    "- { object: Box, size: [.000001, 1, 1], material: m, transform: { translation: [0, .9, .5] "  \
+    "} }\n"                                                                                        \
+    "- { object: Cylinder, radius: .3, height: .000001, material: m, transform: { translation: "   \
+    "[.6, -1.9, .5] } }\n"
 /* Half in the ground, where an infinite plane hides triangles. */
-#define SUNK "- { object: Sphere, radius: .6, material: m, transform: { translation: [-.4, -2, .1] } }\n"
+#define SUNK                                                                                       \
+    "- { object: Sphere, radius: .6, material: m, transform: { translation: [-.4, -2, .1] } }\n"
 typedef struct {
     int lit, dark;   /* compared, outside of bands */
     int band;        /* within */
@@ -57,8 +66,9 @@ static const double REACH = 11.5, BAND = 1;
 
 static int expected(const Tracer *tracer, const Hit *hit)
 {
-    return shadow_band_expected(tracer, hit,
-                                BAND * shadow_texel(tracer->scene, &tracer->scene->lights[0], hit->world, REACH));
+    return shadow_band_expected(
+        tracer, hit,
+        BAND * shadow_texel(tracer->scene, &tracer->scene->lights[0], hit->world, REACH));
 }
 
 static void add_pixel(const Tracer *tracer, int pixel, double share, Count *count)
@@ -97,7 +107,8 @@ static Count by_lamp(const ShadowPair *pair, const ShadowScene *from)
 }
 
 /* `most` leaks may be found. */
-static void by_every_lamp(const ShadowPair *pair, const char *name, const char *objects[2], int most)
+static void by_every_lamp(const ShadowPair *pair, const char *name, const char *objects[2],
+                          int most)
 {
     Count all = {0};
     for (int i = 0; i < SHADOW_ANGLES * SHADOW_LAMPS; i++) {
@@ -105,34 +116,41 @@ static void by_every_lamp(const ShadowPair *pair, const char *name, const char *
             continue; /* each angle with a lamp */
         const ShadowLamp *lamp = &shadow_lamps[i / SHADOW_ANGLES];
         const double *angle = shadow_angles[i % SHADOW_ANGLES];
-        const Count count = by_lamp(pair, &(ShadowScene){HEAD, "silhouette", lamp, angle, {objects[0], objects[1]}});
+        const Count count = by_lamp(
+            pair, &(ShadowScene){HEAD, "silhouette", lamp, angle, {objects[0], objects[1]}});
         all.lit += count.lit, all.dark += count.dark, all.band += count.band;
         all.acne += count.acne, all.leaks += count.leaks;
-        print_message("%-12s %-14.14s %4g degrees: %5d lit, %4d dark, %4d in bands; acne %d, leaks %d\n", name,
-                      lamp->kind, angle[0], count.lit, count.dark, count.band, count.acne, count.leaks);
+        print_message(
+            "%-12s %-14.14s %4g degrees: %5d lit, %4d dark, %4d in bands; acne %d, leaks %d\n",
+            name, lamp->kind, angle[0], count.lit, count.dark, count.band, count.acne, count.leaks);
     }
-    print_message("%s: %d lit, %d dark, %d in bands; acne %d, leaks %d\n", name, all.lit, all.dark, all.band, all.acne,
-                  all.leaks);
+    print_message("%s: %d lit, %d dark, %d in bands; acne %d, leaks %d\n", name, all.lit, all.dark,
+                  all.band, all.acne, all.leaks);
     assert_true(all.lit > 8000 && all.dark > 2000);
     assert_int_equal(all.acne, 0);
     assert_true(all.leaks <= most);
 }
 
-/* Of bodies that cross, in all 35 lights, two pixels of 172,062 are lit beside an end: the surface that is seen begins within the cell. */
+/* Of bodies that cross, in all 35 lights, two pixels of 172,062 are lit beside an end: the surface
+ * that is seen begins within the cell. */
 static void away_from_ends(void **state)
 {
     (void)state;
     ShadowPair pair;
     shadow_pair_open(GL_KIND_osmesa, &pair);
-    by_every_lamp(&pair, "on a mesh", (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("")}, 0);
-    by_every_lamp(&pair, "on a plane", (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("") SUNK}, 0);
-    by_every_lamp(&pair, "nasty", (const char *[2]){SHADOW_SCENE_GROUND, NASTY}, all_of_them ? 2 : 0);
+    by_every_lamp(&pair, "on a mesh",
+                  (const char *[2]){SHADOW_SCENE_GROUND, SHADOW_SCENE_THINGS("")}, 0);
+    by_every_lamp(&pair, "on a plane",
+                  (const char *[2]){SHADOW_SCENE_PLANE, SHADOW_SCENE_THINGS("") SUNK}, 0);
+    by_every_lamp(&pair, "nasty", (const char *[2]){SHADOW_SCENE_GROUND, NASTY},
+                  all_of_them ? 2 : 0);
     shadow_pair_close(&pair);
 }
 
 int main(int count, char **arguments)
 {
     all_of_them = count > 1 && !strcmp(arguments[1], "all");
-    const struct CMUnitTest tests[] = {cmocka_unit_test(ends_are_true), cmocka_unit_test(away_from_ends)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(ends_are_true),
+                                       cmocka_unit_test(away_from_ends)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,4 +1,5 @@
-/* Silhouette shadows of a scene that changes, beside other lights, with something of glass, and on drivers that cannot have them. */
+/* Silhouette shadows of a scene that changes, beside other lights, with something of glass, and on
+ * drivers that cannot have them. */
 /* ctest: seconds=25 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
@@ -53,13 +54,14 @@ static void older_drivers(void **state)
 {
     (void)state;
     GlContext *gl = frame_context();
-    shadow_scene_assert_refused(gl, mixed, "shadows: silhouette takes OpenGL 4.5, and the driver has 3.3");
+    shadow_scene_assert_refused(gl, mixed,
+                                "shadows: silhouette takes OpenGL 4.5, and the driver has 3.3");
     gl_close(gl);
 }
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(facets), cmocka_unit_test(glass),
-                                       cmocka_unit_test(older_drivers)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(changes), cmocka_unit_test(facets),
+                                       cmocka_unit_test(glass), cmocka_unit_test(older_drivers)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

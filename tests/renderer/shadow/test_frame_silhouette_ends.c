@@ -1,5 +1,6 @@
-/* Silhouette shadows: ends of shadows by closed forms, where several edges cross one segment between texels, where an edge is hidden below the ground,
- * where an edge runs along the centres of texels, and where normals are not the surface's. */
+/* Silhouette shadows: ends of shadows by closed forms, where several edges cross one segment
+ * between texels, where an edge is hidden below the ground, where an edge runs along the centres of
+ * texels, and where normals are not the surface's. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/shadow_ray.h"
@@ -10,11 +11,13 @@
 
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 256 };
 
-/* The ground, to which a map for light from straight above is fitted: it has 2 (filter + 2) texels more. */
+/* The ground, to which a map for light from straight above is fitted: it has 2 (filter + 2) texels
+ * more. */
 #define GROUND_EDGE 1.5
 static const double TEXEL = GROUND_EDGE * (1 + 6.0 / SIZE) / SIZE;
 
-/* A box of a height in the air, half an edge of which is so many texels; turned around the z axis. */
+/* A box of a height in the air, half an edge of which is so many texels; turned around the z
+ * axis. */
 typedef struct {
     double middle, half, turned;
 } Caster;
@@ -40,19 +43,22 @@ static const Case cases[] = {
 
 static void put_scene(const Case *c, char *text, size_t size)
 {
-    int length = snprintf(text, size,
-                          "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [3, 0, 1], "
-                          "target: [%.9f, 0, 0], angle: 1.2 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
-                          "lights: [{ light: Directional, shadows: silhouette }]\nshadowMaps: { size: 256 }\nobjects:\n"
-                          "- { object: Parallelogram, u: [1.5, 0, 0], v: [0, 1.5, 0], material: m, transform: { "
-                          "translation: [-.75, -.75, 0] } }\n",
-                          c->end * TEXEL);
+    int length = snprintf(
+        text, size,
+        "image: { width: 120, height: 90 }\ncamera: { camera: Perspective, position: [3, 0, 1], "
+        "target: [%.9f, 0, 0], angle: 1.2 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"
+        "lights: [{ light: Directional, shadows: silhouette }]\nshadowMaps: { size: 256 "
+        "}\nobjects:\n"
+        "- { object: Parallelogram, u: [1.5, 0, 0], v: [0, 1.5, 0], material: m, transform: { "
+        "translation: [-.75, -.75, 0] } }\n",
+        c->end * TEXEL);
     for (int i = 0; i < 2 && c->casters[i].half > 0; i++)
         length += snprintf(text + length, size - (size_t)length,
-                           "- { object: Box, size: [%.9f, %.9f, .1], material: m, transform: { translation: [0, 0, "
+                           "- { object: Box, size: [%.9f, %.9f, .1], material: m, transform: { "
+                           "translation: [0, 0, "
                            "%g], rotation: [0, 0, %.9f] } }\n",
-                           2 * c->casters[i].half * TEXEL, 2 * c->casters[i].half * TEXEL, c->casters[i].middle,
-                           c->casters[i].turned);
+                           2 * c->casters[i].half * TEXEL, 2 * c->casters[i].half * TEXEL,
+                           c->casters[i].middle, c->casters[i].turned);
 }
 
 /* The ground as a mesh of these vertices, as a bump map would have it. */
@@ -60,9 +66,11 @@ static void lean_ground(Scene *scene, double lean, ShapeVertex vertices[4], Scen
 {
     static uint32_t indices[6] = {0, 1, 2, 0, 2, 3};
     for (int i = 0; i < 4; i++)
-        vertices[i] = (ShapeVertex){.position = {i == 1 || i == 2 ? GROUND_EDGE : 0, i > 1 ? GROUND_EDGE : 0},
-                                    .normal = {0, (float)sin(lean), (float)cos(lean)}};
-    mesh->shape = (Shape){.vertices = vertices, .indices = indices, .vertex_count = 4, .index_count = 6};
+        vertices[i] =
+            (ShapeVertex){.position = {i == 1 || i == 2 ? GROUND_EDGE : 0, i > 1 ? GROUND_EDGE : 0},
+                          .normal = {0, (float)sin(lean), (float)cos(lean)}};
+    mesh->shape =
+        (Shape){.vertices = vertices, .indices = indices, .vertex_count = 4, .index_count = 6};
     scene->meshes = mesh;
     scene->mesh_count = 1;
     scene->objects[0].kind = SCENE_Mesh;

@@ -1,5 +1,6 @@
-/* Soft shadows of area lights, against Embree's rays to all of a light. What is off is counted in shares of the light that would arrive without
- * shadows, which is the reference's, in double. `build/tests/test_frame_soft SEED SIZE` takes other rays and other pixels, and maps of that size,
+/* Soft shadows of area lights, against Embree's rays to all of a light. What is off is counted in
+ * shares of the light that would arrive without shadows, which is the reference's, in double.
+ * `build/tests/test_frame_soft SEED SIZE` takes other rays and other pixels, and maps of that size,
  * for which there are no bounds but for 512. */
 /* ctest: unsanitized seconds=28 */
 #include "tests/test.h"
@@ -18,42 +19,60 @@ enum { MAPS = 512 };
 static uint64_t seed = 1;
 static int map_size = MAPS;
 
-#define CAMERA                                                                                                         \
-    "image: { width: 96, height: 72 }\n"                                                                               \
+#define CAMERA                                                                                     \
+    "image: { width: 96, height: 72 }\n"                                                           \
     "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"
-#define GROUND                                                                                                         \
-    "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { translation: [-4, -4, 0] } }\n"
+#define GROUND                                                                                     \
+    "- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "            \
+    "translation: [-4, -4, 0] } }\n"
 #define PLANE "- { object: Plane, material: m }\n"
-#define BOX   "- { object: Box, material: m, transform: { translation: [0, 0, .5], rotation: [0, 0, .3] } }\n"
-#define BALL  "- { object: Sphere, radius: .5, material: m, transform: { translation: [0, 0, 1.3] } }\n"
-#define TWO                                                                                                            \
-    "- { object: Sphere, radius: .4, material: m, transform: { translation: [-.3, 0, 1.6] } }\n"                       \
-    "- { object: Box, size: [.5, 1.5, .1], material: m, transform: { translation: [.2, 0, .6] } }\n"
-#define RODS                                                                                                           \
-    "- { object: Cylinder, radius: .03, height: 1.5, material: m, transform: { translation: [-.5, 0, 0] } }\n"         \
-    "- { object: Box, size: [2, .04, .04], material: m, transform: { translation: [0, -.4, .8] } }\n"                  \
-    "- { object: Box, size: [.04, 2, .04], material: m, transform: { translation: [.6, 0, .3] } }\n"
-#define SHEET                                                                                                          \
-    "- { object: Parallelogram, u: [1.5, 0, 0], v: [0, 0, 1], material: m, transform: { translation: [-.7, -.2, 0] } " \
+#define BOX                                                                                        \
+    "- { object: Box, material: m, transform: { translation: [0, 0, .5], rotation: [0, 0, .3] } "  \
     "}\n"
-#define ROOF "- { object: Plane, material: m, transform: { translation: [0, -1, 4], rotation: [0, 1.4, 0] } }\n"
-#define PANES                                                                                                          \
-    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 1.5, 0], material: clear, transform: { translation: [-1, -1, 1] " \
-    "} "                                                                                                               \
-    "}\n"                                                                                                              \
-    "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: dim, transform: { translation: [-.7, -.7, .6] "  \
-    "} "                                                                                                               \
+#define BALL                                                                                       \
+    "- { object: Sphere, radius: .5, material: m, transform: { translation: [0, 0, 1.3] } }\n"
+#define TWO                                                                                        \
+    "- { object: Sphere, radius: .4, material: m, transform: { translation: [-.3, 0, 1.6] } }\n"   \
+    "- { object: Box, size: [.5, 1.5, .1], material: m, transform: { translation: [.2, 0, .6] } "  \
     "}\n"
-#define CUT                                                                                                            \
-    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: coarse, transform: { translation: [-1, -1, "     \
+#define RODS                                                                                       \
+    "- { object: Cylinder, radius: .03, height: 1.5, material: m, transform: { translation: "      \
+    "[-.5, 0, 0] } }\n"                                                                            \
+    "- { object: Box, size: [2, .04, .04], material: m, transform: { translation: [0, -.4, .8] } " \
+    "}\n"                                                                                          \
+    "- { object: Box, size: [.04, 2, .04], material: m, transform: { translation: [.6, 0, .3] } "  \
+    "}\n"
+#define SHEET                                                                                      \
+    "- { object: Parallelogram, u: [1.5, 0, 0], v: [0, 0, 1], material: m, transform: { "          \
+    "translation: [-.7, -.2, 0] } "                                                                \
+    "}\n"
+#define ROOF                                                                                       \
+    "- { object: Plane, material: m, transform: { translation: [0, -1, 4], rotation: [0, 1.4, 0] " \
+    "} }\n"
+#define PANES                                                                                      \
+    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 1.5, 0], material: clear, transform: { "      \
+    "translation: [-1, -1, 1] "                                                                    \
+    "} "                                                                                           \
+    "}\n"                                                                                          \
+    "- { object: Parallelogram, u: [1, 0, 0], v: [0, 1, 0], material: dim, transform: { "          \
+    "translation: [-.7, -.7, .6] "                                                                 \
+    "} "                                                                                           \
+    "}\n"
+#define CUT                                                                                        \
+    "- { object: Parallelogram, u: [2, 0, 0], v: [0, 2, 0], material: coarse, transform: { "       \
+    "translation: [-1, -1, "                                                                       \
     ".8] } }\n"
 
-#define SMALL  "{ light: Area, position: [-.15, -1.15, 4], u: [0, .3, 0], v: [.3, 0, 0], intensity: 9 }"
+#define SMALL                                                                                      \
+    "{ light: Area, position: [-.15, -1.15, 4], u: [0, .3, 0], v: [.3, 0, 0], intensity: 9 }"
 #define MIDDLE "{ light: Area, position: [-.5, -1.5, 4], u: [0, 1, 0], v: [1, 0, 0], intensity: 9 }"
 #define LARGE  "{ light: Area, position: [-1.5, -1.5, 3], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
-#define CLOSE  "{ light: Area, position: [-1.5, -1.5, 2.1], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
-#define WALL   "{ light: Area, position: [-2.5, -1, 0], u: [0, 2, 0], v: [0, .3, 2], intensity: 9 }"
-#define FENCE  "{ light: Area, position: [-1.2, -1.5, -.5], u: [0, 3, 0], v: [.5, 0, 2], intensity: 9, bothSides: true }"
+#define CLOSE                                                                                      \
+    "{ light: Area, position: [-1.5, -1.5, 2.1], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
+#define WALL "{ light: Area, position: [-2.5, -1, 0], u: [0, 2, 0], v: [0, .3, 2], intensity: 9 }"
+#define FENCE                                                                                      \
+    "{ light: Area, position: [-1.2, -1.5, -.5], u: [0, 3, 0], v: [.5, 0, 2], intensity: 9, "      \
+    "bothSides: true }"
 
 /* Errors as they were measured, the worst of the seeds 1 to 6; twice that is allowed. */
 typedef struct {
@@ -100,7 +119,8 @@ typedef struct {
 static Scene *scene_of(const Case *c, const MatcOptions *options, MatcDocument **document)
 {
     char text[TEXT];
-    size_t size = (size_t)snprintf(text, TEXT, CAMERA "lights: [%s]\nshadowMaps: { size: %d%s }\nmaterials:\n",
+    size_t size = (size_t)snprintf(text, TEXT,
+                                   CAMERA "lights: [%s]\nshadowMaps: { size: %d%s }\nmaterials:\n",
                                    c->light, map_size, c->maps);
     for (int i = 0; i < GLASS_COUNT; i++)
         size += (size_t)snprintf(text + size, TEXT - size, "  %s\n", glass_text(i));
@@ -165,7 +185,8 @@ static void as_embree(void **state)
         const Case *c = &cases[i];
         const Error e = compare_case(render, c, &options);
         const double rms = sqrt(e.squares / e.count);
-        print_message("%-16s %4d pixels, %4d soft, RMS %.4f, most %.3f\n", c->name, e.count, e.soft, rms, e.most);
+        print_message("%-16s %4d pixels, %4d soft, RMS %.4f, most %.3f\n", c->name, e.count, e.soft,
+                      rms, e.most);
         assert_true(e.count > 200);
         faults += map_size == MAPS && (rms > 2 * c->rms || e.most > 2 * c->most);
     }
@@ -183,21 +204,24 @@ static void draw_both(GlContext *gl, const Case *c, float *pictures[2])
     MatcDocument *document;
     Scene *scene = scene_of(c, &options, &document);
     for (int i = 0; i < 2; i++)
-        pictures[i] =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = i > 0});
+        pictures[i] = frame_floats(
+            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .no_shadows = i > 0});
     frame_forget(scene, document);
 }
 
-/* What casts no shadow that is seen leaves every bit of the light; a convex body does not shade itself, at any angle, nor does the floor below a sheet's
- * edge shade it; and behind a sheet that hides all of a light nothing is left. */
+/* What casts no shadow that is seen leaves every bit of the light; a convex body does not shade
+ * itself, at any angle, nor does the floor below a sheet's edge shade it; and behind a sheet that
+ * hides all of a light nothing is left. */
 static void all_or_nothing(void **state)
 {
     (void)state;
-    static const Case alone = {"", MIDDLE, {BALL, ""}, "", 0, 0, false}, low = {"", WALL, {BALL, ""}, "", 0, 0, false},
+    static const Case alone = {"", MIDDLE, {BALL, ""}, "", 0, 0, false},
+                      low = {"", WALL, {BALL, ""}, "", 0, 0, false},
                       hidden = {"",
                                 MIDDLE,
-                                {PLANE, "- { object: Box, size: [9, 9, .1], material: m, transform: { "
-                                        "translation: [0, 0, 3.5] } }\n"},
+                                {PLANE,
+                                 "- { object: Box, size: [9, 9, .1], material: m, transform: { "
+                                 "translation: [0, 0, 3.5] } }\n"},
                                 "",
                                 0,
                                 0,
@@ -213,7 +237,8 @@ static void all_or_nothing(void **state)
     }
     draw_both(gl, &hidden, pictures);
     int dark = 0;
-    for (int i = 0; i < WIDTH * HEIGHT / 3; i++) { /* the lower third of the picture: the ground below the sheet */
+    /* the lower third of the picture: the ground below the sheet */
+    for (int i = 0; i < WIDTH * HEIGHT / 3; i++) {
         assert_true(pictures[0][4 * i] == 0);
         dark += pictures[1][4 * i] > 1e-3f;
     }
@@ -231,12 +256,14 @@ static void changes(void **state)
     MatcDocument *document;
     GlContext *gl = frame_context();
     Scene *scene = scene_of(&moved, &options, &document);
-    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene, &(FrameMoves){.25, 0, 2, .5});
+    frame_change_moves(gl, &(RenderOptions){.compile = &options, .view = "light"}, scene,
+                       &(FrameMoves){.25, 0, 2, .5});
     frame_forget(scene, document);
     gl_close(gl);
 }
 
-/* An area light knows maps alone: another method for all lights leaves it as it is, none does not. */
+/* An area light knows maps alone: another method for all lights leaves it as it is, none does
+ * not. */
 static void methods(void **state)
 {
     (void)state;
@@ -252,8 +279,9 @@ static void methods(void **state)
 
 int main(int count, char **arguments)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(as_embree), cmocka_unit_test(all_or_nothing),
-                                       cmocka_unit_test(changes), cmocka_unit_test(methods)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(as_embree),
+                                       cmocka_unit_test(all_or_nothing), cmocka_unit_test(changes),
+                                       cmocka_unit_test(methods)};
     if (count > 1)
         seed = (uint64_t)atoi(arguments[1]);
     if (count > 2)

@@ -1,5 +1,6 @@
-/* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed; ends of shadows beside those of plain volumes; what is transparent, what
- * changes, and what is refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
+/* Shadow volumes that silhouettes cut: the triangles of a cell close it, however it is crossed;
+ * ends of shadows beside those of plain volumes; what is transparent, what changes, and what is
+ * refused. test_frame_hybrid.c has them by rays, and an end by its closed form. */
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -22,7 +23,8 @@ static int read_numbers(const char *name, int *numbers, int most)
     int count = 0;
     at = at ? strchr(at, '(') : NULL;
     assert_non_null(at);
-    for (at++; *at && *at != ')' && count < most; at += strcspn(at, ",)/") + (at[strcspn(at, ",)/")] == ',')) {
+    for (at++; *at && *at != ')' && count < most;
+         at += strcspn(at, ",)/") + (at[strcspn(at, ",)/")] == ',')) {
         while (*at == '/' || *at == ' ' || *at == '\n')
             at += *at == '/' ? strcspn(at, "\n") : 1;
         numbers[count++] = (int)strtol(at, NULL, 10);
@@ -45,7 +47,8 @@ static int ring_of(int crossed, int ring[RING])
     return count;
 }
 
-/* Each edge of the ring is one triangle's, in its order; all others are two triangles', once each way round; and there are as many as it takes. */
+/* Each edge of the ring is one triangle's, in its order; all others are two triangles', once each
+ * way round; and there are as many as it takes. */
 static void triangles_close_cells(void **state)
 {
     (void)state;
@@ -57,12 +60,14 @@ static void triangles_close_cells(void **state)
         const int length = ring_of(crossed_of[row], ring);
         assert_int_equal(counts[row], length - 2);
         for (int i = 0; i < 3 * counts[row]; i++) {
-            const int from = corners[3 * MOST * row + i], to = corners[3 * MOST * row + i / 3 * 3 + (i + 1) % 3];
+            const int from = corners[3 * MOST * row + i],
+                      to = corners[3 * MOST * row + i / 3 * 3 + (i + 1) % 3];
             assert_in_range(from, 0, RING - 1);
             edges[from][to]++;
         }
         for (int i = 0; i < length; i++)
-            edges[ring[(i + 1) % length]][ring[i]]++; /* the cell beside has it the other way round */
+            /* the cell beside has it the other way round */
+            edges[ring[(i + 1) % length]][ring[i]]++;
         for (int from = 0; from < RING; from++)
             for (int to = 0; to < RING; to++)
                 assert_true(edges[from][to] == edges[to][from] && edges[from][to] <= 1);
@@ -83,7 +88,8 @@ static void ends_are_near(void **state)
         const double plain = shadow_ends_distance(&pair, &ends);
         ends.volume = WORD_Volume_silhouette;
         const double cut = shadow_ends_distance(&pair, &ends);
-        print_message("ends on %s: %.4f texels off, plain volumes %.4f\n", shadow_ends_receivers[i], cut, plain);
+        print_message("ends on %s: %.4f texels off, plain volumes %.4f\n", shadow_ends_receivers[i],
+                      cut, plain);
         assert_true(cut <= most[i] && cut < .05 * plain);
     }
     shadow_pair_close(&pair);
@@ -92,16 +98,20 @@ static void ends_are_near(void **state)
 
 /* -- behind a cut */
 
-/* A roof that is .98 radians steep, with a sheet .08 below it that it covers, and a beam over both, whose sides cross segments of a texel each: beyond the beam's
- * end the roof's own surface goes on by its slope. As high as at the centre beyond, it would be up to .39 too low, and the sheet lit. */
-#define ROOF                                                                                                           \
-    "image: { width: 96, height: 64 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"                           \
-    "camera: { camera: Orthographic, position: [-.17845, 0, -.119755], target: [-1.00845, 0, -.676755], "              \
-    "up: [0, 1, 0], size: 1.8 }\nshadowMaps: { size: 16, volume: silhouette }\n"                                       \
-    "lights: [{ light: Directional, direction: [0, 0, -1], shadows: hybrid }]\nobjects:\n"                             \
-    "- { object: Box, size: [6, 4, .4], material: m, transform: { rotation: [0, .98, 0] } }\n"                         \
-    "- { object: Parallelogram, u: [2.7851, 0, -4.1525], v: [0, 3.6, 0], material: m, transform: { translation: "      \
-    "[-1.6251, -1.8, 1.9203] } }\n"                                                                                    \
+/* A roof that is .98 radians steep, with a sheet .08 below it that it covers, and a beam over both,
+ * whose sides cross segments of a texel each: beyond the beam's end the roof's own surface goes on
+ * by its slope. As high as at the centre beyond, it would be up to .39 too low, and the sheet
+ * lit. */
+#define ROOF                                                                                       \
+    "image: { width: 96, height: 64 }\nmaterials: { m: { material: Phong, diffuse: .5 } }\n"       \
+    "camera: { camera: Orthographic, position: [-.17845, 0, -.119755], target: [-1.00845, 0, "     \
+    "-.676755], "                                                                                  \
+    "up: [0, 1, 0], size: 1.8 }\nshadowMaps: { size: 16, volume: silhouette }\n"                   \
+    "lights: [{ light: Directional, direction: [0, 0, -1], shadows: hybrid }]\nobjects:\n"         \
+    "- { object: Box, size: [6, 4, .4], material: m, transform: { rotation: [0, .98, 0] } }\n"     \
+    "- { object: Parallelogram, u: [2.7851, 0, -4.1525], v: [0, 3.6, 0], material: m, transform: " \
+    "{ translation: "                                                                              \
+    "[-1.6251, -1.8, 1.9203] } }\n"                                                                \
     "- { object: Box, size: [%g, 3, .3], material: m, transform: { translation: [0, 0, 4.5] } }\n"
 
 static void the_slope_goes_on_behind_a_cut(void **state)
@@ -131,19 +141,24 @@ static void the_slope_goes_on_behind_a_cut(void **state)
 
 /* -- what is transparent */
 
-#define SEEN                                                                                                           \
-    "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], "    \
-    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, diffuse: .5, transparency: " \
+#define SEEN                                                                                       \
+    "image: { width: 96, height: 72 }\ncamera: { camera: Perspective, position: [1.5, -7, 4], "    \
+    "target: [0, 0, .5], "                                                                         \
+    "angle: 42 }\nmaterials: { m: { material: Phong, diffuse: .5 }, g: { material: Phong, "        \
+    "diffuse: .5, transparency: "                                                                  \
     "%s, interpolatedTransparency: false } }\n"
-#define THINGS                                                                                                         \
-    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n"                     \
-    "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } }\n"
+#define THINGS                                                                                     \
+    "- { object: Sphere, radius: .7, material: m, transform: { translation: [-.6, -.4, 1.2] } }\n" \
+    "- { object: Box, material: m, transform: { translation: [1, .5, .9], rotation: [0, 0, .3] } " \
+    "}\n"
 
-/* A floor of glass is lit as a solid one: its fragments look up the triangles that the stencil counts. */
+/* A floor of glass is lit as a solid one: its fragments look up the triangles that the stencil
+ * counts. */
 static void glass_is_lit_as_floors_are(void **state)
 {
     (void)state;
-    static const char *const lights[] = {"Directional, direction: [1, .2, -.8]", "Point, position: [-1, -1, 3]"};
+    static const char *const lights[] = {"Directional, direction: [1, .2, -.8]",
+                                         "Point, position: [-1, -1, 3]"};
     ShadowPair pair;
     shadow_pair_open(GL_KIND_osmesa, &pair);
     for (int k = 0; k < 2; k++) {
@@ -153,8 +168,10 @@ static void glass_is_lit_as_floors_are(void **state)
             MatcDocument *document;
             char text[4096];
             snprintf(text, sizeof text,
-                     SEEN "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: %s, shadows: hybrid }]\n"
-                          "objects:\n- { object: Parallelogram, u: [5, 0, 0], v: [0, 5, 0], material: g, transform: { "
+                     SEEN "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: %s, "
+                          "shadows: hybrid }]\n"
+                          "objects:\n- { object: Parallelogram, u: [5, 0, 0], v: [0, 5, 0], "
+                          "material: g, transform: { "
                           "translation: [-2.5, -2.5, 0] } }\n" THINGS,
                      glass ? ".5" : "0", lights[k]);
             Scene *scene = frame_scene(text, &pair.options, &document);
@@ -166,7 +183,8 @@ static void glass_is_lit_as_floors_are(void **state)
             dark += shares[0][i] >= 0 && shares[0][i] < .5f;
             other += shares[0][i] >= 0 && fabsf(shares[0][i] - shares[1][i]) > .01f;
         }
-        print_message("%s: %d of %d pixels dark, %d other by glass\n", lights[k], dark, pixels, other);
+        print_message("%s: %d of %d pixels dark, %d other by glass\n", lights[k], dark, pixels,
+                      other);
         assert_true(dark > 200 && other <= dark / 50);
         free(shares[0]);
         free(shares[1]);
@@ -176,10 +194,12 @@ static void glass_is_lit_as_floors_are(void **state)
 
 /* -- what changes, and what is refused */
 
-#define CHANGING                                                                                                       \
-    "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: Directional, direction: [1, .2, -.6], shadows: "  \
-    "hybrid },\n  { light: Point, position: [0, .6, 2.5], shadows: hybrid },\n"                                        \
-    "  { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: silhouette }]\n"           \
+#define CHANGING                                                                                   \
+    "shadowMaps: { size: 64, volume: silhouette }\nlights: [{ light: Directional, direction: [1, " \
+    ".2, -.6], shadows: "                                                                          \
+    "hybrid },\n  { light: Point, position: [0, .6, 2.5], shadows: hybrid },\n"                    \
+    "  { light: Spot, position: [-2, -4, 5], direction: [2, 4, -5], intensity: 40, shadows: "      \
+    "silhouette }]\n"                                                                              \
     "objects:\n- { object: Plane, material: m }\n" THINGS
 
 /* A light is moved, and has a method; an object is. */
@@ -235,13 +255,15 @@ static void other_paths_are_refused(void **state)
         MatcDocument *document;
         char text[4096];
         snprintf(text, sizeof text,
-                 SEEN "shadowMaps: { size: 64, volume: silhouette, path: %s }\nlights: [{ light: Directional, shadows: "
+                 SEEN "shadowMaps: { size: 64, volume: silhouette, path: %s }\nlights: [{ light: "
+                      "Directional, shadows: "
                       "hybrid }]\nobjects:\n" THINGS,
                  "0", k ? "copy" : "fetch");
         Scene *scene = frame_scene(text, &options, &document);
         Render *render = render_open(gl, &(RenderOptions){.compile = &options});
         assert_false(render_scene(render, scene));
-        assert_string_equal(gl->error, "shadow volumes that silhouettes cut come by the path compute, or auto");
+        assert_string_equal(
+            gl->error, "shadow volumes that silhouettes cut come by the path compute, or auto");
         render_close(render);
         frame_forget(scene, document);
     }
@@ -250,9 +272,11 @@ static void other_paths_are_refused(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(triangles_close_cells),          cmocka_unit_test(ends_are_near),
-        cmocka_unit_test(the_slope_goes_on_behind_a_cut), cmocka_unit_test(glass_is_lit_as_floors_are),
-        cmocka_unit_test(what_changes_is_as_new),         cmocka_unit_test(other_paths_are_refused)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(triangles_close_cells),
+                                       cmocka_unit_test(ends_are_near),
+                                       cmocka_unit_test(the_slope_goes_on_behind_a_cut),
+                                       cmocka_unit_test(glass_is_lit_as_floors_are),
+                                       cmocka_unit_test(what_changes_is_as_new),
+                                       cmocka_unit_test(other_paths_are_refused)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

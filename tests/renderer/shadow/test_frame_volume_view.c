@@ -1,5 +1,5 @@
-/* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed forms; what they leave as it is; changes, tiles, and
- * what is refused. */
+/* Views of shadow volumes and of objects as lines: what they cover and how light they are by closed
+ * forms; what they leave as it is; changes, tiles, and what is refused. */
 #include "tests/test.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
@@ -11,16 +11,21 @@
 enum { WIDTH = 120, HEIGHT = 90, PIXELS = WIDTH * HEIGHT, SIZE = 64 };
 
 /* Light from above onto a box whose edge is 1 and whose lower side is at height 2. */
-#define SCENE(camera, light)                                                                                           \
-    "image: { width: 120, height: 90 }\ncamera: { camera: " camera " }\nshadowMaps: { size: 64, volume: %s }\n"        \
-    "materials: { m: { material: Phong, diffuse: .5, emissive: .2 } }\nlights: [{ light: " light " }]\n"               \
+#define SCENE(camera, light)                                                                       \
+    "image: { width: 120, height: 90 }\ncamera: { camera: " camera                                 \
+    " }\nshadowMaps: { size: 64, volume: %s }\n"                                                   \
+    "materials: { m: { material: Phong, diffuse: .5, emissive: .2 } }\nlights: [{ light: " light   \
+    " }]\n"                                                                                        \
     "objects:\n- { object: Box, material: m, transform: { translation: [0, 0, 2.5] } }\n"
 #define HYBRID  "Directional, shadows: hybrid"
 #define FRONT   "Orthographic, position: [0, -9, 2], target: [0, 0, 2], size: 4"
 #define ASIDE   "Orthographic, position: [4.5, -7.794228634, 2], target: [0, 0, 2], size: 4"
 #define PINHOLE "Perspective, position: [2, -6, 1.4], target: [0, 0, 1.4], angle: 35"
-#define BEFORE  "- { object: Box, size: [.5, .1, 2], material: m, transform: { translation: [.4, -2, .5] } }\n"
-#define PLATE   "- { object: Box, size: [4, .1, 4], material: m, transform: { translation: [0, 3, 1] } }\n"
+#define BEFORE                                                                                     \
+    "- { object: Box, size: [.5, .1, 2], material: m, transform: { translation: [.4, -2, .5] } "   \
+    "}\n"
+#define PLATE                                                                                      \
+    "- { object: Box, size: [4, .1, 4], material: m, transform: { translation: [0, 3, 1] } }\n"
 
 typedef struct {
     GlContext *gl;
@@ -47,7 +52,8 @@ static void close_scene(Drawn *d)
     gl_close(d->gl);
 }
 
-/* The map is fitted to the box, 2 (filter + 2) texels wider; the volume ends at the outermost centre that the box covers. */
+/* The map is fitted to the box, 2 (filter + 2) texels wider; the volume ends at the outermost
+ * centre that the box covers. */
 static double end_of_volume(void)
 {
     const double half = .5 * (1 + 6.0 / SIZE);
@@ -65,7 +71,8 @@ static double end_of_volume(void)
 /* The ray through a pixel: from[3], way[3]. */
 static void ray_of(const SceneCamera *camera, int pixel, double from[3], double way[3])
 {
-    const double x = (2 * (pixel % WIDTH) + 1.0 - WIDTH) / HEIGHT, y = (2 * (pixel / WIDTH) + 1.0 - HEIGHT) / HEIGHT;
+    const double x = (2 * (pixel % WIDTH) + 1.0 - WIDTH) / HEIGHT,
+                 y = (2 * (pixel / WIDTH) + 1.0 - HEIGHT) / HEIGHT;
     const bool parallel = camera->kind == SCENE_Orthographic;
     const double half = camera->half;
     for (int i = 0; i < 3; i++) {
@@ -75,8 +82,8 @@ static void ray_of(const SceneCamera *camera, int pixel, double from[3], double 
     }
 }
 
-/* Where the ray first meets the column of that half width below the height 2: the cosine between it and the wall's normal, or -1: nowhere; -2: near an
- * end of what is seen. */
+/* Where the ray first meets the column of that half width below the height 2: the cosine between it
+ * and the wall's normal, or -1: nowhere; -2: near an end of what is seen. */
 static double column_facing(const double from[3], const double way[3], double half)
 {
     double enter[2], leave[2], near = -1e9, far = 1e9;
@@ -89,12 +96,16 @@ static double column_facing(const double from[3], const double way[3], double ha
     }
     const double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
     const double height = from[2] + near * way[2], margin = .03 * length;
-    if (fabs(near - far) < 4 * margin || fabs(height - 2) < .06 || fabs(enter[0] - enter[1]) < 4 * margin)
+    if (fabs(near - far) < 4 * margin || fabs(height - 2) < .06 ||
+        fabs(enter[0] - enter[1]) < 4 * margin)
         return -2;
     return near < far && height < 2 ? fabs(way[side]) / length : -1;
 }
 
-static double encoded(double light) { return light <= .0031308 ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - .055; }
+static double encoded(double light)
+{
+    return light <= .0031308 ? 12.92 * light : 1.055 * pow(light, 1 / 2.4) - .055;
+}
 
 static void faces_of(const char *camera, const char *volume)
 {
@@ -113,7 +124,8 @@ static void faces_of(const char *camera, const char *volume)
         covered += facing >= 0;
         empty += facing == -1;
         for (int lane = 0; lane < 3 && facing > -2; lane++)
-            wrong += fabs((double)shown[4 * i + lane] - (facing < 0 ? 0 : encoded(share * colors[lane]))) > 1.5 / 255;
+            wrong += fabs((double)shown[4 * i + lane] -
+                          (facing < 0 ? 0 : encoded(share * colors[lane]))) > 1.5 / 255;
     }
     print_message("%-8s %d covered, %d empty, %d lanes wrong\n", volume, covered, empty, wrong);
     assert_true(covered > 400 && empty > 3000);
@@ -154,7 +166,8 @@ static void the_scene_stays_where_no_volume_is(void **state)
             const bool hidden = fabs(at[0] - .4) < .25 && at[2] > -.5 && at[2] < 1.5;
             if (below && !hidden && fabs(at[0] - .4) > .3 && k == 0)
                 assert_true(other), inside++;
-            if (fabs(at[0]) > 3.2 || at[2] > 3.1 || (hidden && fabs(at[0] - .4) < .2 && at[2] < 1.45))
+            if (fabs(at[0]) > 3.2 || at[2] > 3.1 ||
+                (hidden && fabs(at[0] - .4) < .2 && at[2] < 1.45))
                 assert_false(other), same++; /* the plate's own volume is 4 wide */
         }
         assert_true(same > 1000 && (k || inside > 300));
@@ -166,7 +179,8 @@ static void the_scene_stays_where_no_volume_is(void **state)
 
 /* -- lines */
 
-/* From the front a box is a square, 22.5 pixels an edge: its outline and diagonals are there, and nothing else. */
+/* From the front a box is a square, 22.5 pixels an edge: its outline and diagonals are there, and
+ * nothing else. */
 static void a_box_as_lines(void **state)
 {
     (void)state;
@@ -176,8 +190,10 @@ static void a_box_as_lines(void **state)
     float *shown = draw(&d, "wireframe"), *filled = draw(&d, NULL);
     int rows = 0, inner = 0, lines = 0;
     for (int i = 0; i < PIXELS; i++) {
-        const double x = i % WIDTH + .5 - WIDTH / 2.0, y = i / WIDTH + .5 - (HEIGHT / 2.0 + HEIGHT / 8.0);
-        const double half = HEIGHT / 8.0, edge = fmax(fabs(x), fabs(y)) - half, diagonal = fabs(fabs(x) - fabs(y));
+        const double x = i % WIDTH + .5 - WIDTH / 2.0,
+                     y = i / WIDTH + .5 - (HEIGHT / 2.0 + HEIGHT / 8.0);
+        const double half = HEIGHT / 8.0, edge = fmax(fabs(x), fabs(y)) - half,
+                     diagonal = fabs(fabs(x) - fabs(y));
         const bool lit = shown[4 * i] > 0;
         lines += lit;
         rows += lit && fabs(x + half) < 1.01 && fabs(y) < half - 2;
@@ -201,11 +217,15 @@ static void changes_and_tiles(void **state)
     static const char *const views[] = {"wireframe",  "volume",      "volumeWireframe",
                                         "wireframes", "volumeAlone", "volumeWireframeAlone"};
     char text[2048];
-    snprintf(text, sizeof text, SCENE(PINHOLE, "Point, position: [0, .3, 4], shadows: hybrid") BEFORE PLATE, "perfect");
+    snprintf(text, sizeof text,
+             SCENE(PINHOLE, "Point, position: [0, .3, 4], shadows: hybrid") BEFORE PLATE,
+             "perfect");
     Drawn d = open_scene(text);
-    const double place = d.scene->objects[0].world_from_local.m[12], eye = d.scene->camera.position[2];
+    const double place = d.scene->objects[0].world_from_local.m[12],
+                 eye = d.scene->camera.position[2];
     for (size_t i = 0; i < sizeof views / sizeof *views; i++) {
-        const RenderOptions how = {.compile = &d.compile, .view = views[i], .edges = RENDER_EDGES_coverage};
+        const RenderOptions how = {
+            .compile = &d.compile, .view = views[i], .edges = RENDER_EDGES_coverage};
         RenderOptions tiles = how;
         Render *render = render_open(d.gl, &how);
         float *changed = malloc(8 * sizeof *changed * PIXELS), *again = changed + 4 * PIXELS;
@@ -224,14 +244,16 @@ static void changes_and_tiles(void **state)
         int empty = 0;
         for (int k = 0; k < PIXELS; k++)
             empty += anew[4 * k] + anew[4 * k + 1] + anew[4 * k + 2] <= 0;
-        assert_true(empty > PIXELS / 20 || !strstr(views[i], "Alone")); /* what is infinitely far away is left out */
+        /* what is infinitely far away is left out */
+        assert_true(empty > PIXELS / 20 || !strstr(views[i], "Alone"));
         tiles.tile[0] = 64, tiles.tile[1] = 32;
         float *parts = frame_tiles(d.gl, d.scene, &tiles);
         int other = 0;
         for (int k = 0; k < 4 * PIXELS; k++)
             other += fabsf(parts[k] - anew[k]) > 1.5f / 255;
         print_message("%s: %d lanes are others in tiles\n", views[i], other);
-        assert_true(other <= (strstr(views[i], "ireframe") ? 16 : 0)); /* a line that is cut may step elsewhere */
+        /* a line that is cut may step elsewhere */
+        assert_true(other <= (strstr(views[i], "ireframe") ? 16 : 0));
         free(parts);
         free(anew);
         free(changed);
@@ -247,7 +269,8 @@ static void what_is_refused(void **state)
         bool linear;
         const char *said;
     } cases[] = {
-        {"Directional", "volume", false, "there is no view 'volume': no light casts hybrid shadows here"},
+        {"Directional", "volume", false,
+         "there is no view 'volume': no light casts hybrid shadows here"},
         {"Directional, shadows: none", "wireframes", false,
          "there is no view 'wireframes': no light casts hybrid shadows here"},
         {HYBRID, "volumeAlone", true,
@@ -259,7 +282,8 @@ static void what_is_refused(void **state)
         char text[2048];
         snprintf(text, sizeof text, SCENE(FRONT, "%s"), "perfect", cases[i].light);
         Drawn d = open_scene(text);
-        const RenderOptions how = {.compile = &d.compile, .view = cases[i].view, .linear = cases[i].linear};
+        const RenderOptions how = {
+            .compile = &d.compile, .view = cases[i].view, .linear = cases[i].linear};
         Render *render = render_open(d.gl, &how);
         assert_non_null(render);
         assert_int_equal(render_scene(render, d.scene), !cases[i].said);

@@ -1,4 +1,5 @@
-/* Silhouette shadows: which part of a cell between four texels' centres is covered, against polygons in double. */
+/* Silhouette shadows: which part of a cell between four texels' centres is covered, against
+ * polygons in double. */
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "runtime/draw/screen_pass.h"
@@ -31,7 +32,8 @@ static Cell cell_of(int number)
 static bool is_in_ring(const Cell *cell, bool covered)
 {
     static const double corners[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
-    const double cuts[4][2] = {{cell->cuts[0], 0}, {1, cell->cuts[3]}, {cell->cuts[1], 1}, {0, cell->cuts[2]}};
+    const double cuts[4][2] = {
+        {cell->cuts[0], 0}, {1, cell->cuts[3]}, {cell->cuts[1], 1}, {0, cell->cuts[2]}};
     double ring[9][2];
     int count = 0, crossed = 0;
     for (int i = 0; i < 4; i++) {
@@ -48,7 +50,8 @@ static bool is_in_ring(const Cell *cell, bool covered)
     return crossed % 2;
 }
 
-/* Of two opposite corners, one ring goes around both where they are joined: more than half of the segments is covered. */
+/* Of two opposite corners, one ring goes around both where they are joined: more than half of the
+ * segments is covered. */
 static bool is_covered(const Cell *cell)
 {
     const bool *c = cell->covered;
@@ -56,7 +59,8 @@ static bool is_covered(const Cell *cell)
         return is_in_ring(cell, true);
     const double free[4] = {cell->cuts[0], 1 - cell->cuts[1], cell->cuts[2], 1 - cell->cuts[3]};
     const double *cuts = cell->cuts;
-    const double sum = c[0] ? free[0] + free[1] + free[2] + free[3] : 2 - cuts[0] + cuts[1] - cuts[2] + cuts[3];
+    const double sum =
+        c[0] ? free[0] + free[1] + free[2] + free[3] : 2 - cuts[0] + cuts[1] - cuts[2] + cuts[3];
     return sum > 2 ? is_in_ring(cell, true) : !is_in_ring(cell, false);
 }
 
@@ -66,7 +70,8 @@ static void cells(void **state)
     (void)state;
     static const char body[] =
         "vec4 passPixel(ivec2 pixel)\n{\n    int n = pixel.y * 64 + pixel.x, high = n >> 4;\n"
-        "    vec4 cut = (vec4(high * 7 % 31, (high * 9 + 5) % 31, (high * 11 + 10) % 31, (high * 13 + 15) % 31) + 1.0) "
+        "    vec4 cut = (vec4(high * 7 % 31, (high * 9 + 5) % 31, (high * 11 + 10) % 31, (high * "
+        "13 + 15) % 31) + 1.0) "
         "/ 32.0;\n"
         "    vec2 at = (vec2(n * 11 % 64, (n >> 3) * 13 % 64) + 0.5) / 64.0;\n"
         "    bvec4 c = notEqual(ivec4(n) >> ivec4(0, 1, 2, 3) & 1, ivec4(0));\n"
@@ -79,8 +84,10 @@ static void cells(void **state)
     const ScreenPassText text = {.body = {render_text_silhouette, body}, .format = "RGBA32F"};
     float *pixels = malloc(4 * sizeof *pixels * CELLS * CELLS);
     int covered = 0, parted = 0;
-    assert_true(pixels && store && screen_make(gl, &screen) && screen_pass_make(store, &text, &pass));
-    assert_true(framebuffer_make(gl, &(FramebufferSpec){CELLS, CELLS, 1, GL_RGBA32F, false}, &target));
+    assert_true(pixels && store && screen_make(gl, &screen) &&
+                screen_pass_make(store, &text, &pass));
+    assert_true(
+        framebuffer_make(gl, &(FramebufferSpec){CELLS, CELLS, 1, GL_RGBA32F, false}, &target));
     screen_pass_run(&pass, &target, &screen);
     assert_true(framebuffer_read(gl, &target, 0, pixels));
     for (int i = 0; i < CELLS * CELLS; i++) {

@@ -1,5 +1,6 @@
-/* Glass that stands on something opaque: its face there lies in the same plane, and no pixel takes it for nearer. Each picture is compared with that of a block that reaches a little
- * below, whose face is hidden for certain. */
+/* Glass that stands on something opaque: its face there lies in the same plane, and no pixel takes
+ * it for nearer. Each picture is compared with that of a block that reaches a little below, whose
+ * face is hidden for certain. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -14,13 +15,19 @@ static const struct {
     const char *name, *floor, *camera, *turn;
 } cases[] = {
     {"a plane", "Plane", "position: [2.6, -4.2, 2.2], target: [0, 0, .5], angle: 30", "[0, 0, 0]"},
-    {"a plane, turned", "Plane", "position: [2.6, -4.2, 2.2], target: [0, 0, .5], angle: 30", "[0, 0, 27]"},
-    {"a plane, from above", "Plane", "position: [.3, -1.2, 6.2], target: [0, 0, .5], angle: 30", "[0, 0, 11]"},
-    {"a plane, grazing", "Plane", "position: [1.1, -6, .9], target: [0, 0, .3], angle: 20", "[0, 0, 40]"},
-    {"a plane, far away", "Plane", "position: [260, -420, 220], target: [0, 0, .5], angle: .3", "[0, 0, 27]"},
-    {"a quadrangle", "Parallelogram, u: [9, 0, 0], v: [2, 9, 0], transform: { translation: [-5, -4.5, 0] }",
+    {"a plane, turned", "Plane", "position: [2.6, -4.2, 2.2], target: [0, 0, .5], angle: 30",
+     "[0, 0, 27]"},
+    {"a plane, from above", "Plane", "position: [.3, -1.2, 6.2], target: [0, 0, .5], angle: 30",
+     "[0, 0, 11]"},
+    {"a plane, grazing", "Plane", "position: [1.1, -6, .9], target: [0, 0, .3], angle: 20",
+     "[0, 0, 40]"},
+    {"a plane, far away", "Plane", "position: [260, -420, 220], target: [0, 0, .5], angle: .3",
+     "[0, 0, 27]"},
+    {"a quadrangle",
+     "Parallelogram, u: [9, 0, 0], v: [2, 9, 0], transform: { translation: [-5, -4.5, 0] }",
      "position: [2.6, -4.2, 2.2], target: [0, 0, .5], angle: 30", "[0, 0, 27]"},
-    {"a block", "Box, size: [3.3, 3.7, 1], transform: { translation: [0, 0, -.5], rotation: [0, 0, 33] }",
+    {"a block",
+     "Box, size: [3.3, 3.7, 1], transform: { translation: [0, 0, -.5], rotation: [0, 0, 33] }",
      "position: [2.6, -4.2, 2.2], target: [0, 0, .5], angle: 30", "[0, 0, 8]"},
 };
 enum { CASES = sizeof cases / sizeof *cases };
@@ -32,15 +39,20 @@ static float *draw(GlContext *gl, int number, double below, const char *way)
     MatcDocument *document;
     const MatcOptions options = frame_exact_options();
     snprintf(text, sizeof text,
-             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, %s }\nlights: [{ light: Directional, "
+             "image: { width: %d, height: %d }\ncamera: { camera: Perspective, %s }\nlights: [{ "
+             "light: Directional, "
              "direction: [-.4, .5, -.7], intensity: 2, shadows: false }, "
-             "{ light: Ambient, intensity: .3 }]\nobjects:\n- { object: %s, material: { material: Phong, diffuse: [.8, "
+             "{ light: Ambient, intensity: .3 }]\nobjects:\n- { object: %s, material: { material: "
+             "Phong, diffuse: [.8, "
              ".7, .5], ambient: 1 } }\n"
-             "- { object: Box, size: [1, 1, %.9g], transform: { translation: [0, 0, %.9g], rotation: %s }, material: { "
+             "- { object: Box, size: [1, 1, %.9g], transform: { translation: [0, 0, %.9g], "
+             "rotation: %s }, material: { "
              "material: Phong, diffuse: [.1, .4, .1], transparency: [.5, .6, .5] } }\n",
-             WIDTH, HEIGHT, cases[number].camera, cases[number].floor, 1 + below, (1 - below) / 2, cases[number].turn);
+             WIDTH, HEIGHT, cases[number].camera, cases[number].floor, 1 + below, (1 - below) / 2,
+             cases[number].turn);
     Scene *scene = frame_scene(text, &options, &document);
-    float *rgba = frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = way});
+    float *rgba = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = way});
     frame_forget(scene, document);
     return rgba;
 }
@@ -53,7 +65,8 @@ static bool is_apart(const float *a, const float *b)
     return false;
 }
 
-/* Pixels that differ, of those through which the glass is seen; its outline, which moves with its lower side by a fraction of a pixel, is few. */
+/* Pixels that differ, of those through which the glass is seen; its outline, which moves with its
+ * lower side by a fraction of a pixel, is few. */
 static void faces_on_the_floor_are_hidden(void **state)
 {
     int faults = 0;
@@ -79,7 +92,8 @@ static void faces_on_the_floor_are_hidden(void **state)
 int main(void)
 {
     GlContext *gl = frame_context();
-    const struct CMUnitTest tests[] = {cmocka_unit_test_prestate(faces_on_the_floor_are_hidden, gl)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_prestate(faces_on_the_floor_are_hidden, gl)};
     const int result = cmocka_run_group_tests(tests, NULL, NULL);
     gl_close(gl);
     return result;

@@ -1,4 +1,5 @@
-/* Edges and glass: lines of what is behind it, its own outlines, before something near and before nothing. Against 8 x 8 samples of each pixel. */
+/* Edges and glass: lines of what is behind it, its own outlines, before something near and before
+ * nothing. Against 8 x 8 samples of each pixel. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
@@ -6,32 +7,39 @@
 
 enum { WIDTH = 120, HEIGHT = 80, SAMPLES = 8 };
 
-#define CAMERA                                                                                                         \
-    "image: { width: 120, height: 80 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], target: [0, 0, .5], "  \
-    "angle: 40 }\nsky: { material: RGBA, r: .25, g: .5, b: 1 }\nlights: [{ light: Ambient }]\nobjects:\n"
+#define CAMERA                                                                                     \
+    "image: { width: 120, height: 80 }\ncamera: { camera: Perspective, position: [.5, -6, 2.5], "  \
+    "target: [0, 0, .5], "                                                                         \
+    "angle: 40 }\nsky: { material: RGBA, r: .25, g: .5, b: 1 }\nlights: [{ light: Ambient "        \
+    "}]\nobjects:\n"
 #define GLASS      "material: { material: Phong, ambient: [.1, 0, 0], transparency: [.9, .3, .3] }"
 #define GLOWS(rgb) "material: { material: Phong, emissive: " rgb " }"
 
-/* What edges make of the error of one sample, at most: 1, nothing is worse; less, where they see what there is. */
+/* What edges make of the error of one sample, at most: 1, nothing is worse; less, where they see
+ * what there is. */
 static const struct {
     const char *name, *text;
     double share;
 } cases[] = {
-    {"a pane before nothing", CAMERA "- { object: Parallelogram, u: [2, 0, .3], v: [0, .3, 2], " GLASS " }\n", 1},
+    {"a pane before nothing",
+     CAMERA "- { object: Parallelogram, u: [2, 0, .3], v: [0, .3, 2], " GLASS " }\n", 1},
     {"a ball before nothing", CAMERA "- { object: Sphere, " GLASS " }\n", 1},
     {"a pane near a wall",
      CAMERA "- { object: Parallelogram, u: [9, 0, .3], v: [0, .3, 9], " GLOWS(
-         "[1, 1, .5]") ", transform: { translation: [-4, .1, -2] } }\n- { object: Parallelogram, u: [2, 0, .3], v: "
+         "[1, 1, .5]") ", transform: { translation: [-4, .1, -2] } }\n- { object: Parallelogram, "
+                       "u: [2, 0, .3], v: "
                        "[0, .3, 2], " GLASS " }\n",
      .5},
     {"a ball on the ground",
-     CAMERA "- { object: Plane, " GLOWS("[.5, .25, .125]") " }\n- { object: Sphere, " GLASS
-                                                           ", transform: { translation: [0, 0, 1] } }\n",
+     CAMERA
+     "- { object: Plane, " GLOWS("[.5, .25, .125]") " }\n- { object: Sphere, " GLASS
+                                                    ", transform: { translation: [0, 0, 1] } }\n",
      1},
     {"a box behind a pane",
-     CAMERA "- { object: Box, " GLOWS("[1, 1, .5]") ", transform: { rotation: [.3, .2, .7] } }\n- { object: "
-                                                    "Parallelogram, u: [9, 0, .3], v: [0, .3, 9], " GLASS
-                                                    ", transform: { translation: [-4, -2, -2] } }\n",
+     CAMERA "- { object: Box, " GLOWS(
+         "[1, 1, .5]") ", transform: { rotation: [.3, .2, .7] } }\n- { object: "
+                       "Parallelogram, u: [9, 0, .3], v: [0, .3, 9], " GLASS
+                       ", transform: { translation: [-4, -2, -2] } }\n",
      .3},
 };
 
@@ -53,13 +61,15 @@ static void nothing_is_worse(void **state)
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         MatcDocument *document;
         Scene *scene = frame_scene(cases[i].text, &options, &document);
-        RenderOptions ways[] = {{.samples = SAMPLES}, {.edges = RENDER_EDGES_none}, {.edges = RENDER_EDGES_coverage}};
+        RenderOptions ways[] = {
+            {.samples = SAMPLES}, {.edges = RENDER_EDGES_none}, {.edges = RENDER_EDGES_coverage}};
         float *pictures[3];
         for (int way = 0; way < 3; way++) {
             ways[way].compile = &options;
             pictures[way] = frame_floats(gl, scene, &ways[way]);
         }
-        const double none = difference(pictures[1], pictures[0]), edges = difference(pictures[2], pictures[0]);
+        const double none = difference(pictures[1], pictures[0]),
+                     edges = difference(pictures[2], pictures[0]);
         print_message("%-22s one sample off by %.4f, edges by %.4f\n", cases[i].name, none, edges);
         faults += !(none > 1e-3 && edges <= none * cases[i].share);
         for (int way = 0; way < 3; way++)

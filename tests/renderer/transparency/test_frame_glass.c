@@ -1,4 +1,5 @@
-/* Transparent surfaces: layers against their closed form, scenes against the reference, lists against peeling; what there is no room for. */
+/* Transparent surfaces: layers against their closed form, scenes against the reference, lists
+ * against peeling; what there is no room for. */
 /* ctest: unsanitized unoptimized seconds=35 */
 #include "tests/test.h"
 #include "tests/frame/frame_compare.h"
@@ -29,10 +30,11 @@ static void random_panes(Pane *panes, int count)
 static void write_panes(const Pane *panes, int count, char *text, size_t room)
 {
     int order[MOST_LAYERS];
-    size_t size = (size_t)snprintf(text, room,
-                                   "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, "
-                                   "60], up: [0, 1, 0], angle: 30 }\n"
-                                   "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n");
+    size_t size = (size_t)snprintf(
+        text, room,
+        "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, "
+        "60], up: [0, 1, 0], angle: 30 }\n"
+        "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n");
     for (int i = 0; i < count; i++)
         order[i] = i;
     for (int i = count - 1; i > 0; i--) {
@@ -42,12 +44,14 @@ static void write_panes(const Pane *panes, int count, char *text, size_t room)
     }
     for (int i = 0; i < count; i++) {
         const Pane *p = &panes[order[i]];
-        size += (size_t)snprintf(
-            text + size, room - size,
-            "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, -40, %d] }, "
-            "material: "
-            "{ material: Phong, diffuse: 0, emissive: [%.8f, %.8f, %.8f], transparency: [%.8f, %.8f, %.8f] } }\n",
-            count - order[i], p->light[0], p->light[1], p->light[2], p->through[0], p->through[1], p->through[2]);
+        size += (size_t)snprintf(text + size, room - size,
+                                 "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], "
+                                 "transform: { translation: [-40, -40, %d] }, "
+                                 "material: "
+                                 "{ material: Phong, diffuse: 0, emissive: [%.8f, %.8f, %.8f], "
+                                 "transparency: [%.8f, %.8f, %.8f] } }\n",
+                                 count - order[i], p->light[0], p->light[1], p->light[2],
+                                 p->through[0], p->through[1], p->through[2]);
     }
 }
 
@@ -86,15 +90,17 @@ typedef struct {
     RenderOptions options;
     bool old, other; /* other: it has no program over all pixels in common with the first */
 } Way;
-static const Way ways[] = {{"lists", {.transparency = "lists"}, false, false},
-                           {"lists, fragments", {.transparency = "lists", .fragment = true}, false, false},
-                           {"peeling", {.transparency = "peeling"}, false, false},
-                           {"peeling, fragments", {.transparency = "peeling", .fragment = true}, false, true},
-                           {"OpenGL 3.3", {0}, true, false},
-                           {"no room", {.list_bytes = 1000}, false, false}};
+static const Way ways[] = {
+    {"lists", {.transparency = "lists"}, false, false},
+    {"lists, fragments", {.transparency = "lists", .fragment = true}, false, false},
+    {"peeling", {.transparency = "peeling"}, false, false},
+    {"peeling, fragments", {.transparency = "peeling", .fragment = true}, false, true},
+    {"OpenGL 3.3", {0}, true, false},
+    {"no room", {.list_bytes = 1000}, false, false}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* A renderer for each way, which is opened when it is needed and draws all that is drawn so: compiling takes longest here. */
+/* A renderer for each way, which is opened when it is needed and draws all that is drawn so:
+ * compiling takes longest here. */
 static struct {
     MatcLayout *layout;
     MatcOptions options;
@@ -173,13 +179,13 @@ static void layers_are_their_closed_form(void **state)
 
 /* -- packing of each target format in the lists */
 
-#define BYTES \
-    "{ slot: normal, encoding: octahedral, bits: 8 }, " \
-    "{ slot: emissive, encoding: unorm, bits: 8 }, " \
+#define BYTES                                                                                      \
+    "{ slot: normal, encoding: octahedral, bits: 8 }, "                                            \
+    "{ slot: emissive, encoding: unorm, bits: 8 }, "                                               \
     "{ slot: transparency, encoding: unorm, bits: 8 }"
-#define WORDS \
-    "{ slot: normal, encoding: octahedral, bits: 8 }, " \
-    "{ slot: emissive, encoding: unorm, bits: 16 }, " \
+#define WORDS                                                                                      \
+    "{ slot: normal, encoding: octahedral, bits: 8 }, "                                            \
+    "{ slot: emissive, encoding: unorm, bits: 16 }, "                                              \
     "{ slot: transparency, encoding: unorm, bits: 16 }"
 
 /* 8 and 16 bits store fifths exactly. The expected red is .2 + .8 * .6 + .8 * .4 * .25 = .76, and
@@ -225,12 +231,13 @@ static void lists_hold_words_of_each_format(void **state)
 
 /* -- two at one depth */
 
-#define PANE                                                                                                           \
-    "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, -40, %d] }, material: "  \
+#define PANE                                                                                       \
+    "- { object: Parallelogram, u: [80, 0, 0], v: [0, 80, 0], transform: { translation: [-40, "    \
+    "-40, %d] }, material: "                                                                       \
     "%s }\n"
-static const char before_sky[] =
-    "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: 30 }\n"
-    "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n";
+static const char before_sky[] = "image: { width: 8, height: 8 }\ncamera: { camera: Perspective, "
+                                 "position: [0, 0, 60], up: [0, 1, 0], angle: 30 }\n"
+                                 "sky: { material: RGBA, r: .25, g: .5, b: .75 }\nobjects:\n";
 static const char clear_pane[] = "{ material: Phong, diffuse: 0, transparency: [.5, .25, 1] }";
 static const char bright_pane[] = "{ material: Phong, diffuse: 0, emissive: .5, transparency: .5 }";
 static const char nothing_pane[] = "{ material: Phong, diffuse: 0, transparency: 1 }";
@@ -252,7 +259,8 @@ static float *draw_two(int way, const char *const materials[2], int before)
     return rgba;
 }
 
-/* Both count, one of them in front of the other: equal ones, too. By lists, which it is does not depend on the order of the objects. */
+/* Both count, one of them in front of the other: equal ones, too. By lists, which it is does not
+ * depend on the order of the objects. */
 static void none_of_equal_depth_is_lost(void **state)
 {
     (void)state;
@@ -267,7 +275,8 @@ static void none_of_equal_depth_is_lost(void **state)
         float *one = draw_two(way, (const char *[]){clear_pane, bright_pane}, count);
         float *other = draw_two(way, (const char *[]){bright_pane, clear_pane}, count);
         assert_true(farthest(same, SIZE * SIZE, alike) <= 1e-6);
-        assert_true(farthest(one, SIZE * SIZE, either[0]) <= 1e-6 || farthest(one, SIZE * SIZE, either[1]) <= 1e-6);
+        assert_true(farthest(one, SIZE * SIZE, either[0]) <= 1e-6 ||
+                    farthest(one, SIZE * SIZE, either[1]) <= 1e-6);
         if (order && !strcmp(order, "lists"))
             assert_memory_equal(one, other, SIZE * SIZE * 4 * sizeof *one);
         free(same);
@@ -278,76 +287,90 @@ static void none_of_equal_depth_is_lost(void **state)
 
 /* -- against the reference */
 
-#define CAMERA                                                                                                         \
-    "image: { width: 300, height: 200 }\ncamera: { camera: Perspective, position: [2.5, -6, 2.5], target: [0, 0, "     \
-    ".5], "                                                                                                            \
+#define CAMERA                                                                                     \
+    "image: { width: 300, height: 200 }\ncamera: { camera: Perspective, position: [2.5, -6, "      \
+    "2.5], target: [0, 0, "                                                                        \
+    ".5], "                                                                                        \
     "angle: 30 }\n"
 /* For what takes the reference long. */
-#define SMALL                                                                                                          \
-    "image: { width: 180, height: 120 }\ncamera: { camera: Perspective, position: [2.5, -6, 2.5], target: [0, 0, "     \
-    ".5], "                                                                                                            \
+#define SMALL                                                                                      \
+    "image: { width: 180, height: 120 }\ncamera: { camera: Perspective, position: [2.5, -6, "      \
+    "2.5], target: [0, 0, "                                                                        \
+    ".5], "                                                                                        \
     "angle: 30 }\n"
-#define LIGHTS                                                                                                         \
-    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }, { light: Point, position: "   \
+#define LIGHTS                                                                                     \
+    "lights: [{ light: Point, position: [1, -4, 4], color: [1, .8, .6], intensity: 12 }, { "       \
+    "light: Point, position: "                                                                     \
     "[-1, 5, 3], intensity: 5 }, { light: Ambient, intensity: .5 }]\n"
 #define SKY  "sky: { material: RGBA, r: .1, g: .2, b: .5 }\n"
 #define MATT "{ material: Phong, diffuse: [.8, .6, .4] }"
 
 static const struct {
     const char *name, *text;
-    bool costly; /* lobes of area lights take 20 s to compile: drawn in two ways, without a program in common */
+    /* lobes of area lights take 20 s to compile: drawn in two ways, without a program in common */
+    bool costly;
 } pictures[] = {
     {"nested",
-     CAMERA LIGHTS SKY "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
-                       "{ object: Box, size: [2, 2, 2], material: { material: RGBA, r: 1, g: .5, b: .2, a: .4 }, "
-                       "transform: { translation: "
-                       "[0, 0, 1] } }, { object: Box, size: 1.3, material: { material: Phong, diffuse: [.2, .4, 1], "
-                       "transparency: [.5, .7, "
-                       ".9], specular: .5, ambient: .2, shininess: .7 }, transform: { translation: [0, 0, 1], "
-                       "rotation: [.2, .3, .4] } }, "
-                       "{ object: Sphere, radius: .4, material: " MATT ", transform: { translation: [0, 0, 1] } }]\n",
+     CAMERA LIGHTS SKY
+     "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
+     "{ object: Box, size: [2, 2, 2], material: { material: RGBA, r: 1, g: .5, b: .2, a: .4 }, "
+     "transform: { translation: "
+     "[0, 0, 1] } }, { object: Box, size: 1.3, material: { material: Phong, diffuse: [.2, .4, 1], "
+     "transparency: [.5, .7, "
+     ".9], specular: .5, ambient: .2, shininess: .7 }, transform: { translation: [0, 0, 1], "
+     "rotation: [.2, .3, .4] } }, "
+     "{ object: Sphere, radius: .4, material: " MATT ", transform: { translation: [0, 0, 1] } }]\n",
      false},
     {"crossing",
      CAMERA LIGHTS
      "objects: [{ object: Box, size: [2, 1, 1], material: { material: RGBA, r: 1, a: .5 } }, "
-     "{ object: Box, size: [1, 2, 1], material: { material: RGBA, g: 1, a: .3 }, transform: { rotation: [.1, .2, .3] } "
+     "{ object: Box, size: [1, 2, 1], material: { material: RGBA, g: 1, a: .3 }, transform: { "
+     "rotation: [.1, .2, .3] } "
      "}, "
-     "{ object: Cylinder, radius: .6, height: 2, material: { material: Phong, diffuse: .5, transparency: [.9, .2, .6], "
-     "interpolatedTransparency: false }, transform: { translation: [0, 0, -.7], scale: [-1, 1, 1] } }]\n",
+     "{ object: Cylinder, radius: .6, height: 2, material: { material: Phong, diffuse: .5, "
+     "transparency: [.9, .2, .6], "
+     "interpolatedTransparency: false }, transform: { translation: [0, 0, -.7], scale: [-1, 1, 1] "
+     "} }]\n",
      false},
     {"checkered",
-     CAMERA LIGHTS SKY "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
-                       "{ object: Box, size: 2, transform: { translation: [0, 0, 1] }, material: { material: Phong, "
-                       "diffuse: [.3, .5, .7], "
-                       "transparency: { map: Checker, color1: [1, 1, .5], color2: 0, input: { map: UVTransform, "
-                       "scaleU: 3, scaleV: 3 } } } "
-                       "}]\n",
+     CAMERA LIGHTS SKY
+     "objects: [{ object: Plane, material: " MATT ", transform: { translation: [0, 0, -.2] } }, "
+     "{ object: Box, size: 2, transform: { translation: [0, 0, 1] }, material: { material: Phong, "
+     "diffuse: [.3, .5, .7], "
+     "transparency: { map: Checker, color1: [1, 1, .5], color2: 0, input: { map: UVTransform, "
+     "scaleU: 3, scaleV: 3 } } } "
+     "}]\n",
      false},
     {"plane",
-     CAMERA LIGHTS SKY
-     "objects: [{ object: Plane, material: { material: Phong, diffuse: [.1, .3, .3], specular: .5, transparency: [.3, "
-     ".6, .6] } }, { object: Sphere, material: " MATT
-     " }, { object: Box, size: [3, .5, .5], material: { material: RGBA, "
-     "a: .5 } }]\n",
+     CAMERA LIGHTS SKY "objects: [{ object: Plane, material: { material: Phong, diffuse: [.1, .3, "
+                       ".3], specular: .5, transparency: [.3, "
+                       ".6, .6] } }, { object: Sphere, material: " MATT
+                       " }, { object: Box, size: [3, .5, .5], material: { material: RGBA, "
+                       "a: .5 } }]\n",
      false},
     {"from behind",
-     CAMERA "lights: [{ light: Point, position: [-1, 3, 0], intensity: 30 }]\n"
-            "objects: [{ object: Sphere, material: { material: Phong, diffuse: .3, transparency: [.5, "
-            ".6, .7], transparencyShininess: .3, diffuseTransparency: [.2, .3, .4] } }]\n",
+     CAMERA
+     "lights: [{ light: Point, position: [-1, 3, 0], intensity: 30 }]\n"
+     "objects: [{ object: Sphere, material: { material: Phong, diffuse: .3, transparency: [.5, "
+     ".6, .7], transparencyShininess: .3, diffuseTransparency: [.2, .3, .4] } }]\n",
      false},
     {"lamp",
-     SMALL
-     "lights: [{ light: Area, position: [-1, 2, .5], u: [2, 0, 0], v: [0, 0, 1.5], intensity: 4, shadows: none }, "
-     "{ light: Area, position: [-2, -4, 0], u: [0, 0, 2], v: [2, 0, 0], intensity: 3, bothSides: true, shadows: none "
-     "}]\n"
-     "objects: [{ object: Parallelogram, u: [3, 0, 0], v: [0, 0, 2], transform: { translation: [-1.5, 0, "
-     "-.5] }, material: { material: Phong, diffuse: .5, specular: .4, shininess: .5, transparency: [.3, .5, "
-     ".7], transparencyShininess: .7, diffuseTransparency: [.2, .1, .3] } }]\n",
+     SMALL "lights: [{ light: Area, position: [-1, 2, .5], u: [2, 0, 0], v: [0, 0, 1.5], "
+           "intensity: 4, shadows: none }, "
+           "{ light: Area, position: [-2, -4, 0], u: [0, 0, 2], v: [2, 0, 0], intensity: 3, "
+           "bothSides: true, shadows: none "
+           "}]\n"
+           "objects: [{ object: Parallelogram, u: [3, 0, 0], v: [0, 0, 2], transform: { "
+           "translation: [-1.5, 0, "
+           "-.5] }, material: { material: Phong, diffuse: .5, specular: .4, shininess: .5, "
+           "transparency: [.3, .5, "
+           ".7], transparencyShininess: .7, diffuseTransparency: [.2, .1, .3] } }]\n",
      true},
 };
 enum { PICTURES = sizeof pictures / sizeof *pictures };
 
-/* Pixel by pixel, edges too: all ways have the same fragments. What is off is rounding, which each layer that is peeled has more of. */
+/* Pixel by pixel, edges too: all ways have the same fragments. What is off is rounding, which each
+ * layer that is peeled has more of. */
 static void agree(int picture, int way, const Scene *scene, const float *first)
 {
     const size_t lanes = (size_t)scene->width * (size_t)scene->height * 4;
@@ -372,7 +395,8 @@ static void scenes_are_the_reference_by_all_ways(void **state)
         compare(scene, &all.options, first, &spread);
         faults += !is_close(pictures[i].name, 2e-6, &spread);
         for (int way = 1; way < WAYS; way++)
-            if (!ways[way].old && (!pictures[i].costly || ways[way].other)) /* old: its depth is another */
+            /* old: its depth is another */
+            if (!ways[way].old && (!pictures[i].costly || ways[way].other))
                 agree(i, way, scene, first);
         free(first);
         frame_forget(scene, document);
@@ -401,14 +425,17 @@ static void room(void **state)
     MatcOptions options = frame_exact_options();
     options.layout = NULL; /* the smallest */
     MatcDocument *document;
-    /* A pane over three rows of eight pixels: four words, the heads of all pixels, four words for each fragment. */
-    Scene *scene = frame_scene(
-        "image: { width: 8, height: 7 }\ncamera: { camera: Orthographic, position: [0, 0, 60], up: [0, 1, 0], size: 7, "
-        "depth: 100 }\nobjects:\n"
-        "- { object: Parallelogram, u: [8, 0, 0], v: [0, 3, 0], transform: { translation: [-4, -3.5, 1] }, "
-        "material: { material: Phong, diffuse: [.2, .3, .4], specular: .5, shininess: { map: Checker }, transparency: "
-        "[.1, .2, .3], ambient: [.1, .2, .3] } }\n",
-        &options, &document);
+    /* A pane over three rows of eight pixels: four words, the heads of all pixels, four words for
+     * each fragment. */
+    Scene *scene = frame_scene("image: { width: 8, height: 7 }\ncamera: { camera: Orthographic, "
+                               "position: [0, 0, 60], up: [0, 1, 0], size: 7, "
+                               "depth: 100 }\nobjects:\n"
+                               "- { object: Parallelogram, u: [8, 0, 0], v: [0, 3, 0], transform: "
+                               "{ translation: [-4, -3.5, 1] }, "
+                               "material: { material: Phong, diffuse: [.2, .3, .4], specular: .5, "
+                               "shininess: { map: Checker }, transparency: "
+                               "[.1, .2, .3], ambient: [.1, .2, .3] } }\n",
+                               &options, &document);
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
         GlContext *gl = frame_context();
         RenderOptions with = cases[i].options;

@@ -1,4 +1,5 @@
-/* Transparent objects are drawn from the farthest on where their fragments go to lists, for any camera; the picture does not depend on it. */
+/* Transparent objects are drawn from the farthest on where their fragments go to lists, for any
+ * camera; the picture does not depend on it. */
 #include "tests/test.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
@@ -9,24 +10,29 @@
 
 enum { PANES = 21, LAYERS = 96, SIDE = 24, LANES = SIDE * SIDE * 4 };
 
-/* Panes one above the other in no order, three pairs of them at one height, seen from above; a box among them. */
+/* Panes one above the other in no order, three pairs of them at one height, seen from above; a box
+ * among them. */
 static int height_of(int pane) { return pane * 8 % PANES / 2 * 2 - pane * 8 % PANES / 16; }
 
 static void write_scene(char *text, size_t room)
 {
     size_t size = (size_t)snprintf(
         text, room,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: "
+        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], "
+        "up: [0, 1, 0], angle: "
         "40 }\n"
-        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false }]\nmaterials:\n"
+        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false "
+        "}]\nmaterials:\n"
         "  clear: { material: Phong, diffuse: [.1, .2, .3], transparency: [.9, .7, .8] }\n"
-        "objects:\n- { object: Box, size: [9, 9, 9], material: clear, transform: { translation: [0, 0, 5] } }\n",
+        "objects:\n- { object: Box, size: [9, 9, 9], material: clear, transform: { translation: "
+        "[0, 0, 5] } }\n",
         SIDE, SIDE);
     for (int i = 0; i < PANES; i++)
-        size += (size_t)snprintf(text + size, room - size,
-                                 "- { object: Parallelogram, u: [20, 0, %d], v: [0, 20, 0], material: clear, "
-                                 "transform: { translation: [-10, -10, %d] } }\n",
-                                 i % 5 == 4 ? 9 : 0, height_of(i));
+        size += (size_t)snprintf(
+            text + size, room - size,
+            "- { object: Parallelogram, u: [20, 0, %d], v: [0, 20, 0], material: clear, "
+            "transform: { translation: [-10, -10, %d] } }\n",
+            i % 5 == 4 ? 9 : 0, height_of(i));
 }
 
 /* Of each group, the heights of what is drawn: greater ones are nearer, or further away. */
@@ -40,7 +46,8 @@ static void assert_order(const Render *render, bool from_above)
         for (int k = 0; k < cache->surfaces[i].seen; k++, drawn++) {
             const int object = cache->places[cache->list[cache->surfaces[i].first_seen + k]].object;
             const SceneObject *o = &render->scene->objects[object];
-            const double height = o->world_from_local.m[14] + (o->kind == SCENE_Parallelogram ? o->numbers[2] / 2 : 0);
+            const double height = o->world_from_local.m[14] +
+                                  (o->kind == SCENE_Parallelogram ? o->numbers[2] / 2 : 0);
             assert_true(from_above ? height >= before : height <= before);
             before = height;
         }
@@ -65,7 +72,8 @@ static void farthest_first(void **state)
     GlContext *gl = frame_context();
     write_scene(text, sizeof text);
     Scene *scene = frame_scene(text, &options, &document);
-    Render *lists = render_open(gl, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
+    Render *lists = render_open(
+        gl, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
     if (!lists || !render_scene(lists, scene))
         fail_msg("%s", gl->error);
     for (int below = 0; below < 2; below++) {
@@ -75,8 +83,9 @@ static void farthest_first(void **state)
         assert_true(render_changed(lists, RENDER_CAMERA));
         float *rgba = read_frame(gl, lists);
         assert_order(lists, !below);
-        float *peeled =
-            frame_floats(gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = "peeling"});
+        float *peeled = frame_floats(
+            gl, scene,
+            &(RenderOptions){.compile = &options, .view = "light", .transparency = "peeling"});
         for (int i = 0; i < LANES; i++)
             assert_true(fabsf(rgba[i] - peeled[i]) <= 2e-6f * fmaxf(1, fabsf(peeled[i])));
         free(rgba);
@@ -87,23 +96,27 @@ static void farthest_first(void **state)
     frame_forget(scene, document);
 }
 
-/* Panes of two sizes, in turns, are two groups: a pixel's list is then two runs of half as many, each in order, in which every fragment of one
- * stands between two of the other. */
+/* Panes of two sizes, in turns, are two groups: a pixel's list is then two runs of half as many,
+ * each in order, in which every fragment of one stands between two of the other. */
 static void write_turns(char *text, size_t room)
 {
     size_t size = (size_t)snprintf(
         text, room,
-        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], up: [0, 1, 0], angle: "
+        "image: { width: %d, height: %d }\ncamera: { camera: Perspective, position: [0, 0, 60], "
+        "up: [0, 1, 0], angle: "
         "40 }\n"
-        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false }]\nmaterials:\n"
+        "lights: [{ light: Point, position: [5, 5, 80], intensity: 4000, shadows: false "
+        "}]\nmaterials:\n"
         "  blue: { material: Phong, diffuse: [0, .2, .9], transparency: [.9, .93, .96] }\n"
-        "  red: { material: Phong, diffuse: [.9, .1, 0], transparency: [.96, .93, .9] }\nobjects:\n",
+        "  red: { material: Phong, diffuse: [.9, .1, 0], transparency: [.96, .93, .9] "
+        "}\nobjects:\n",
         SIDE, SIDE);
     for (int i = 0; i < LAYERS; i++)
-        size += (size_t)snprintf(text + size, room - size,
-                                 "- { object: Parallelogram, u: [%d, 0, 0], v: [0, 40, 0], material: %s, "
-                                 "transform: { translation: [-20, -20, %g] } }\n",
-                                 40 + i % 2, i % 2 ? "red" : "blue", i * .25);
+        size += (size_t)snprintf(
+            text + size, room - size,
+            "- { object: Parallelogram, u: [%d, 0, 0], v: [0, 40, 0], material: %s, "
+            "transform: { translation: [-20, -20, %g] } }\n",
+            40 + i % 2, i % 2 ? "red" : "blue", i * .25);
 }
 
 /* Lists that take every step of merging are put in the order that peeling finds. */
@@ -118,10 +131,13 @@ static void runs_in_turns(void **state)
     Scene *scene = frame_scene(text, &options, &document);
     float *pictures[2];
     for (int i = 0; i < 2; i++)
-        pictures[i] = frame_floats(
-            gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = i ? "peeling" : "lists"});
+        pictures[i] = frame_floats(gl, scene,
+                                   &(RenderOptions){.compile = &options,
+                                                    .view = "light",
+                                                    .transparency = i ? "peeling" : "lists"});
     for (int i = 0; i < LANES; i++)
-        assert_true(fabsf(pictures[0][i] - pictures[1][i]) <= 4e-6f * fmaxf(1, fabsf(pictures[1][i])));
+        assert_true(fabsf(pictures[0][i] - pictures[1][i]) <=
+                    4e-6f * fmaxf(1, fabsf(pictures[1][i])));
     free(pictures[0]);
     free(pictures[1]);
     gl_close(gl);
@@ -141,17 +157,23 @@ static void every_layer_is_a_run(void **state)
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
     GlContext *gl = frame_context();
-    char *to = text + sprintf(text, "image: { width: %d, height: %d }\ncamera: { camera: Orthographic, "
-                                    "position: [0, -40, 0], target: [0, 0, 0], size: .2, depth: 100 }\nobjects:\n",
-                              SIDE, SIDE);
+    char *to =
+        text +
+        sprintf(text,
+                "image: { width: %d, height: %d }\ncamera: { camera: Orthographic, "
+                "position: [0, -40, 0], target: [0, 0, 0], size: .2, depth: 100 }\nobjects:\n",
+                SIDE, SIDE);
     for (int i = 0; i < RUNS; i++)
-        to += sprintf(to, "- { object: Parallelogram, u: [30, 30, 0], v: [0, 0, 2], transform: { translation: "
-                          "[%g, %g, -1] }, material: { material: Phong, diffuse: 0, emissive: %d, "
-                          "transparency: [%g, %g, %g] } }\n",
-                      -15 - .2 * i, -15 - .1 * i, i % 3 == 0, passes[i % 3], passes[(i + 1) % 3], passes[(i + 2) % 3]);
+        to += sprintf(
+            to,
+            "- { object: Parallelogram, u: [30, 30, 0], v: [0, 0, 2], transform: { translation: "
+            "[%g, %g, -1] }, material: { material: Phong, diffuse: 0, emissive: %d, "
+            "transparency: [%g, %g, %g] } }\n",
+            -15 - .2 * i, -15 - .1 * i, i % 3 == 0, passes[i % 3], passes[(i + 1) % 3],
+            passes[(i + 2) % 3]);
     Scene *scene = frame_scene(text, &options, &document);
-    float *lit = frame_floats(gl, scene,
-                              &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
+    float *lit = frame_floats(
+        gl, scene, &(RenderOptions){.compile = &options, .view = "light", .transparency = "lists"});
     double left[3] = {1, 1, 1}, sum[3] = {0};
     for (int i = 0; i < RUNS; i++)
         for (int lane = 0; lane < 3; lane++) {
@@ -168,7 +190,8 @@ static void every_layer_is_a_run(void **state)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first), cmocka_unit_test(runs_in_turns),
+    const struct CMUnitTest tests[] = {cmocka_unit_test(farthest_first),
+                                       cmocka_unit_test(runs_in_turns),
                                        cmocka_unit_test(every_layer_is_a_run)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
