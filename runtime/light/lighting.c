@@ -4,7 +4,7 @@
 #include "gen/render_text.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <stdio.h>
 
 /* Units behind those of the G-buffer. */

@@ -5,7 +5,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include "runtime/picture/tool_lines.h"
 #include <stddef.h>
 #include <stdint.h>

@@ -10,7 +10,7 @@
 #include "runtime/render/passes.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <string.h>
 
 /* In the order of a frame. */

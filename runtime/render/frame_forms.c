@@ -4,7 +4,7 @@
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 
 /* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half
  * float would be the worse. So it would where many parts add up. */

@@ -13,7 +13,7 @@
 #include "runtime/scene/scene_origin.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -13,8 +13,8 @@
 #include "runtime/render/render.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/silhouette/silhouette.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include "runtime/shadow/soft_views.h"
 #include <stdlib.h>
 #include <string.h>

@@ -5,8 +5,8 @@
 #include "runtime/scene/scene_area.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/silhouette/silhouette.h"
+#include "runtime/shadow/hybrid/volume.h"
 
 enum { SHADOW_MAPS_MIB = 4096 };
 

@@ -2,8 +2,8 @@
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/silhouette/silhouette.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 

@@ -6,7 +6,7 @@
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 #include <stdio.h>

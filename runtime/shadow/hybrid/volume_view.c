@@ -1,7 +1,7 @@
 /* Views of the picture with the volumes of hybrid shadows in it (volume_shown.c), or with objects
  * as lines. */
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <string.h>
 
 static const VolumeView views[] = {

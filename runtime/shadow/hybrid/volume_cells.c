@@ -5,8 +5,8 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/shadow/silhouette.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/silhouette/silhouette.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <stdint.h>
 
 enum {

@@ -2,7 +2,7 @@
  * whole numbers, and from there into a texture. */
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow_state.h"
-#include "runtime/shadow/silhouette.h"
+#include "runtime/shadow/silhouette/silhouette.h"
 #include "runtime/cache/instances.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"

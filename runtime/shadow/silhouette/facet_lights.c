@@ -2,7 +2,7 @@
 #include "runtime/frame/frame.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette.h"
+#include "runtime/shadow/silhouette/silhouette.h"
 #include <string.h>
 
 static bool has_light(const Render *render)

@@ -11,7 +11,7 @@
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/scene/scene_matrix.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <math.h>
 #include <stdlib.h>
 

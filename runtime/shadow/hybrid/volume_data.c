@@ -5,7 +5,7 @@
  * Buffers are written when maps are drawn. All three draw the same triangles, corner by corner. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <stdint.h>
 #include <stdlib.h>
 

@@ -3,7 +3,7 @@
  * hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 #include <stdlib.h>
 
 static void place(const Render *render, int view)

@@ -1,6 +1,6 @@
 /* Which lights cast hybrid shadows. */
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 
 bool volume_lights_has(const Render *render, int light)
 {

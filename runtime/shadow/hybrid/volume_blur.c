@@ -2,7 +2,7 @@
  * map. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/shadow/volume.h"
+#include "runtime/shadow/hybrid/volume.h"
 
 bool volume_blur_make(Render *render)
 {
