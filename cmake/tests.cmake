@@ -40,7 +40,7 @@ target_link_libraries(failing_malloc PRIVATE matc_flags)
 target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers locale exports test_affine test_bounded test_convert test_defaults test_exact
+set(QUICK golden abi embed_example functions layers locale exports format test_affine test_bounded test_convert test_defaults test_exact
   test_exact_material test_filtered_pass test_ir_check test_json
   test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
   test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
@@ -246,6 +246,8 @@ if(NOT SANITIZED)
   matc_test(locale sh tests/sources/locale.sh)
   matc_test(readmes sh tests/sources/readmes.sh)
   matc_test(exports sh tests/sources/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
+  matc_test(format sh tests/sources/format.sh)
+  matc_test(tidy sh tests/sources/tidy.sh ${PROJECT_BINARY_DIR})
   matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
   matc_test(test_valid_spirv ${PROGRAM_test_valid} spirv)
   matc_test(pages sh tests/docs/pages.sh $<TARGET_FILE:matc> $<TARGET_FILE:matview>)

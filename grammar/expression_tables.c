@@ -11,7 +11,9 @@ const TermRow term_table[TERM_COUNT] = {
 #define FUNCTION(name, signature, doc, example) TERM_ROW(name, signature, doc, example, true)
 #define JUMPS(name)                             [TERM_##name].jumps = true,
 #define NOISY(name)                             [TERM_##name].noisy = true,
-#define WHOLE(name, low, high)                  [TERM_##name].whole_low = low, [TERM_##name].whole_high = high,
+
+#define WHOLE(name, low, high) [TERM_##name].whole_low = low, [TERM_##name].whole_high = high,
+
 #define LEAST(name, number, ...)                                                                   \
     [TERM_##name].least = number, [TERM_##name].initial = {__VA_ARGS__},
 #include "expression.def"

@@ -18,7 +18,8 @@ const EncodingRow encoding_table[ENCODING_COUNT] = {
     [ENCODING_##code].takes = lanes, [ENCODING_##code].doc = text,
 #define BITS(code, size, at_least, at_most)                                                        \
     [ENCODING_##code].least = at_least, [ENCODING_##code].most = at_most,
-#define CODE(code, to, from)           [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
+#define CODE(code, to, from) [ENCODING_##code].pack = FN_##to, [ENCODING_##code].unpack = from,
+
 #define ERROR(code, error_unit, error) [ENCODING_##code].unit = UNIT_##error_unit,
 #include "encodings.def"
 };

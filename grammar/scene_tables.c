@@ -48,7 +48,8 @@ const SceneParamRow scene_param_table[SCENE_PARAM_COUNT] = {
 
 /* Runs of parameters and of kinds, as tables.c has them. */
 enum {
-#define SCENE_KIND(sort, name, doc)                         FIRST_##name, RESET_##name = FIRST_##name - 1,
+#define SCENE_KIND(sort, name, doc) FIRST_##name, RESET_##name = FIRST_##name - 1,
+
 #define SCENE_PARAM(kind, name, type, init, range, in, doc) AT_##kind##_##name,
 #define SCENE_PART(kind, name, sort, number, doc)           AT_##kind##_##name,
 #include "scene.def"

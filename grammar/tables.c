@@ -173,7 +173,8 @@ const KindRow kind_table[KIND_COUNT] = {
 
 /* The kind that follows each heading: an enumerator that the kind behind it has too. */
 enum {
-#define SECTION(name, title)                     SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+#define SECTION(name, title) SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
+
 #define MATERIAL(name, sort, doc)                SECTION_KIND_##name,
 #define MAP(name, function, lowering, cost, doc) SECTION_KIND_##name,
 #include "materials.def"

@@ -18,8 +18,9 @@
     REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
 #define REFS_COUNT(...)                       REFS_PICK(__VA_ARGS__, 5, 4, 3, 2, 1, )
 #define REFS_PICK(a, b, c, d, e, chosen, ...) chosen
-#define REFS_1(ir, a)                         (build_hold(ir, a), build_held(ir, 1))
-#define REFS_2(ir, a, b)                      (build_hold(ir, a), build_hold(ir, b), build_held(ir, 2))
+
+#define REFS_1(ir, a)    (build_hold(ir, a), build_held(ir, 1))
+#define REFS_2(ir, a, b) (build_hold(ir, a), build_hold(ir, b), build_held(ir, 2))
 #define REFS_3(ir, a, b, c)                                                                        \
     (build_hold(ir, a), build_hold(ir, b), build_hold(ir, c), build_held(ir, 3))
 #define REFS_4(ir, a, b, c, d)                                                                     \

@@ -9,18 +9,22 @@
 // clang-format off
 #define GL_FUNCTIONS(F) \
     F(ACTIVETEXTURE, ActiveTexture) F(ATTACHSHADER, AttachShader) F(BINDBUFFER, BindBuffer) \
-    F(BINDBUFFERRANGE, BindBufferRange) F(BINDFRAMEBUFFER, BindFramebuffer) F(BINDSAMPLER, BindSampler) \
-    F(BINDVERTEXARRAY, BindVertexArray) \
-    F(BUFFERDATA, BufferData) F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) F(COMPILESHADER, CompileShader) \
+    F(BINDBUFFERRANGE, BindBufferRange) F(BINDFRAMEBUFFER, BindFramebuffer) \
+    F(BINDSAMPLER, BindSampler) F(BINDVERTEXARRAY, BindVertexArray) F(BUFFERDATA, BufferData) \
+    F(CHECKFRAMEBUFFERSTATUS, CheckFramebufferStatus) F(COMPILESHADER, CompileShader) \
     F(CREATEPROGRAM, CreateProgram) F(CREATESHADER, CreateShader) F(DRAWBUFFERS, DrawBuffers) \
-    F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) \
-    F(GENBUFFERS, GenBuffers) F(GENERATEMIPMAP, GenerateMipmap) F(GENFRAMEBUFFERS, GenFramebuffers) \
-    F(GENSAMPLERS, GenSamplers) F(GENVERTEXARRAYS, GenVertexArrays) F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv) \
+    F(ENABLEVERTEXATTRIBARRAY, EnableVertexAttribArray) \
+    F(FRAMEBUFFERTEXTURE2D, FramebufferTexture2D) F(GENBUFFERS, GenBuffers) \
+    F(GENERATEMIPMAP, GenerateMipmap) F(GENFRAMEBUFFERS, GenFramebuffers) \
+    F(GENSAMPLERS, GenSamplers) F(GENVERTEXARRAYS, GenVertexArrays) \
+    F(GETPROGRAMINFOLOG, GetProgramInfoLog) F(GETPROGRAMIV, GetProgramiv) \
     F(GETUNIFORMBLOCKINDEX, GetUniformBlockIndex) F(GETUNIFORMLOCATION, GetUniformLocation) \
-    F(LINKPROGRAM, LinkProgram) F(SAMPLERPARAMETERI, SamplerParameteri) F(SHADERSOURCE, ShaderSource) F(UNIFORM1FV, Uniform1fv) F(UNIFORM1I, Uniform1i) \
+    F(LINKPROGRAM, LinkProgram) F(SAMPLERPARAMETERI, SamplerParameteri) \
+    F(SHADERSOURCE, ShaderSource) F(UNIFORM1FV, Uniform1fv) F(UNIFORM1I, Uniform1i) \
     F(UNIFORM2FV, Uniform2fv) F(UNIFORM3FV, Uniform3fv) F(UNIFORM4FV, Uniform4fv) \
     F(UNIFORMBLOCKBINDING, UniformBlockBinding) F(UNIFORMMATRIX3FV, UniformMatrix3fv) \
-    F(UNIFORMMATRIX4FV, UniformMatrix4fv) F(USEPROGRAM, UseProgram) F(VERTEXATTRIBPOINTER, VertexAttribPointer)
+    F(UNIFORMMATRIX4FV, UniformMatrix4fv) F(USEPROGRAM, UseProgram) \
+    F(VERTEXATTRIBPOINTER, VertexAttribPointer)
 // clang-format on
 
 /* gl.UseProgram and so on; those of OpenGL 1.1 are linked. */

@@ -12,11 +12,14 @@
 
 /* clang-format off */
 const GrowthRow growth_table[] = {
-#define MANY(name, options, count, head, part, tail) {#name, options, count, false, false, head, part, tail, "", ""},
-#define BAD(name, options, count, head, part, tail)  {#name, options, count, true, false, head, part, tail, "", ""},
-#define NEST(name, options, count, head, part, middle, close, tail)                                                    \
+#define MANY(name, options, count, head, part, tail) \
+    {#name, options, count, false, false, head, part, tail, "", ""},
+#define BAD(name, options, count, head, part, tail) \
+    {#name, options, count, true, false, head, part, tail, "", ""},
+#define NEST(name, options, count, head, part, middle, close, tail) \
     {#name, options, count, false, false, head, part, middle, close, tail},
-#define DEEP(name, options, count, part, top)        {#name, options, count, false, true, top, part, "", "", ""},
+#define DEEP(name, options, count, part, top) \
+    {#name, options, count, false, true, top, part, "", "", ""},
 #include "growth.def"
 };
 /* clang-format on */

@@ -129,7 +129,8 @@ static void long_coordinates_have_the_oracles_values(void **state)
 }
 
 /* Normals in the relief of each pattern: its slopes. */
-#define RELIEF(map)          "material: Phong\ninput: {map: BumpMap, strength: 3, displacement: " map "}\n"
+#define RELIEF(map) "material: Phong\ninput: {map: BumpMap, strength: 3, displacement: " map "}\n"
+
 #define SQUARE_RELIEF(input) RELIEF("{map: Checker, input: " input "}")
 #define CUBE_RELIEF(input)   RELIEF("{map: VolumeChecker, input: " input "}")
 static const char *const reliefs[] = {

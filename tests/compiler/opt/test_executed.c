@@ -106,12 +106,11 @@ static void a_side_is_computed_where_it_shows(void **state)
          {0, 1, 1, 1}},
         /* of what another slot weighs */
         {"material: Mix\n" MASK "a: { material: Principled, coat: 1, coatRoughness: .1 }\nb: { "
-                                "material: Principled, coat: &t " COSTLY
-         ", coatRoughness: *t, roughness: *t }\n",
+         "material: Principled, coat: &t " COSTLY ", coatRoughness: *t, roughness: *t }\n",
          {0, 1, 1, 1}},
         /* each side its own */
         {"material: Mix\n" MASK "a: { material: Phong, diffuse: &s { map: VolumeTurbulence, "
-                                "octaves: 3 }, shininess: *s }\n"
+         "octaves: 3 }, shininess: *s }\n"
          "b: { material: Phong, diffuse: &t " COSTLY ", shininess: *t }\n",
          {1, 2, 1, 1}},
         /* both sides need it, or the mask: everywhere */

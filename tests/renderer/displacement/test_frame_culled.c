@@ -215,7 +215,7 @@ static void what_falls_on_a_plane_is_there(void **state)
                  "displacement: { map: VolumeTurbulence, size: 1 } }, floor: { material: Phong, "
                  "diffuse: 0.8 } }\n"
                  "displacement: { " GRID " }\nlights: [%s]\nobjects:\n- { object: Plane, material: "
-                                         "floor, transform: { %stranslation: [0, 0, -4] } }\n"
+                 "floor, transform: { %stranslation: [0, 0, -4] } }\n"
                  "- { object: Sphere, radius: 0.7, detail: 12, material: rock, transform: { "
                  "translation: [0, 0, 4] } }\n"
                  "- { object: Sphere, radius: 0.7, detail: 12, material: rock, transform: { "

@@ -113,7 +113,7 @@ static const PictureCase pictures[] = {
     {"a checker along parallels", "image: { width: 320, height: 240 }\ncamera: { camera: "
                                   "Orthographic, position: [.5, -9, 9], size: 6, depth: 40 "
                                   "}\n" POINT "objects: [{ object: Plane, material: { material: "
-                                              "Phong, diffuse: { map: Checker, color1: .8, color2: "
+                                  "Phong, diffuse: { map: Checker, color1: .8, color2: "
                                   ".4 } } }]\n"},
     {"maps", CAMERA POINT "objects: [{ object: Parallelogram, u: [4, 0, 0], v: [0, 4, 0], "
                           "transform: { translation: [-2, -2, 0] }, "

@@ -81,8 +81,8 @@ static void count_calls(GlContext *gl)
     COUNT(Uniform4fv)
     COUNT(Uniform1iv)
     COUNT(UniformMatrix3fv)
-    COUNT(UniformMatrix4fv) COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls =
-        draws = 0;
+    COUNT(UniformMatrix4fv)
+    COUNT(DrawElements) COUNT(DrawArrays) COUNT(DispatchCompute) calls = draws = 0;
 }
 
 /* Spheres and boxes of three materials, one of them another program; a plane, a sky; a box and a

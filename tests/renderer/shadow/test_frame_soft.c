@@ -66,7 +66,8 @@ static int map_size = MAPS;
 #define SMALL                                                                                      \
     "{ light: Area, position: [-.15, -1.15, 4], u: [0, .3, 0], v: [.3, 0, 0], intensity: 9 }"
 #define MIDDLE "{ light: Area, position: [-.5, -1.5, 4], u: [0, 1, 0], v: [1, 0, 0], intensity: 9 }"
-#define LARGE  "{ light: Area, position: [-1.5, -1.5, 3], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
+
+#define LARGE "{ light: Area, position: [-1.5, -1.5, 3], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
 #define CLOSE                                                                                      \
     "{ light: Area, position: [-1.5, -1.5, 2.1], u: [0, 3, 0], v: [3, 0, 0], intensity: 9 }"
 #define WALL "{ light: Area, position: [-2.5, -1, 0], u: [0, 2, 0], v: [0, .3, 2], intensity: 9 }"
