@@ -33,4 +33,14 @@ static inline bool vec3_normalize(double v[3])
         v[i] /= length;
     return true;
 }
+
+/* Both have a length, and are not on one line. */
+static inline bool vec3_span(const double u[3], const double v[3])
+{
+    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];
+    if (!vec3_normalize(a) || !vec3_normalize(b))
+        return false;
+    vec3_cross(a, b, cross);
+    return vec3_dot(cross, cross) > 1e-12;
+}
 #endif

@@ -133,43 +133,41 @@ static void to_eye(const ViewSpace *space, const double from[3], double w, float
     out[3] = (float)w;
 }
 
-/* Linear in the cosine between the angles, as scale and shift: a cone whose angles are one has the
- * steepest slope that its cosine can tell. */
-static void cone_of(const SceneLight *light, float out[4])
-{
-    const double width = fmax(light->inner_cosine - light->outer_cosine, 1e-6);
-    out[0] = light->kind == SCENE_Spot ? (float)(1 / width) : 0;
-    out[1] = light->kind == SCENE_Spot ? (float)(-light->outer_cosine / width) : 1;
-}
-
-/* `light` was cut, if it is an Area. */
+/* `light` was cut, if it has an extent. */
 static void put_light(const ViewSpace *space, const SceneLight *light,
                       float out[VIEW_SPACE_LIGHT_TEXELS][4])
 {
-    const bool far = light->kind == SCENE_Directional;
+    const LightKind *row = light_kind_of(light);
+    const bool far = row->from == LIGHT_FROM_afar;
+    double cone[2] = {0, 1};
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
     memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
     to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
     for (int lane = 0; lane < 3; lane++)
         out[1][lane] = (float)light->light[lane];
-    if (light->kind == SCENE_Area) {
+    if (row->from == LIGHT_FROM_extent) {
         to_eye(space, light->edges[0], 0, out[2]);
         to_eye(space, light->edges[1], 0, out[3]);
         out[1][3] = light->both_sides;
         return;
     }
     to_eye(space, light->direction, 0, out[2]);
-    cone_of(light, out[3]);
+    if (row->cone)
+        row->cone(light, cone);
+    for (int i = 0; i < 2; i++)
+        out[3][i] = (float)cone[i];
 }
 
-ViewSpaceSection view_space_section(const SceneLight *light, bool shadows)
+int view_space_section(const SceneLight *light, bool shadows)
 {
-    if (light->kind == SCENE_Ambient || light->kind == SCENE_Hemisphere)
+    const LightKind *row = light_kind_of(light);
+    if (row->from >= LIGHT_FROM_around)
         return VIEW_SPACE_SECTIONS;
-    if (light->kind == SCENE_Area)
-        return VIEW_SPACE_AREAS;
-    return light->kind == SCENE_Point && !(scene_light_casts(light) && shadows) ? VIEW_SPACE_PLAIN
-                                                                                : VIEW_SPACE_POINTS;
+    if (row->glsl)
+        return VIEW_SPACE_KINDS + light_kind_number(light->kind);
+    return row->from == LIGHT_FROM_point && !row->cone && !(scene_light_casts(light) && shadows)
+               ? VIEW_SPACE_PLAIN
+               : VIEW_SPACE_POINTS;
 }
 
 static int texels_of(int section)
@@ -193,11 +191,11 @@ void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows,
     for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
         counts[section] = 0;
         for (int i = 0; i < scene->light_count; i++)
-            if ((int)view_space_section(&scene->lights[i], shadows) == section) {
-                const bool area = section == VIEW_SPACE_AREAS;
-                if (area)
+            if (view_space_section(&scene->lights[i], shadows) == section) {
+                const bool wide = light_from(&scene->lights[i]) == LIGHT_FROM_extent;
+                if (wide)
                     scene_area_cut(&scene->camera, &scene->lights[i], &cut);
-                put_light(space, area ? &cut : &scene->lights[i], light);
+                put_light(space, wide ? &cut : &scene->lights[i], light);
                 memcpy(texels, light, (size_t)texels_of(section) * sizeof *texels);
                 texels += texels_of(section);
                 counts[section]++;
@@ -205,26 +203,16 @@ void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows,
     }
 }
 
-void view_space_ambient(const Scene *scene, float ambient[4])
-{
-    double sum[3] = {0};
-    for (int i = 0; i < scene->light_count; i++)
-        for (int lane = 0; lane < 3; lane++)
-            sum[lane] += scene->lights[i].kind == SCENE_Ambient ? scene->lights[i].light[lane] : 0;
-    for (int lane = 0; lane < 4; lane++)
-        ambient[lane] = lane < 3 ? (float)sum[lane] : 0;
-}
-
-bool view_space_hemisphere(const ViewSpace *space, const Scene *scene,
-                           float numbers[VIEW_SPACE_HEMISPHERE][4])
+bool view_space_around(const ViewSpace *space, const Scene *scene, const LightKind *kind,
+                       float numbers[VIEW_SPACE_AROUND][4])
 {
     double above[3] = {0}, below[3] = {0};
     bool there = false;
-    memset(numbers, 0, VIEW_SPACE_HEMISPHERE * sizeof *numbers);
+    memset(numbers, 0, VIEW_SPACE_AROUND * sizeof *numbers);
     to_eye(space, (const double[]){0, 0, 1}, 0, numbers[0]);
-    for (int i = 0; i < scene->light_count; i++) {
+    for (int i = 0; kind->from == LIGHT_FROM_around && i < scene->light_count; i++) {
         const SceneLight *light = &scene->lights[i];
-        if (light->kind != SCENE_Hemisphere)
+        if (light->kind != kind->kind)
             continue;
         there = true;
         for (int lane = 0; lane < 3; lane++) {

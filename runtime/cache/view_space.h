@@ -28,16 +28,16 @@ Spaces view_space_of_sky(const ViewSpace *space);
  * picture. */
 void view_space_place(ViewSpace *space, const int size[2], const int at[2]);
 
-/* Lights come section by section, so that a loop has one kind of formula. */
-typedef enum {
-    /* points that cast no shadow: they have the first two texels, which say all */
-    VIEW_SPACE_PLAIN,
-    VIEW_SPACE_POINTS, /* other points, spots, directional lights */
-    VIEW_SPACE_AREAS,
-    VIEW_SPACE_SECTIONS /* the section of lights from all around, which have no texels */
-} ViewSpaceSection;
-/* `shadows`: lights cast them, where they are to. */
-ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
+/* Lights come section by section, so that each loop of a shader has one formula. */
+enum {
+    VIEW_SPACE_PLAIN,  /* points without a cone and shadows: their first two texels say all */
+    VIEW_SPACE_POINTS, /* other points, and parallel light */
+    VIEW_SPACE_KINDS,  /* from here on kinds with a GLSL, by their numbers in light_kind_table */
+    VIEW_SPACE_SECTIONS = VIEW_SPACE_KINDS + LIGHT_KINDS_MAX
+};
+/* The section of a light; VIEW_SPACE_SECTIONS: light from all around, which has no texels.
+ * `shadows`: lights cast them if they are to. */
+int view_space_section(const SceneLight *light, bool shadows);
 
 /* Parallel rays meet a plane in points that are linear in the pixel; so they are seen as well along
  * rays from one point, each of which ends where its parallel does. Of a plane that is seen edge-on
@@ -45,20 +45,18 @@ ViewSpaceSection view_space_section(const SceneLight *light, bool shadows);
 void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane,
                           Spaces *spaces);
 
-/* Lights but for those from all around, in texels of four floats, and how many each section has.
+/* Texels of all lights that have a place, and the number of lights in each section.
  *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
  *   2  xyz: the direction in which it shines 3 x, y: the cone lets clamp(c x + y, 0, 1) through, c
  *      the cosine
- * Of an Area: 0 its corner; 1 radiance, w: it shines to both sides; 2, 3 its edges u, v. */
+ * Of an extent: 0 its corner; 1 light, w: it shines to both sides; 2, 3 its edges. */
 void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
                        int counts[VIEW_SPACE_SECTIONS]);
 /* How many texels the sections before that one have. */
 int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section);
-/* The sum of the ambient ones. */
-void view_space_ambient(const Scene *scene, float ambient[4]);
-/* Up, in the eye's space; the sums of the hemispheres' light from above and from below. False:
- * there are none. */
-enum { VIEW_SPACE_HEMISPHERE = 3 };
-bool view_space_hemisphere(const ViewSpace *space, const Scene *scene,
-                           float numbers[VIEW_SPACE_HEMISPHERE][4]);
+/* The sums over the lights of a kind from around: up, in the eye's space, then the light from above
+ * and that from below. False: there are none. */
+enum { VIEW_SPACE_AROUND = 3 };
+bool view_space_around(const ViewSpace *space, const Scene *scene, const LightKind *kind,
+                       float numbers[VIEW_SPACE_AROUND][4]);
 #endif

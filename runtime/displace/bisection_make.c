@@ -36,9 +36,7 @@ bool bisection_there(const GlContext *gl)
 
 bool bisection_casts(const SceneLight *light)
 {
-    return scene_light_casts(light) &&
-           (light->kind == SCENE_Directional || light->kind == SCENE_Point ||
-            light->kind == SCENE_Spot || light->kind == SCENE_Area);
+    return scene_light_casts(light) && light_from(light) < LIGHT_FROM_around;
 }
 
 static const char with_lights[] = "#define BISECT_LIGHTS\n";

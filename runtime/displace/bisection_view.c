@@ -53,13 +53,13 @@ void bisection_view_set(Displaced *d, const DisplacedView *view, const Mesh *mes
     bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none ? 3 : 0);
 }
 
-/* An Area is a box around its parallelogram. */
+/* An extent is a box around its parallelogram. */
 static void set_light(const SceneLight *light, float at[4], float extent[3])
 {
-    const bool far = light->kind == SCENE_Directional;
+    const bool far = light_from(light) == LIGHT_FROM_afar;
     for (int k = 0; k < 3; k++) {
         at[k] = (float)(far ? -light->direction[k] : light->position[k]);
-        for (int i = 0; i < 2 && light->kind == SCENE_Area; i++) {
+        for (int i = 0; i < 2 && light_from(light) == LIGHT_FROM_extent; i++) {
             at[k] += (float)(light->edges[i][k] / 2);
             extent[k] += (float)(fabs(light->edges[i][k]) / 2);
         }

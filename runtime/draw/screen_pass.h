@@ -6,7 +6,7 @@
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
 
-enum { SCREEN_PASS_PIECES = 35 };
+enum { SCREEN_PASS_PIECES = 62 };
 _Static_assert((int)SCREEN_PASS_PIECES + 2 <= (int)PROGRAM_PIECES,
                "a head before them, an entry behind");
 

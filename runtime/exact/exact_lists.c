@@ -7,8 +7,6 @@
 
 enum { FACES = 6, SIZE_LEAST = 8, SIZE_MOST = SIZE_LEAST << 7 };
 
-static const double widest = 0.5; /* cosine: a spot with a wider cone is looked at as a point */
-
 typedef struct {
     bool placed;
     float from[3], rows[3][4];
@@ -58,13 +56,12 @@ static void fit_cube(View *view)
 
 static View view_of(const ExactTriangles *triangles, const SceneLight *light)
 {
-    View view = {.placed = light->kind != SCENE_Directional, .faces = 1};
+    View view = {.placed = light_from(light) != LIGHT_FROM_afar, .faces = 1};
     double x[3], y[3];
     for (int i = 0; i < 3; i++)
         view.from[i] = view.placed ? (float)(light->position[i] - triangles->origin[i])
                                    : (float)-light->direction[i];
-    if (light->kind == SCENE_Point ||
-        (light->kind == SCENE_Spot && light->outer_cosine <= widest)) {
+    if (light_kind_is_wide(light)) {
         fit_cube(&view);
         return view;
     }

@@ -173,15 +173,15 @@ static bool casts(const Render *render)
 }
 
 /* Light that goes on asks for what is beside the view; so do shadows but by plain maps: borders of
- * bodies, and ways from within an Area, which pass beside what its points see. */
+ * bodies, and ways from within an extent, which pass beside what its points see. */
 static bool is_alone(const Render *render)
 {
     const Scene *scene = render->scene;
     bool alone = scene && !scene_indirect_is(scene);
     for (int i = 0; alone && casts(render) && i < scene->light_count; i++)
-        alone =
-            !scene_light_casts(&scene->lights[i]) ||
-            (scene->lights[i].shadows == WORD_Shadows_map && scene->lights[i].kind != SCENE_Area);
+        alone = !scene_light_casts(&scene->lights[i]) ||
+                (scene->lights[i].shadows == WORD_Shadows_map &&
+                 light_from(&scene->lights[i]) != LIGHT_FROM_extent);
     return alone;
 }
 

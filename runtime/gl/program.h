@@ -3,7 +3,7 @@
 #define MATC_GL_PROGRAM_H
 #include "runtime/gl/context.h"
 
-enum { PROGRAM_PIECES = 37 }; /* texts that one shader may be put together from */
+enum { PROGRAM_PIECES = 64 }; /* texts that one shader may be put together from */
 
 /* What a program is made of. Locations that a text itself declares need no names here. */
 typedef struct {

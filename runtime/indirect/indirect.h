@@ -37,8 +37,9 @@ bool indirect_reads_radiance(const Render *render);
 /* Light from all around comes by the rays that meet nothing, as it is not the same from everywhere.
  * GLSL for it; tells a pass, and binds, one unit. indirect_around.c */
 bool indirect_is_directional(const Render *render);
-enum { INDIRECT_AROUND_TEXTS = 3 };
-void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS]);
+enum { INDIRECT_AROUND_DEFINITION = 256 };
+void indirect_around_add(const Render *render, char defined[INDIRECT_AROUND_DEFINITION],
+                         ScreenPassText *text);
 void indirect_around_set(const Render *render, int unit, ScreenPass *pass);
 void indirect_around_bind(const Render *render, int unit);
 /* Of a pixel for which rays go out, in those of the picture. */

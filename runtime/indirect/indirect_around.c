@@ -3,14 +3,25 @@
 #include "runtime/indirect/indirect.h"
 #include "runtime/light/lighting.h"
 #include <math.h>
+#include <stdio.h>
 
 #define PI 3.14159265358979323846
 
-/* Whose colors may be others from frame to frame. */
-static bool has_hemispheres(const Render *render)
+/* The scene has lights of a kind whose radiance differs by direction. */
+static bool is_met(const Render *render, const LightKind *row)
 {
-    float numbers[VIEW_SPACE_HEMISPHERE][4];
-    return view_space_hemisphere(&render->space, render->scene, numbers);
+    bool met = false;
+    for (int i = 0; row->varies && i < render->scene->light_count; i++)
+        met |= render->scene->lights[i].kind == row->kind;
+    return met;
+}
+
+static bool kinds_differ(const Render *render)
+{
+    bool differ = false;
+    for (int k = 0; light_kind_table[k]; k++)
+        differ |= is_met(render, light_kind_table[k]);
+    return differ;
 }
 
 static bool sky_differs(const Render *render)
@@ -26,15 +37,35 @@ bool indirect_is_directional(const Render *render)
     const char *view = render->options.view;
     return indirect_is(render) && in->directional && in->gain > 0 &&
            indirect_method(render) != WORD_Indirect_points && !indirect_is_repeated(render) &&
-           !(view && indirect_view_lanes(view)) && (has_hemispheres(render) || sky_differs(render));
+           !(view && indirect_view_lanes(view)) && (kinds_differ(render) || sky_differs(render));
 }
 
-void indirect_around_texts(const Render *render, const char *texts[INDIRECT_AROUND_TEXTS])
+/* "#define AROUND_KINDS(way) + lightAlongHemisphere(way)": the kinds' radiance along a
+ * direction. */
+static void define_kinds(const Render *render, char defined[INDIRECT_AROUND_DEFINITION])
 {
-    const bool is = indirect_is_directional(render);
-    texts[0] = is && sky_differs(render) ? render_text_light_sky : "";
-    texts[1] = is && has_hemispheres(render) ? render_text_light_hemisphere : "";
-    texts[2] = is ? render_text_indirect_around : "";
+    size_t size =
+        (size_t)snprintf(defined, INDIRECT_AROUND_DEFINITION, "#define AROUND_KINDS(way)");
+    for (int k = 0; light_kind_table[k]; k++)
+        if (is_met(render, light_kind_table[k]))
+            size += (size_t)snprintf(defined + size, INDIRECT_AROUND_DEFINITION - size,
+                                     " + lightAlong%s(way)", light_kind_name(light_kind_table[k]));
+    snprintf(defined + size, INDIRECT_AROUND_DEFINITION - size, "\n");
+}
+
+void indirect_around_add(const Render *render, char defined[INDIRECT_AROUND_DEFINITION],
+                         ScreenPassText *text)
+{
+    if (!indirect_is_directional(render))
+        return;
+    if (sky_differs(render))
+        screen_pass_add(text, render_text_light_sky);
+    for (int k = 0; light_kind_table[k]; k++)
+        if (is_met(render, light_kind_table[k]))
+            screen_pass_add(text, light_kind_table[k]->glsl);
+    define_kinds(render, defined);
+    screen_pass_add(text, defined);
+    screen_pass_add(text, render_text_indirect_around);
 }
 
 /* Rays of a pixel, times those of pixels over which they are smoothed, are looked up where the
@@ -49,13 +80,11 @@ static double level_of(const Render *render)
 void indirect_around_set(const Render *render, int unit, ScreenPass *pass)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    float numbers[VIEW_SPACE_HEMISPHERE][4];
     if (!pass->material.store || !indirect_is_directional(render))
         return;
     material_set_number(&pass->material, "around_share", (float)(in->contrast / in->gain));
     material_set_number(&pass->material, "around_level", (float)level_of(render));
-    if (view_space_hemisphere(&render->space, render->scene, numbers))
-        material_write(&pass->material, "Hemisphere", numbers, sizeof numbers);
+    light_sum_set(render, pass);
     if (sky_differs(render))
         light_sky_set(render, unit, pass);
 }

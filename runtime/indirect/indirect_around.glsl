@@ -21,10 +21,7 @@ vec3 aroundAt(vec3 way)
 #ifdef LIGHT_HAS_SKY
     sum += sky_light.xyz * textureLod(sky_map, skyWorld(way), around_level).xyz;
 #endif
-#ifdef LIGHT_HAS_HEMISPHERE
-    sum += dot(way, hemisphere_up.xyz) > 0.0 ? hemisphere_above.xyz : hemisphere_below.xyz; // its irradiance is hemisphereMatt
-#endif
-    return sum;
+    return sum AROUND_KINDS(way);
 }
 
 struct Around {

@@ -109,7 +109,7 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
 {
     char defined[INDIRECT_DEFINITIONS], cached[RADIANCE_DEFINITIONS],
         planes[INDIRECT_PLANES_DEFINITION];
-    const char *around[INDIRECT_AROUND_TEXTS];
+    char around[INDIRECT_AROUND_DEFINITION];
     const bool kept = radiance_needed(render);
     const Way way = way_of(render);
     ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_open, 0),
@@ -117,14 +117,13 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
     indirect_define(render, coarse, defined);
     radiance_define(render, cached);
     indirect_planes_define(render, planes);
-    indirect_around_texts(render, around);
     add_surface(render, again, defined, &text);
     if (kept && is_alike(render))
         screen_pass_add(&text, "#define ENTRY_APART 8\n");
     add_places(&way, &text);
     if (kept)
         screen_pass_add_all(&text, (const char *const[]){cached, render_text_radiance}, 2);
-    screen_pass_add_all(&text, around, INDIRECT_AROUND_TEXTS);
+    indirect_around_add(render, around, &text);
     if (*planes)
         screen_pass_add_all(&text, (const char *const[]){planes, render_text_indirect_planes}, 2);
     add_march(&way, &text);

@@ -84,7 +84,7 @@ static int count_lights(const Scene *scene)
 {
     int count = 0;
     for (int i = 0; i < scene->light_count; i++)
-        count += view_space_section(&scene->lights[i], false) < VIEW_SPACE_AREAS;
+        count += view_space_section(&scene->lights[i], false) < VIEW_SPACE_KINDS;
     return count;
 }
 

@@ -45,19 +45,13 @@ static void set_numbers(const Render *render, ScreenPass *pass)
 {
     const int targets = targets_of(render);
     char name[] = "matc_gbuffer0";
-    float ambient[4], hemisphere[VIEW_SPACE_HEMISPHERE][4];
-    view_space_ambient(render->scene, ambient);
-    if (view_space_hemisphere(&render->space, render->scene, hemisphere))
-        material_write(&pass->material, "Hemisphere", hemisphere, sizeof hemisphere);
     lighting_place(render, pass);
     set(pass, "light_view", render->space.depth);
-    set(pass, "light_ambient", ambient);
     material_set_number(&pass->material, "light_plain",
                         (float)render->light->counts[VIEW_SPACE_PLAIN]);
     material_set_number(&pass->material, "light_points",
                         (float)render->light->counts[VIEW_SPACE_POINTS]);
-    material_set_number(&pass->material, "light_areas",
-                        (float)render->light->counts[VIEW_SPACE_AREAS]);
+    light_sum_set(render, pass);
     for (int i = 0; i < targets; i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
@@ -82,14 +76,8 @@ bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_U
 /* What gives a Surface, and its model behind the kinds of light that this asks for. */
 static void add_surface(const Render *render, bool places, ScreenPassText *text)
 {
-    float hemisphere[VIEW_SPACE_HEMISPHERE][4];
     screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);
-    if (places && render->light->counts[VIEW_SPACE_AREAS] > 0)
-        screen_pass_add(text, render_text_light_area);
-    if (light_sky_shines(render->scene))
-        screen_pass_add(text, render_text_light_sky);
-    if (view_space_hemisphere(&render->space, render->scene, hemisphere))
-        screen_pass_add(text, render_text_light_hemisphere);
+    light_sum_texts(render, places, text);
     screen_pass_add(text, render->surface_lacks);
     screen_pass_add(text, render->surface->text);
     screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
@@ -118,15 +106,21 @@ static void add_shadows(const Render *render, bool nearest, char defined[SHADOW_
 }
 
 /* The sum over lights, and what it leaves to others. */
-static void add_lighting(const Render *render, LightingOf of, ScreenPassText *text)
+static void add_lighting(const Render *render, LightingOf of, char composed[LIGHT_SUM_TEXT],
+                         ScreenPassText *text)
 {
+    const bool places = of != LIGHTING_around;
     if (of == LIGHTING_nodes)
         screen_pass_add(text, "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */);
     else if (of == LIGHTING_nearest && scene_indirect_is(render->scene))
         screen_pass_add(text, "#define LIGHT_AROUND_LATER\n");
     screen_pass_add(text, backdrop_light_text(render));
-    screen_pass_add(text, render_text_lighting);
-    if (shadow_is_soft(render) && of != LIGHTING_around)
+    light_sum_compose(render, places, composed);
+    screen_pass_add_all(text, (const char *const[]){render_text_lighting, "#define LIGHT_SENDS\n"},
+                        2);
+    light_sum_texts(render, places, text);
+    screen_pass_add(text, composed);
+    if (shadow_is_soft(render) && places)
         screen_pass_add(text, render_text_shadow_soft);
 }
 
@@ -138,7 +132,7 @@ static bool make_what_it_reads(Render *render)
 
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
-    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION];
+    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION], composed[LIGHT_SUM_TEXT];
     const bool places = own->of != LIGHTING_around,
                scattered = own->block > 0 && own->of != LIGHTING_nodes;
     ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_light, 0),
@@ -152,7 +146,7 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
         add_shadows(render, own->of == LIGHTING_nearest, defined, &text);
     light_table_define(render, scattered, table);
     screen_pass_add(&text, table);
-    add_lighting(render, own->of, &text);
+    add_lighting(render, own->of, composed, &text);
     screen_pass_add_all(&text, own->body, LIGHTING_PIECES);
     if (!screen_pass_make(render->store, &text, made))
         return fail_model(render);

@@ -4,8 +4,7 @@
 layout(std140) uniform Light {
     vec4 light_ray;
     vec4 light_view;
-    vec4 light_ambient;
-    int light_plain, light_points, light_areas;
+    int light_plain, light_points;
 };
 
 // LIGHT_BLOCK texels of all lights, as a block: all pixels read the same one at a time, which takes
@@ -50,15 +49,6 @@ vec3 lightAt(int light, vec3 point, out vec3 l)
     float s = clamp(cone.x * -dot(l, lightTexel(light, 2).xyz) + cone.y, 0.0, 1.0);
     return lightTexel(light, 1).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
-
-#ifdef LIGHT_HAS_AREAS
-// A parallelogram, as a point sees it.
-Area areaAt(int light, vec3 point)
-{
-    return areaSeen(lightTexel(light, 0).xyz - point, lightTexel(light, 2).xyz, lightTexel(light, 3).xyz,
-                    lightTexel(light, 1).w > 0.0);
-}
-#endif
 
 // Where nothing is.
 vec4 lightOfNothing(ivec2 pixel)
@@ -117,23 +107,12 @@ vec3 lightOver(vec3 through)
     return lightIsFirst() ? through : vec3(1.0);
 }
 
-#ifdef SHADOW_SOFT
-// What it sends of an area light in which something may cast shadows: shadow_soft.glsl.
-vec3 softLight(int light, Seen seen);
-#endif
+// What it sends of light from all around, unshadowed; a sum over kinds of lights, composed by
+// light_sum.c.
+vec3 lightAround(Seen seen);
 
-// What it sends of light from all around, unshadowed.
-vec3 lightAround(Seen seen)
-{
-    vec3 sum = surfaceAmbient(seen.m, light_ambient.xyz);
-#ifdef LIGHT_HAS_SKY
-    sum += surfaceSky(seen.m);
-#endif
-#ifdef LIGHT_HAS_HEMISPHERE
-    sum += surfaceHemisphere(seen.m);
-#endif
-    return sum;
-}
+// The sum, and what it sends of lights of kinds that have a GLSL and a place; composed, too.
+vec3 lightFromKinds(vec3 sum, Seen seen);
 
 // What it sends of all light but that of plain lights and of others that shine from one direction.
 // What indirect light dims is added later.
@@ -144,16 +123,7 @@ vec3 lightEven(Seen seen)
 #else
     vec3 sum = surfaceOwn(seen.m) + lightAround(seen);
 #endif
-#ifdef LIGHT_HAS_AREAS
-    int first = light_plain + light_points;
-    for (int i = first; i < first + light_areas; i++)
-#ifdef SHADOW_SOFT
-        sum += lightTexel(i, 1).xyz * softLight(i, seen);
-#else
-        sum += lightTexel(i, 1).xyz * surfaceArea(seen.m, areaAt(i, seen.point));
-#endif
-#endif
-    return sum;
+    return lightFromKinds(sum, seen);
 }
 
 vec3 lightFromPlain(int light, Seen seen)

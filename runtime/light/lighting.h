@@ -48,6 +48,14 @@ void light_table_define(const Render *render, bool scattered, char defined[LIGHT
 void light_table_set(const Render *render, int unit, ScreenPass *pass);
 void light_table_bind(const Render *render, int unit);
 void light_table_delete(Render *render);
+/* The sum over kinds of lights (light_sum.c): adds the texts of the scene's kinds to a pass,
+ * without those that have a place unless `places`; composes the functions that lighting.glsl
+ * declares, which follow it and the texts once more with LIGHT_SENDS defined; sets the numbers that
+ * they read. */
+enum { LIGHT_SUM_TEXT = 4096 };
+void light_sum_texts(const Render *render, bool places, ScreenPassText *text);
+void light_sum_compose(const Render *render, bool places, char composed[LIGHT_SUM_TEXT]);
+void light_sum_set(const Render *render, ScreenPass *pass);
 /* Tells it where the tile is, if it is made. */
 void lighting_place(const Render *render, ScreenPass *pass);
 /* Update a pass, if it has been built, after a change of the camera or lights (but not of their

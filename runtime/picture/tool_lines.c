@@ -1,14 +1,10 @@
 /* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded
  * there. */
 #include "runtime/picture/tool_lines.h"
-#include "runtime/scene/scene_matrix.h"
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define PI 3.14159265358979323846
-
-enum { ROOM = 64, AROUND = 32 /* steps of a circle */, EDGES = 4 /* of a cone */ };
+enum { ROOM = 64 };
 
 /* sRGB 0.5; and that of lights */
 static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f};
@@ -70,92 +66,26 @@ static void add_grid(Maker *m, int cells, double step)
     }
 }
 
-/* The point at that angle from the light's axis and around it, at a distance. */
-static void around(const SceneLight *light, const double angles[2], double distance, double out[3])
+/* Lines of lights, for LightKind.outline. */
+typedef struct {
+    LightLines lines; /* the first member, so that each is the other's address */
+    Maker *maker;
+} Outline;
+
+static void add_line(LightLines *lines, const double from[3], const double to[3])
 {
-    const double *d = light->direction, x[3] = {fabs(d[0]) < .9, fabs(d[0]) >= .9, 0};
-    double u[3], v[3];
-    scene_vector_cross(d, x, u);
-    scene_vector_normalize(u);
-    scene_vector_cross(d, u, v);
-    for (int i = 0; i < 3; i++)
-        out[i] = light->position[i] +
-                 distance * (cos(angles[0]) * d[i] +
-                             sin(angles[0]) * (cos(angles[1]) * u[i] + sin(angles[1]) * v[i]));
+    line(((Outline *)lines)->maker, from, to, yellow);
 }
 
-/* Three lines that cross at the light. */
-static void add_point(Maker *m, const SceneLight *light, double size)
+static void add_lights(Maker *m, const Scene *scene)
 {
-    for (int i = 0; i < 3; i++) {
-        double ends[2][3];
-        for (int k = 0; k < 2; k++) {
-            memcpy(ends[k], light->position, sizeof ends[k]);
-            ends[k][i] += (k - .5) * size;
-        }
-        line(m, ends[0], ends[1], yellow);
+    Outline outline = {{.add = add_line, .size = scene->tools.light_size}, m};
+    memcpy(outline.lines.zero, m->zero, sizeof m->zero);
+    for (int i = 0; i < scene->light_count; i++) {
+        const LightKind *row = light_kind_of(&scene->lights[i]);
+        if (row->outline)
+            row->outline(&scene->lights[i], &outline.lines);
     }
-}
-
-/* Its outer cone: edges as long as `size`, and the circle through their ends. */
-static void add_spot(Maker *m, const SceneLight *light, double size)
-{
-    const double angle = acos(light->outer_cosine);
-    for (int i = 0; i < AROUND; i++) {
-        double ends[2][3];
-        for (int k = 0; k < 2; k++)
-            around(light, (double[]){angle, 2 * PI * (i + k) / AROUND}, size, ends[k]);
-        line(m, ends[0], ends[1], yellow);
-        if (i % (AROUND / EDGES) == 0)
-            line(m, light->position, ends[0], yellow);
-    }
-}
-
-/* An arrow that ends at the origin: such a light has no place. */
-static void add_directional(Maker *m, const SceneLight *light, double size)
-{
-    SceneLight tip = {
-        .direction = {-light->direction[0], -light->direction[1], -light->direction[2]}};
-    memcpy(tip.position, m->zero, sizeof tip.position);
-    double end[3];
-    around(&tip, (double[]){0, 0}, 4 * size, end);
-    line(m, end, tip.position, yellow);
-    for (int i = 0; i < EDGES; i++) {
-        around(&tip, (double[]){PI / 8, 2 * PI * i / EDGES}, size, end);
-        line(m, end, tip.position, yellow);
-    }
-}
-
-/* Its outline, and from its middle a line to where it shines. */
-static void add_area(Maker *m, const SceneLight *light, double size)
-{
-    const double *u = light->edges[0], *v = light->edges[1], *p = light->position;
-    double corners[4][3], middle[3], normal[3], end[3];
-    scene_vector_cross(u, v, normal);
-    scene_vector_normalize(normal);
-    for (int i = 0; i < 3; i++) {
-        corners[0][i] = p[i];
-        corners[1][i] = p[i] + u[i];
-        corners[2][i] = p[i] + u[i] + v[i];
-        corners[3][i] = p[i] + v[i];
-        middle[i] = p[i] + (u[i] + v[i]) / 2;
-        end[i] = middle[i] + size * normal[i];
-    }
-    for (int k = 0; k < 4; k++)
-        line(m, corners[k], corners[(k + 1) % 4], yellow);
-    line(m, middle, end, yellow);
-}
-
-static void add_light(Maker *m, const SceneLight *light, double size)
-{
-    if (light->kind == SCENE_Point)
-        add_point(m, light, size);
-    else if (light->kind == SCENE_Spot)
-        add_spot(m, light, size);
-    else if (light->kind == SCENE_Directional)
-        add_directional(m, light, size);
-    else if (light->kind == SCENE_Area)
-        add_area(m, light, size);
 }
 
 bool tool_lines_make(const Scene *scene, const ViewSpace *space, ToolLines *made)
@@ -167,8 +97,8 @@ bool tool_lines_make(const Scene *scene, const ViewSpace *space, ToolLines *made
     *made = (ToolLines){0};
     if (tools->axes)
         add_axes(&maker, tools->axes_length);
-    for (int i = 0; tools->lights && i < scene->light_count; i++)
-        add_light(&maker, &scene->lights[i], tools->light_size);
+    if (tools->lights)
+        add_lights(&maker, scene);
     if (tools->grid)
         add_grid(&maker, tools->grid_cells, tools->grid_step);
     if (maker.full)

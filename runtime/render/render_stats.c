@@ -134,21 +134,21 @@ static void put_bytes(Text *out, int bytes, int shared)
     text_char(out, '\n');
 }
 
-static int count_kind(const Scene *scene, SceneKind kind)
+static int count_from(const Scene *scene, LightFrom from)
 {
     int count = 0;
     for (int i = 0; i < scene->light_count; i++)
-        count += scene->lights[i].kind == kind;
+        count += light_from(&scene->lights[i]) == from;
     return count;
 }
 
-/* Area lights with soft shadows, or without. */
+/* Lights that have an extent, with soft shadows, or without. */
 static int count_areas(const Render *render, bool soft)
 {
     int count = 0;
     for (int i = 0; i < render->scene->light_count; i++)
         count +=
-            render->scene->lights[i].kind == SCENE_Area &&
+            light_from(&render->scene->lights[i]) == LIGHT_FROM_extent &&
             (soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows) == soft;
     return count;
 }
@@ -175,7 +175,7 @@ static bool is_transparent(const Render *render)
 /* Shadows that one might look for. */
 static void put_unshadowed(Text *out, const Render *render)
 {
-    const int areas = count_areas(render, false), skies = count_kind(render->scene, SCENE_Sky);
+    const int areas = count_areas(render, false), skies = count_from(render->scene, LIGHT_FROM_sky);
     if (areas || skies)
         text_format(out, "shadow    none falls from %d area lights and %d skies\n", areas, skies);
     if (!shadow_is_cast(render))

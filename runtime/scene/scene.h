@@ -7,6 +7,7 @@
 #include "compiler/matc.h"
 #include "grammar/scene_tables.h"
 #include "runtime/gl/shape.h"
+#include "runtime/light_kinds/light_kind.h"
 
 enum {
     SCENE_OBJECTS =
@@ -59,20 +60,6 @@ typedef struct {
     bool hidden;
     SceneMatrix world_from_local;
 } SceneObject;
-
-typedef struct {
-    SceneKind kind; /* of the sort light */
-    double position[3];
-    double direction[3];               /* in which it shines; unit length */
-    double light[3];                   /* intensity times color */
-    double ground[3];                  /* of a Hemisphere: the same from below */
-    double inner_cosine, outer_cosine; /* of a Spot: inner >= outer */
-    double edges[2][3];                /* of an Area: u, v */
-    bool both_sides;                   /* of an Area */
-    const char *name;                  /* NULL: it has none */
-    /* how objects cast shadows in its light: WORD_Shadows_none, ... */
-    Word shadows;
-} SceneLight;
 
 typedef struct {
     SceneKind kind; /* Perspective or Orthographic */

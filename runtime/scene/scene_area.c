@@ -46,6 +46,8 @@ bool scene_area_cut(const SceneCamera *camera, const SceneLight *light, SceneLig
     Along along[2];
     bool is_part = false;
     *cut = *light;
+    if (!scene_vector_span(light->edges[0], light->edges[1]))
+        return false; /* a line */
     find_foot(camera, light, along);
     for (int edge = 0; edge < 2; edge++) {
         const double middle = fmin(fmax(along[edge].at, 0), 1);
@@ -67,7 +69,7 @@ bool scene_area_cuts(const Scene *scene)
     SceneLight cut;
     bool cuts = false;
     for (int i = 0; !cuts && i < scene->light_count; i++)
-        cuts = scene->lights[i].kind == SCENE_Area &&
+        cuts = light_from(&scene->lights[i]) == LIGHT_FROM_extent &&
                scene_area_cut(&scene->camera, &scene->lights[i], &cut);
     return cuts;
 }

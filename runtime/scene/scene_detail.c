@@ -88,22 +88,23 @@ static double shadow_distance(const SceneDetailEye *eye, const SceneLight *light
                               const double center[3])
 {
     double way[3], edges = 0;
-    if (light->kind == SCENE_Hemisphere || light->kind == SCENE_Sky || !scene_light_casts(light))
+    const LightFrom from = light_from(light);
+    if (!scene_light_casts(light))
         return INFINITY;
     for (int i = 0; i < 3; i++)
-        way[i] = light->kind == SCENE_Directional ? -light->direction[i]
-                                                  : light->position[i] - eye->center[i];
-    for (int i = 0; i < 2 && light->kind == SCENE_Area; i++)
+        way[i] =
+            from == LIGHT_FROM_afar ? -light->direction[i] : light->position[i] - eye->center[i];
+    for (int i = 0; i < 2 && from == LIGHT_FROM_extent; i++)
         edges += sqrt(scene_vector_dot(light->edges[i], light->edges[i]));
-    return from_line(center, eye->center, way, light->kind == SCENE_Directional ? INFINITY : 1) -
-           edges;
+    return from_line(center, eye->center, way, from == LIGHT_FROM_afar ? INFINITY : 1) - edges;
 }
 
 static bool is_magnified(const Scene *scene)
 {
     bool is = false;
     for (int i = 0; i < scene->light_count; i++)
-        is |= scene_light_casts(&scene->lights[i]) && scene->lights[i].kind != SCENE_Directional;
+        is |= scene_light_casts(&scene->lights[i]) &&
+              light_from(&scene->lights[i]) != LIGHT_FROM_afar;
     return is;
 }
 

@@ -95,15 +95,6 @@ double scene_matrix_determinant(const SceneMatrix *m)
     return scene_vector_dot(m->m, cross);
 }
 
-bool scene_vector_span(const double u[3], const double v[3])
-{
-    double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];
-    if (!scene_vector_normalize(a) || !scene_vector_normalize(b))
-        return false;
-    scene_vector_cross(a, b, cross);
-    return scene_vector_dot(cross, cross) > 1e-12;
-}
-
 void scene_vector_axes(const double along[3], double x[3], double y[3])
 {
     const int least = fabs(along[0]) <= fabs(along[1]) && fabs(along[0]) <= fabs(along[2]) ? 0

@@ -25,9 +25,8 @@ double scene_matrix_determinant(const SceneMatrix *m);
 #define scene_vector_dot       vec3_dot
 #define scene_vector_cross     vec3_cross
 #define scene_vector_normalize vec3_normalize
+#define scene_vector_span      vec3_span
 /* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x
  * cross y. */
 void scene_vector_axes(const double along[3], double x[3], double y[3]);
-/* Both have a length, and are not on one line. */
-bool scene_vector_span(const double u[3], const double v[3]);
 #endif

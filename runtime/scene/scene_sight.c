@@ -54,7 +54,7 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
 {
     double reach = INFINITY;
     for (int k = 0; k < 3; k++) {
-        const bool far = light->kind == SCENE_Directional;
+        const bool far = light_from(light) == LIGHT_FROM_afar;
         const double from = far ? 0 : light->position[k];
         const double least = far ? light->direction[k] : moved->low[k] - from,
                      most = far ? light->direction[k] : moved->high[k] - from;
@@ -63,7 +63,7 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
         if (most < 0)
             reach = fmin(reach, (sight->low[k] - (far ? moved->high[k] : from)) / most);
     }
-    return fmax(reach, light->kind == SCENE_Directional ? 0 : 1);
+    return fmax(reach, light_from(light) == LIGHT_FROM_afar ? 0 : 1);
 }
 
 /* The same until no ray is before a ground any more. One that never comes there has no shadow on
@@ -72,7 +72,7 @@ static double ground_reach(const double ground[4], const SceneLight *light,
                            const SightTriangle *moved)
 {
     const double along = 1e-9;
-    const bool far = light->kind == SCENE_Directional;
+    const bool far = light_from(light) == LIGHT_FROM_afar;
     const double from = inside_by(ground, light->position), way = !far && from < 0 ? -1 : 1;
     double least = way * ground[3], most = least;
     for (int k = 0; k < 3; k++) {
@@ -104,7 +104,7 @@ static double spread_of(const SceneSight *sight, const SceneLight *light,
     enum { TAPS = 2, MORE = 4 /* texels for one of the filter, and beside */ };
     const double size = sight->casts->shadow_size,
                  texels = TAPS * sight->casts->shadow_filter + MORE;
-    if (light->kind == SCENE_Directional)
+    if (light_from(light) == LIGHT_FROM_afar)
         return texels * 2 * far_from(sight->low, sight->low, sight->high) / size;
     return texels * widest / size * reach * far_from(light->position, moved->low, moved->high);
 }
@@ -112,7 +112,7 @@ static double spread_of(const SceneSight *sight, const SceneLight *light,
 static bool casts_into_view(const SceneSight *sight, const double eye[3], const SceneLight *light,
                             const SightTriangle *moved)
 {
-    const bool far = light->kind == SCENE_Directional;
+    const bool far = light_from(light) == LIGHT_FROM_afar;
     double reach = reach_of(sight, light, moved), farthest = far_from(eye, sight->low, sight->high);
     for (int i = 0; i < sight->ground_count; i++)
         reach = fmax(reach, ground_reach(sight->grounds[i], light, moved));

@@ -9,7 +9,8 @@
 typedef struct {
     const double (*planes)[4];
     int count;
-    const Scene *casts; /* its lights cast shadows, by maps, and none is an Area; NULL: none does */
+    /* its lights cast shadows, by maps, and none has an extent; NULL: none does */
+    const Scene *casts;
     double low[3],
         /* of a box around all that shadows may fall on, but grounds; low >= high: they fall
          * anywhere */

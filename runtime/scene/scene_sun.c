@@ -9,13 +9,13 @@
 static void add_sun(SceneReader *r, const GraphSky *sky)
 {
     Scene *scene = r->scene;
-    SceneLight light = {.kind = SCENE_Directional, .shadows = WORD_Shadows_map};
+    const double direction[3] = {-sky->sun[0], -sky->sun[1], -sky->sun[2]};
+    double sent[3]; /* by a white surface */
     size_t count = (size_t)scene->light_count;
-    for (int i = 0; i < 3; i++) {
-        light.direction[i] = -sky->sun[i];
-        /* what a white surface sends back */
-        light.light[i] = scene->sky_light[i] * sky->irradiance[i] / PI;
-    }
+    for (int i = 0; i < 3; i++)
+        sent[i] = scene->sky_light[i] * sky->irradiance[i] / PI;
+    SceneLight light = light_directional_new(direction, sent);
+    light.shadows = WORD_Shadows_map;
     ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
     scene->light_count = (int)count;
 }

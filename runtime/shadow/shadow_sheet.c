@@ -19,10 +19,10 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 
 static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
 
-/* An area light has many points, and no layer. */
+/* An extent has many points, and no layer. */
 bool shadow_sheet_reads(const SceneLight *light)
 {
-    return scene_light_casts(light) && light->kind != SCENE_Area;
+    return scene_light_casts(light) && light_from(light) != LIGHT_FROM_extent;
 }
 
 static int count_layers(const Render *render)
@@ -170,7 +170,7 @@ static void set_world(const Render *render, Material *material)
 
 static void set_light(const Render *render, const SceneLight *light, Material *material)
 {
-    const bool far = light->kind == SCENE_Directional;
+    const bool far = light_from(light) == LIGHT_FROM_afar;
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
     float place[4];
     to_eye(render->space.eye_from_world, far ? back : light->position, far ? 0 : 1, place);
@@ -189,7 +189,7 @@ static void set_plane(const Render *render, const SceneLight *light, const Scene
     scene_vector_normalize(n);
     const double offset = scene_vector_dot(n, origin),
                  away = scene_vector_dot(n, camera->position) - offset;
-    const double side = light->kind == SCENE_Directional
+    const double side = light_from(light) == LIGHT_FROM_afar
                             ? -scene_vector_dot(n, light->direction)
                             : scene_vector_dot(n, light->position) - offset;
     for (int i = 0; i < 3; i++) {

@@ -256,19 +256,13 @@ const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_D
     return maps || planes || sheets ? render_text_shadow : "";
 }
 
-/* Of area lights, behind u: 1 + the first of their layers, or 0, if they cast no shadow. */
-static void put_areas(const Render *render, const int *counts, float (*texels)[4])
+/* Of an extent, behind its first edge: 1 + the first of its layers, or 0 if it casts no shadow. */
+static void put_extent(const Render *render, int light, float (*texels)[4])
 {
     const ShadowViews *views = &render->shadows->views;
-    float(*next)[4] = texels + view_space_texels(counts, VIEW_SPACE_AREAS);
-    for (int i = 0; i < render->scene->light_count; i++) {
-        if (render->scene->lights[i].kind != SCENE_Area)
-            continue;
-        const bool casts =
-            soft_views_wanted(&render->scene->lights[i]) && !render->options.no_shadows;
-        next[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[i].first) : 1;
-        next += VIEW_SPACE_LIGHT_TEXELS;
-    }
+    const bool casts =
+        soft_views_wanted(&render->scene->lights[light]) && !render->options.no_shadows;
+    texels[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[light].first) : 1;
 }
 
 void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
@@ -276,12 +270,20 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
 {
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
-    float(*next)[4] = texels + view_space_texels(counts, VIEW_SPACE_POINTS);
-    put_areas(render, counts, texels);
+    float(*places[VIEW_SPACE_SECTIONS])[4];
+    for (int section = 0; section < VIEW_SPACE_SECTIONS; section++)
+        places[section] = texels + view_space_texels(counts, section);
     for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
+        const int section = view_space_section(&scene->lights[i], shadows);
         layer += shadow_sheet_reads(&scene->lights[i]);
-        if (view_space_section(&scene->lights[i], shadows) != VIEW_SPACE_POINTS)
+        if (section == VIEW_SPACE_PLAIN || section == VIEW_SPACE_SECTIONS)
             continue;
+        float(*next)[4] = places[section];
+        places[section] += VIEW_SPACE_LIGHT_TEXELS;
+        if (section >= VIEW_SPACE_KINDS) {
+            put_extent(render, i, next);
+            continue;
+        }
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
         const bool mapped = casts && shadow_has_maps(render);
         next[2][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
@@ -290,7 +292,6 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
         next[1][3] = casts ? (float)layer : 0;
         if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
             next[3][3] = -2 - next[3][3] - 8.0f * (float)bit++;
-        next += VIEW_SPACE_LIGHT_TEXELS;
     }
 }
 

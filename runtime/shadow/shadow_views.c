@@ -8,8 +8,6 @@
 
 enum { CORNERS = 8 };
 
-/* cosine: a spot with a wider cone has a cube, whose texels are finer */
-static const double widest = 0.5;
 /* of the distance to the farthest object: what is nearer casts no shadow */
 static const double nearest = 1.0 / 4096;
 
@@ -115,7 +113,7 @@ static double widened(const Scene *scene)
 
 static void fit_cone(const Fit *fit, const SceneLight *light, ShadowView *view)
 {
-    const double cosine = fmax(light->outer_cosine, widest);
+    const double cosine = fmax(light->outer_cosine, LIGHT_KIND_WIDEST);
     const double half =
         fmax(sqrt(1 - fmin(cosine * cosine, 1)) / cosine, 1e-6) * widened(fit->scene);
     double x[3], y[3];
@@ -271,33 +269,28 @@ static void fit_area(Fit *fit, int number)
 
 /* -- */
 
-static bool has_cube(const SceneLight *light)
-{
-    return light->kind == SCENE_Point ||
-           (light->kind == SCENE_Spot && light->outer_cosine <= widest);
-}
-
 static void fit_light(Fit *fit, int number)
 {
     const SceneLight *light = &fit->scene->lights[number];
     ShadowView *views = fit->made->views + fit->made->count;
-    const bool cube = has_cube(light), hybrid = light->shadows == WORD_Shadows_hybrid;
+    const LightFrom from = light_from(light);
+    const bool cube = light_kind_is_wide(light), hybrid = light->shadows == WORD_Shadows_hybrid;
     const bool exact = exact_lists_wanted(light);
     if (!scene_light_casts(light) || (exact && !fit->varying))
         return;
-    if (light->kind == SCENE_Area) {
+    if (from == LIGHT_FROM_extent) {
         fit_area(fit, number);
         return;
     }
     if (cube)
         fit_cube(fit, light, views);
-    else if (light->kind == SCENE_Spot)
+    else if (from == LIGHT_FROM_point)
         fit_cone(fit, light, views);
     else if (hybrid)
         fit_box(fit, light, NULL, views);
     else
         fit_cascades(fit, light, views);
-    const int flat = light->kind == SCENE_Spot || hybrid ? 1 : fit->scene->shadow_cascades;
+    const int flat = from == LIGHT_FROM_point || hybrid ? 1 : fit->scene->shadow_cascades;
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
     for (int i = 0; i < fit->made->lights[number].count; i++) {
         views[i].transparent = exact;

@@ -10,7 +10,7 @@ static const double inset = 1.0 / 256;
 
 bool soft_views_wanted(const SceneLight *light)
 {
-    return light->kind == SCENE_Area && scene_light_casts(light);
+    return light_from(light) == LIGHT_FROM_extent && scene_light_casts(light);
 }
 
 static int points_of(const Scene *scene) { return scene->shadow_points * scene->shadow_points; }

@@ -47,11 +47,8 @@ static double find_azimuth(const SceneMaterial *material, const MatcOptions *opt
 
 static void add_lamp(int lamp, const double way[3], SceneLight *light)
 {
-    *light = (SceneLight){.kind = SCENE_Directional, .shadows = WORD_Shadows_none};
-    for (int i = 0; i < 3; i++) {
-        light->light[i] = lamps[lamp].light[i];
-        light->direction[i] = -way[i];
-    }
+    const double direction[3] = {-way[0], -way[1], -way[2]};
+    *light = light_directional_new(direction, lamps[lamp].light);
 }
 
 /* Across the way, with edges along the horizon. Of what shines from all sides, a square of half an
@@ -62,7 +59,7 @@ static void add_square(int lamp, const double way[3], const double up[3], SceneL
                  share = 4 / 3.141592653589793 * sine * atan(sine);
     const double rise = vec3_dot(way, up);
     double high[3];
-    *light = (SceneLight){.kind = SCENE_Area, .shadows = WORD_Shadows_none};
+    *light = light_area_new();
     for (int i = 0; i < 3; i++)
         high[i] = (up[i] - rise * way[i]) / sqrt(1 - rise * rise);
     for (int i = 0; i < 3; i++) {
@@ -77,7 +74,6 @@ static void add_square(int lamp, const double way[3], const double up[3], SceneL
 
 static void add_lights(Preview *p)
 {
-    SceneLight *around = &p->lights[PREVIEW_LAMPS];
     const SceneCamera *camera = &p->scene.camera;
     const bool mirrors = (scene_models(&p->scene) >> MODEL_Principled & 1) != 0;
     for (int i = 0; i < PREVIEW_LAMPS; i++) {
@@ -90,10 +86,7 @@ static void add_lights(Preview *p)
         else
             add_lamp(i, way, &p->lights[i]);
     }
-    *around = (SceneLight){
-        .kind = SCENE_Hemisphere, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
-    memcpy(around->light, above, sizeof above);
-    memcpy(around->ground, below, sizeof below);
+    p->lights[PREVIEW_LAMPS] = light_hemisphere_new(above, below);
     p->scene.lights = p->lights;
     p->scene.light_count = PREVIEW_LAMPS + 1;
 }

@@ -157,15 +157,18 @@ static void put_light(const Forward *f, const SceneLight *light, float *to)
 static bool make_blocks(Forward *f)
 {
     ForwardBlock *block = &f->block;
+    float around[VIEW_SPACE_AROUND][4];
     if (f->scene->light_count > MOST_LIGHTS)
         return gl_fail(f->gl, "the forward renderer has room for %d lights", MOST_LIGHTS);
     f->lights = calloc(1, LIGHTS_BYTES);
     if (!f->lights)
         return gl_fail(f->gl, "out of memory");
     for (int i = 0; i < f->scene->light_count; i++)
-        if (f->scene->lights[i].kind != SCENE_Ambient)
+        if (light_from(&f->scene->lights[i]) != LIGHT_FROM_around)
             put_light(f, &f->scene->lights[i], f->lights + LIGHT_FLOATS * block->count[0]++);
-    view_space_ambient(f->scene, block->ambient);
+    for (int k = 0; light_kind_table[k]; k++)
+        if (view_space_around(&f->space, f->scene, light_kind_table[k], around))
+            memcpy(block->ambient, around[1], sizeof block->ambient);
     memcpy(block->ray, f->space.ray, sizeof f->space.ray);
     memcpy(block->view, f->space.depth, sizeof f->space.depth);
     return true;

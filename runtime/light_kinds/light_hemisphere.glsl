@@ -1,5 +1,6 @@
 // Light of hemispheres, from all around, by the formulas of scene.def; directions in the eye's
 // space.
+#ifndef LIGHT_SENDS
 #define LIGHT_HAS_HEMISPHERE
 layout(std140) uniform Hemisphere {
     vec4 hemisphere_up, hemisphere_above, hemisphere_below;
@@ -14,3 +15,9 @@ vec3 hemisphereMirrored(vec3 w)
 {
     return mix(0.6 * hemisphere_below.xyz, hemisphere_above.xyz, smoothstep(-0.3, 0.5, dot(w, hemisphere_up.xyz)));
 }
+
+// Radiance along a direction whose irradiance is hemisphereMatt.
+vec3 lightAlongHemisphere(vec3 way) { return dot(way, hemisphere_up.xyz) > 0.0 ? hemisphere_above.xyz : hemisphere_below.xyz; }
+#else
+vec3 lightFromHemisphere(Seen seen) { return surfaceHemisphere(seen.m); }
+#endif

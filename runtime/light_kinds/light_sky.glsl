@@ -4,6 +4,7 @@
 // the sum of c[i][j] x^i y^j z^(6-i-j): 3 and 28 numbers, within 0.3 % of the greatest irradiance
 // for clear skies with the sun at 5 degrees and above. A lobe is SAMPLES look-ups in a cube, each
 // as blurred as its share of the lobe is wide.
+#ifndef LIGHT_SENDS
 #define LIGHT_HAS_SKY
 layout(std140) uniform Sky {
     vec4 sky_irradiance[31];
@@ -56,3 +57,6 @@ vec3 skyLobe(vec3 normal, vec3 w, float exponent)
     }
     return sky_light.xyz * sum * (2.0 / ((exponent + 1.0) * float(SKY_SAMPLES)));
 }
+#else
+vec3 lightFromSky(Seen seen) { return surfaceSky(seen.m); }
+#endif

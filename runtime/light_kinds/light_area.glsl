@@ -15,6 +15,7 @@
 // Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m
 // = n, so the cosine's integral is half of 2 pi. With w = n: c is 0 and h 1 all along them, and the
 // moment is 2 pi / (k + 2).
+#ifndef LIGHT_SENDS
 #define LIGHT_HAS_AREAS
 const float AREA_PI = 3.14159265358979;
 
@@ -244,3 +245,24 @@ vec3 areaOfSide(Area light, AreaSide side)
     if (!into && any(greaterThan(side.gloss, vec3(0.0)))) sum += side.gloss * areaLobe(light, above, side.across, side.axis, side.exponent);
     return sum;
 }
+#else
+// A parallelogram as a point sees it.
+Area areaAt(int light, vec3 point)
+{
+    return areaSeen(lightTexel(light, 0).xyz - point, lightTexel(light, 2).xyz, lightTexel(light, 3).xyz,
+                    lightTexel(light, 1).w > 0.0);
+}
+
+#ifdef SHADOW_SOFT
+vec3 softLight(int light, Seen seen); // shadow_soft.glsl
+#endif
+
+vec3 lightFromArea(int light, Seen seen)
+{
+#ifdef SHADOW_SOFT
+    return lightTexel(light, 1).xyz * softLight(light, seen);
+#else
+    return lightTexel(light, 1).xyz * surfaceArea(seen.m, areaAt(light, seen.point));
+#endif
+}
+#endif

@@ -1,0 +1,8 @@
+// Ambient light: each surface sends its slot `ambient` times the sum of these lights.
+#ifdef LIGHT_SENDS
+layout(std140) uniform Ambient {
+    vec4 ambient_up, ambient_light;
+};
+
+vec3 lightFromAmbient(Seen seen) { return surfaceAmbient(seen.m, ambient_light.xyz); }
+#endif
