@@ -1,10 +1,10 @@
 #!/bin/sh
-# Adds the map, the rule, the target and the pass of docs/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
+# Adds the map, the rule, the target, the pass and the light of docs/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
 # other file than they name; builds it, and runs the tests that must then be green. Run from the project's root.
 # usage: tests/docs/add.sh [build folder]   whose objects stand in for those of the copy that the rows cannot change
 set -eu
 build=${1:-}
-pages="docs/add-a-map.md docs/add-a-rule.md docs/add-a-target.md docs/add-a-pass.md"
+pages="docs/add-a-map.md docs/add-a-rule.md docs/add-a-target.md docs/add-a-pass.md docs/add-a-light.md"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 copy=$work/source
@@ -102,7 +102,7 @@ export build copy anew fresh newline
 set -- -DCMAKE_BUILD_TYPE=None -DMATC_REFERENCE=OFF -DBUILD_SHARED_LIBS=OFF -DCMAKE_C_FLAGS=-O0
 set -- "$@" "-DCMAKE_C_COMPILER_LAUNCHER=sh;$work/compile"
 ! command -v mold >/dev/null || set -- "$@" -DCMAKE_EXE_LINKER_FLAGS=-fuse-ld=mold
-tests="test_tables test_defaults test_rules test_range_random test_companion test_function test_value test_valid test_frame_vignette"
+tests="test_tables test_defaults test_rules test_range_random test_companion test_function test_value test_valid test_scene_defaults test_frame_vignette test_frame_line"
 cd "$copy"
 # shellcheck disable=SC2086
 {
