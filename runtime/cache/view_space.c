@@ -134,28 +134,27 @@ static void to_eye(const ViewSpace *space, const double from[3], double w, float
 }
 
 /* `light` was cut, if it has an extent. */
-static void put_light(const ViewSpace *space, const SceneLight *light,
-                      float out[VIEW_SPACE_LIGHT_TEXELS][4])
+static void put_light(const ViewSpace *space, const SceneLight *light, float out[LIGHT_TEXELS][4])
 {
     const LightKind *row = light_kind_of(light);
     const bool far = row->from == LIGHT_FROM_afar;
     double cone[2] = {0, 1};
     const double back[3] = {-light->direction[0], -light->direction[1], -light->direction[2]};
-    memset(out, 0, VIEW_SPACE_LIGHT_TEXELS * sizeof *out);
-    to_eye(space, far ? back : light->position, far ? 0 : 1, out[0]);
+    memset(out, 0, LIGHT_TEXELS * sizeof *out);
+    to_eye(space, far ? back : light->position, far ? 0 : 1, out[LIGHT_PLACE]);
     for (int lane = 0; lane < 3; lane++)
-        out[1][lane] = (float)light->light[lane];
+        out[LIGHT_POWER][lane] = (float)light->light[lane];
     if (row->from == LIGHT_FROM_extent) {
-        to_eye(space, light->edges[0], 0, out[2]);
-        to_eye(space, light->edges[1], 0, out[3]);
-        out[1][3] = light->both_sides;
+        to_eye(space, light->edges[0], 0, out[LIGHT_AXIS]);
+        to_eye(space, light->edges[1], 0, out[LIGHT_CONE]);
+        out[LIGHT_POWER][3] = light->both_sides;
         return;
     }
-    to_eye(space, light->direction, 0, out[2]);
+    to_eye(space, light->direction, 0, out[LIGHT_AXIS]);
     if (row->cone)
         row->cone(light, cone);
     for (int i = 0; i < 2; i++)
-        out[3][i] = (float)cone[i];
+        out[LIGHT_CONE][i] = (float)cone[i];
 }
 
 int view_space_section(const SceneLight *light, bool shadows)
@@ -172,7 +171,7 @@ int view_space_section(const SceneLight *light, bool shadows)
 
 static int texels_of(int section)
 {
-    return section == VIEW_SPACE_PLAIN ? 2 : VIEW_SPACE_LIGHT_TEXELS;
+    return section == VIEW_SPACE_PLAIN ? LIGHT_PLAIN_TEXELS : LIGHT_TEXELS;
 }
 
 int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section)
@@ -186,7 +185,7 @@ int view_space_texels(const int counts[VIEW_SPACE_SECTIONS], int section)
 void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
                        int counts[VIEW_SPACE_SECTIONS])
 {
-    float light[VIEW_SPACE_LIGHT_TEXELS][4];
+    float light[LIGHT_TEXELS][4];
     SceneLight cut;
     for (int section = 0; section < VIEW_SPACE_SECTIONS; section++) {
         counts[section] = 0;

@@ -2,10 +2,9 @@
  * lights in the eye's space. */
 #ifndef MATC_CACHE_VIEW_SPACE_H
 #define MATC_CACHE_VIEW_SPACE_H
+#include "gen/light_layout.h"
 #include "runtime/draw/spaces.h"
 #include "runtime/scene/scene.h"
-
-enum { VIEW_SPACE_LIGHT_TEXELS = 4 /* of a light, at most */ };
 
 typedef struct {
     Spaces spaces; /* world_from_local is the identity */
@@ -45,11 +44,8 @@ int view_space_section(const SceneLight *light, bool shadows);
 void view_space_parallels(const SceneCamera *camera, const int size[2], const SceneMatrix *plane,
                           Spaces *spaces);
 
-/* Texels of all lights that have a place, and the number of lights in each section.
- *   0  xyz: position, w 1; or the direction to it, w 0    1  xyz: light
- *   2  xyz: the direction in which it shines 3 x, y: the cone lets clamp(c x + y, 0, 1) through, c
- *      the cosine
- * Of an extent: 0 its corner; 1 light, w: it shines to both sides; 2, 3 its edges. */
+/* Texels of all lights that have a place (light.layout.def), and the number of lights in each
+ * section. */
 void view_space_lights(const ViewSpace *space, const Scene *scene, bool shadows, float (*texels)[4],
                        int counts[VIEW_SPACE_SECTIONS]);
 /* How many texels the sections before that one have. */

@@ -73,7 +73,7 @@ void indirect_around_add(const Render *render, char defined[INDIRECT_AROUND_DEFI
 static double level_of(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const double shared = in->filter == WORD_Filter_none ? 1 : 16, face = 256;
+    const double shared = in->filter == WORD_Filter_none ? 1 : 16, face = SKY_FACE;
     return fmax(0, .5 * log2(PI / (in->rays * shared) * 6 * face * face / (4 * PI)));
 }
 

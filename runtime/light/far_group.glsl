@@ -3,11 +3,11 @@
 // far_blocks.glsl, and FAR_INVOCATIONS, the invocations that a pass has for a group: some software
 // renderers go through what invocations share for one after the other, so that few are faster
 // there.
-layout(std430, binding = 4) buffer FarWords {
+layout(std430, binding = FAR_WORDS_BINDING) buffer FarWords {
     uint far_words[];
 };
 
-layout(std430, binding = 5) buffer FarNumbers {
+layout(std430, binding = FAR_NUMBERS_BINDING) buffer FarNumbers {
     float far_numbers[];
 };
 
@@ -26,7 +26,6 @@ struct Group {
     vec3 even, dim, gloss;
     bool behind;
 };
-const int GROUP_NUMBERS = 29;
 
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
 

@@ -10,9 +10,9 @@ int farCount() { return light_plain + light_points; }
 // What a spot's cone lets through, at least and at most, from the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
-    vec2 cone = lightTexel(light, 3).xy;
+    vec2 cone = lightTexel(light, LIGHT_CONE).xy;
     float sine = min(ratio, 1.0);
-    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, 2).xyz), sqrt(1.0 - sine * sine), sine)
+    vec2 cosines = ratio < 1.0 ? farCosines(-dot(way, lightTexel(light, LIGHT_AXIS).xyz), sqrt(1.0 - sine * sine), sine)
                                : vec2(-1.0, 1.0);
     return clamp(cone.x * cosines + cone.y, 0.0, 1.0);
 }
@@ -20,12 +20,12 @@ vec2 farCone(int light, vec3 way, float ratio)
 Far farLight(int light, Group group)
 {
     Far far;
-    vec4 place = lightTexel(light, 0);
+    vec4 place = lightTexel(light, LIGHT_PLACE);
     vec3 way = place.xyz - place.w * group.centre;
     float over = inversesqrt(max(dot(way, way), 1e-30)), finite = place.w > 0.0 ? over : 0.0;
     far.way = way * over;
     far.ratio = group.radius * finite;
-    far.power = lightTexel(light, 1).xyz * (place.w > 0.0 ? over * over : 1.0);
+    far.power = lightTexel(light, LIGHT_POWER).xyz * (place.w > 0.0 ? over * over : 1.0);
     vec2 cosines = farCosines(dot(far.way, group.axis), group.cosine, group.sine);
     far.least = cosines.x - group.above * finite;
     far.most = cosines.y - group.below * finite;
@@ -35,7 +35,7 @@ Far farLight(int light, Group group)
 #ifdef FAR_OTHERS
     if (light >= light_plain) {
         vec2 cone = farCone(light, far.way, far.ratio);
-        far.whole = cone.x >= 1.0 && lightTexel(light, 3).w < 0.0;
+        far.whole = cone.x >= 1.0 && lightTexel(light, LIGHT_CONE).w < 0.0;
         if (cone.y <= 0.0) far.power = vec3(0.0);
     }
 #endif
@@ -52,7 +52,9 @@ Group farLoad(int number)
     for (int i = int(gl_LocalInvocationIndex); i < GROUP_NUMBERS; i += GROUP)
         far_group[i] = far_numbers[farPlace(number) + i];
     barrier();
-    return Group(farTake(0), farTake(3), farTake(6), far_group[9], far_group[10], far_group[11], far_group[12], far_group[13],
-                 far_group[14], far_group[24], far_group[25], far_group[26], far_group[27], farTake(15), farTake(18),
-                 farTake(21), far_group[28] > 0.0);
+    return Group(farTake(GROUP_CENTER), farTake(GROUP_AXIS), farTake(GROUP_VIEW), far_group[GROUP_RADIUS],
+                 far_group[GROUP_COSINE], far_group[GROUP_SINE], far_group[GROUP_ABOVE], far_group[GROUP_BELOW],
+                 far_group[GROUP_MIRROR], far_group[GROUP_EXPONENT], far_group[GROUP_TURN], far_group[GROUP_LEAN],
+                 far_group[GROUP_SPREAD], farTake(GROUP_EVEN), farTake(GROUP_DIM), farTake(GROUP_GLOSS),
+                 far_group[GROUP_BEHIND] > 0.0);
 }

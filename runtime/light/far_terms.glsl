@@ -18,7 +18,7 @@
 //   R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2)
 //   S_(k-1)m slopes: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy)
 //   R_km = -R_(k-1)(m+1)
-#define FAR_TERMS 48
+#include "far.layout.def"
 // By name: a loop that some compiler leaves as it is would keep an array in memory.
 #define FAR_EACH_OF_24(f, k)                                                                                           \
     f(k) f(k + 1) f(k + 2) f(k + 3) f(k + 4) f(k + 5) f(k + 6) f(k + 7) f(k + 8) f(k + 9) f(k + 10) f(k + 11) f(k + 12)  \

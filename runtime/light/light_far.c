@@ -5,7 +5,6 @@
 #include "runtime/light/lighting.h"
 #include <stdio.h>
 
-/* As far_blocks.glsl has them. */
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
 /* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and
  * sums wait for nobody but a warp. */
@@ -16,10 +15,16 @@ enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS])
 {
+    const LightFarWords words = light_far_words(render);
     snprintf(defined, LIGHT_FAR_DEFINITIONS,
-             "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s", light_far_most(render),
+             "#define FAR_LIGHTS %d\n#define FAR_INVOCATIONS %d\n%s#define FAR_BITS %d\n#define "
+             "FAR_TOPS %d\n"
+             "#define FAR_NEAR %d\n#define FAR_MARKS %d\n#define FAR_WORDS %d\n"
+             "#define FAR_NUMBERS_BINDING %d\n#define FAR_WORDS_BINDING %d\n",
+             light_far_most(render),
              render->gl->hardware ? invocations_hardware[use] : INVOCATIONS_SOFTWARE,
-             render->light->counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "");
+             render->light->counts[VIEW_SPACE_POINTS] ? "#define FAR_OTHERS\n" : "", words.bits,
+             words.tops, words.near, words.marks, words.block, NUMBERS_BINDING, WORDS_BINDING);
 }
 
 /* Behind transparent layers what is relative stays so, and what is not may grow. */

@@ -2,6 +2,7 @@
  * kept of that (light_room.c), and what the passes gather and light go by (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H
+#include "gen/far_layout.h"
 #include "runtime/light/light_state.h"
 #include "runtime/frame/frame.h"
 
@@ -15,11 +16,14 @@ int light_far_most(const Render *render);
  * as halves. False: it may not. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 /* Blocks in a row of so many pixels. */
-enum {
-    LIGHT_FAR_BLOCK = 32 /* the edge of one, in pixels */,
-    LIGHT_FAR_GROUPS = 4 /* of its pixels, at most */
-};
 int light_far_blocks(int pixels);
+/* Words of a group: a bit for each light that is near, in `bits` words behind `tops` words with a
+ * bit for each of them that is not 0; from `near` to `marks` a bit for each far light whose gloss
+ * is expanded. `block`: words of a block. */
+typedef struct {
+    int bits, tops, near, marks, block;
+} LightFarWords;
+LightFarWords light_far_words(const Render *render);
 /* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of
  * the blocks of pixels that take them, or 1; the most rows of a tile so wide; a line on them, once
  * they are there. */
@@ -31,10 +35,10 @@ bool light_far_make(Render *render);
 void light_far_delete(Render *render);
 /* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in
  * space are neighbours. False: out of memory. light_order.c */
-bool light_order(float (*lights)[2][4], int count);
+bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
 /* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass
  * light. */
-enum { LIGHT_FAR_DEFINITIONS = 128 };
+enum { LIGHT_FAR_DEFINITIONS = 512 };
 /* in this order */
 typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS]);

@@ -12,7 +12,7 @@
 enum { BITS = 10 /* of a cell, along an axis */ };
 
 typedef struct {
-    float texels[2][4];
+    float texels[LIGHT_PLAIN_TEXELS][4];
     uint32_t cell;
 } Placed;
 
@@ -24,14 +24,14 @@ static int compare(const void *left, const void *right)
                               : memcmp(a->texels, b->texels, sizeof a->texels);
 }
 
-static void find_box(float (*lights)[2][4], int count, float low[3], float high[3])
+static void find_box(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count, float low[3], float high[3])
 {
     for (int axis = 0; axis < 3; axis++) {
         low[axis] = INFINITY;
         high[axis] = -INFINITY;
         for (int i = 0; i < count; i++) {
-            low[axis] = fminf(low[axis], lights[i][0][axis]);
-            high[axis] = fmaxf(high[axis], lights[i][0][axis]);
+            low[axis] = fminf(low[axis], lights[i][LIGHT_PLACE][axis]);
+            high[axis] = fmaxf(high[axis], lights[i][LIGHT_PLACE][axis]);
         }
     }
 }
@@ -49,7 +49,7 @@ static uint32_t cell_of(const float place[3], const float low[3], const float hi
     return cell;
 }
 
-bool light_order(float (*lights)[2][4], int count)
+bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count)
 {
     float low[3], high[3];
     Placed *placed = malloc(((size_t)count + 1) * sizeof *placed);
@@ -58,7 +58,7 @@ bool light_order(float (*lights)[2][4], int count)
     find_box(lights, count, low, high);
     for (int i = 0; i < count; i++) {
         memcpy(placed[i].texels, lights[i], sizeof placed[i].texels);
-        placed[i].cell = cell_of(lights[i][0], low, high);
+        placed[i].cell = cell_of(lights[i][LIGHT_PLACE], low, high);
     }
     qsort(placed, (size_t)count, sizeof *placed, compare);
     for (int i = 0; i < count; i++)

@@ -3,16 +3,25 @@
 #include "runtime/light/light_far.h"
 #include <limits.h>
 
-/* As far_blocks.glsl has them. */
-enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = 43, MAP = 64, WORD = 32 };
+enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = LIGHT_FAR_TEXELS };
+_Static_assert((int)LIGHT_FAR_GROUP_NUMBERS <= 4 * (int)TEXELS, "both are kept in one place");
 
 /* Of a block. */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 
+LightFarWords light_far_words(const Render *render)
+{
+    LightFarWords words = {.bits = light_far_most(render) / LIGHT_FAR_WORD};
+    words.tops = (words.bits + LIGHT_FAR_WORD - 1) / LIGHT_FAR_WORD;
+    words.near = words.tops + words.bits;
+    words.marks = words.near + words.bits;
+    words.block = LIGHT_FAR_MAP + GROUPS * words.marks;
+    return words;
+}
+
 static size_t words_bytes(const Render *render)
 {
-    const size_t bits = (size_t)light_far_most(render) / WORD, tops = (bits + WORD - 1) / WORD;
-    return (MAP + GROUPS * (tops + 2 * bits)) * sizeof(GLuint);
+    return (size_t)light_far_words(render).block * sizeof(GLuint);
 }
 
 int light_far_blocks(int pixels) { return (pixels + LIGHT_FAR_BLOCK - 1) / LIGHT_FAR_BLOCK; }

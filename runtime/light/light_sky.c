@@ -11,12 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum {
-    FACE = 256, /* texels along a side */
-    FACES = 6,
-    DEGREE = 6,
-    POWERS = DEGREE + 1
-};
+enum { FACE = SKY_FACE, FACES = 6, DEGREE = 6, POWERS = DEGREE + 1 };
 #define PI 3.14159265358979323846
 
 /* Of bands 0, 1, 2, 4, 6: (2l+1)/(4 pi) A_l/pi. */
@@ -118,10 +113,10 @@ static void add_power(Polynomial moments, int degree, double factor, Polynomial 
 }
 
 /* In the order in which the GLSL reads them. */
-static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_NUMBERS][4])
+static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_WORLD][4])
 {
     int at = 0;
-    memset(out, 0, SKY_NUMBERS * sizeof *out);
+    memset(out, 0, SKY_WORLD * sizeof *out);
     for (int i = DEGREE; i >= 0; i--)
         for (int j = DEGREE - i; j >= 0; j--, at++)
             for (int lane = 0; lane < 3; lane++)
@@ -131,7 +126,7 @@ static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_NUMBERS
             out[at][lane] = (float)(bands[1] * odd[axis][lane]);
 }
 
-static void make_numbers(Moments *m, float out[SKY_NUMBERS][4])
+static void make_numbers(Moments *m, float out[SKY_WORLD][4])
 {
     const double b0 = bands[0], b2 = bands[2], b4 = bands[3], b6 = bands[4];
     /* Legendre's polynomials, by powers of n.u: 0, 2, 4, 6 */
@@ -226,12 +221,12 @@ bool light_sky_make(Render *render)
 
 void light_sky_set(const Render *render, int unit, ScreenPass *pass)
 {
-    float numbers[SKY_NUMBERS + 4][4] = {{0}};
+    float numbers[SKY_NUMBERS][4] = {{0}};
     memcpy(numbers, render->light->sky.irradiance, sizeof render->light->sky.irradiance);
     for (int row = 0; row < 3; row++) { /* the inverse of a rotation is its transpose */
         for (int i = 0; i < 3; i++)
-            numbers[SKY_NUMBERS + row][i] = (float)render->space.eye_from_world[4 * row + i];
-        numbers[SKY_NUMBERS + 3][row] = (float)render->scene->sky_light[row];
+            numbers[SKY_WORLD + row][i] = (float)render->space.eye_from_world[4 * row + i];
+        numbers[SKY_LIGHT][row] = (float)render->scene->sky_light[row];
     }
     material_write(&pass->material, "Sky", numbers, sizeof numbers);
     screen_pass_sampler(pass, "sky_map", unit);

@@ -1,6 +1,7 @@
 /* What a frame keeps of light: data alone, of the passes in runtime/light. */
 #ifndef MATC_LIGHT_LIGHT_STATE_H
 #define MATC_LIGHT_LIGHT_STATE_H
+#include "gen/sky_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/cache/view_space.h"
 #include "runtime/draw/screen_pass.h"
@@ -13,13 +14,11 @@ typedef struct {
     GLuint texture; /* with them; 0: a block of each program's own has them */
 } LightTable;
 
-enum { SKY_NUMBERS = 31 }; /* three of bands 1, 28 of the even bands to 6 */
-
 typedef struct {
     GLuint map; /* a cube, in the world's axes, with mipmaps; 0: no sky shines */
-    float irradiance[SKY_NUMBERS][4];
-    bool uneven;    /* it is not the same from everywhere, */
-    float first[3]; /* as it is in one place */
+    float irradiance[SKY_WORLD][4]; /* the first numbers of sky.layout.def */
+    bool uneven;                    /* it is not the same from everywhere, */
+    float first[3];                 /* as it is in one place */
 } SkyLight;
 
 /* Of pass_gather.c, where lights are many. */

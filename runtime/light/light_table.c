@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-enum { ROW = 4096, LEAST = 16 /* texels */ };
+enum { LEAST = 16 /* texels */ };
 
 /* Programs are shared by numbers of lights that are near. */
 static int room_for(int texels)
@@ -21,8 +21,8 @@ static int room_for(int texels)
 static bool write_texture(Render *render, int unit)
 {
     LightTable *lights = &render->light->table;
-    const TextureSpec spec = {.width = lights->count < ROW ? lights->count : ROW,
-                              .height = (lights->count + ROW - 1) / ROW,
+    const TextureSpec spec = {.width = lights->count < LIGHT_ROW ? lights->count : LIGHT_ROW,
+                              .height = (lights->count + LIGHT_ROW - 1) / LIGHT_ROW,
                               .lanes = 4,
                               .floats = lights->texels[0]};
     render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it */
@@ -46,15 +46,14 @@ bool light_table_write(Render *render, int unit)
     LightTable *lights = &render->light->table;
     const bool others = render->light->counts[VIEW_SPACE_POINTS] > 0;
     if (!lights->texels)
-        lights->texels =
-            calloc((size_t)room_for(render->scene->light_count * VIEW_SPACE_LIGHT_TEXELS),
-                   sizeof *lights->texels);
+        lights->texels = calloc((size_t)room_for(render->scene->light_count * LIGHT_TEXELS),
+                                sizeof *lights->texels);
     if (!lights->texels)
         return gl_fail(render->gl, "out of memory");
     view_space_lights(&render->space, render->scene, !render->options.no_shadows, lights->texels,
                       render->light->counts);
-    if (light_far_used(render) &&
-        !light_order((float(*)[2][4])lights->texels, render->light->counts[VIEW_SPACE_PLAIN]))
+    if (light_far_used(render) && !light_order((float(*)[LIGHT_PLAIN_TEXELS][4])lights->texels,
+                                               render->light->counts[VIEW_SPACE_PLAIN]))
         return gl_fail(render->gl, "out of memory");
     shadow_put_lights(render, render->light->counts, lights->texels);
     if (render->light->far.numbers && others != (render->light->counts[VIEW_SPACE_POINTS] > 0))

@@ -1,6 +1,8 @@
 // What a surface sends to the eye, summed over all lights, in the eye's space: for every pass that
 // lights surfaces. view_space.h says what the block and the texels hold. Before it stand the texts
 // that declare Surface and the surface model.
+#include "light.layout.def"
+
 layout(std140) uniform Light {
     vec4 light_ray;
     vec4 light_view;
@@ -18,36 +20,35 @@ vec4 lightNumbers(int texel) { return light_texels[texel]; }
 #else
 uniform sampler2D light_lights;
 
-const int ROW = 4096;
-
-vec4 lightNumbers(int texel) { return texelFetch(light_lights, ivec2(texel % ROW, texel / ROW), 0); }
+vec4 lightNumbers(int texel) { return texelFetch(light_lights, ivec2(texel % LIGHT_ROW, texel / LIGHT_ROW), 0); }
 #endif
 
-// A light's texel; plain ones have two, and come first.
+// A light's texel, LIGHT_PLACE and so on; plain ones have fewer, and come first.
 vec4 lightTexel(int light, int texel)
 {
-    return lightNumbers(light < light_plain ? 2 * light + texel : 4 * light - 2 * light_plain + texel);
+    int others = LIGHT_TEXELS * light - (LIGHT_TEXELS - LIGHT_PLAIN_TEXELS) * light_plain;
+    return lightNumbers((light < light_plain ? LIGHT_PLAIN_TEXELS * light : others) + texel);
 }
 
 // What arrives at a point of a point light that casts no shadow, from the direction l.
 vec3 lightPlain(int light, vec3 point, out vec3 l)
 {
-    vec3 way = lightNumbers(2 * light).xyz - point;
+    vec3 way = lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_PLACE).xyz - point;
     float over = inversesqrt(max(dot(way, way), 1e-30));
     l = way * over;
-    return lightNumbers(2 * light + 1).xyz * (over * over);
+    return lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_POWER).xyz * (over * over);
 }
 
 // What arrives of any other.
 vec3 lightAt(int light, vec3 point, out vec3 l)
 {
-    vec4 place = lightTexel(light, 0);
-    vec2 cone = lightTexel(light, 3).xy;
+    vec4 place = lightTexel(light, LIGHT_PLACE);
+    vec2 cone = lightTexel(light, LIGHT_CONE).xy;
     vec3 way = place.xyz - place.w * point;
     float square = max(dot(way, way), 1e-30);
     l = way * inversesqrt(square);
-    float s = clamp(cone.x * -dot(l, lightTexel(light, 2).xyz) + cone.y, 0.0, 1.0);
-    return lightTexel(light, 1).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
+    float s = clamp(cone.x * -dot(l, lightTexel(light, LIGHT_AXIS).xyz) + cone.y, 0.0, 1.0);
+    return lightTexel(light, LIGHT_POWER).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
 
 // Where nothing is.
@@ -137,7 +138,7 @@ vec3 lightFromOther(int light, Seen seen)
 {
     vec3 l;
 #ifdef SHADOW_PARTS
-    if (!shadowIsRead(ivec2(lightTexel(light, 3).zw))) return vec3(0.0);
+    if (!shadowIsRead(ivec2(lightTexel(light, LIGHT_CONE).zw))) return vec3(0.0);
 #endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
@@ -149,15 +150,15 @@ vec3 lightFromOther(int light, Seen seen)
     facetTurn(seen.m.normal, l);
 #endif
 #ifdef EXACT
-    float exact = lightTexel(light, 2).w;
+    float exact = lightTexel(light, LIGHT_AXIS).w;
     if (exact > 0.0) sent *= exactShare(int(exact) - 1, exactPoint(seen.point, side, seen.pixelSize));
     if (sent.x + sent.y + sent.z <= 0.0) return vec3(0.0);
 #endif
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
-    sent *= shadowShare(lightTexel(light, 0), ivec2(lightTexel(light, 3).zw), seen.point, side, seen.pixelSize, seen.pixel);
+    sent *= shadowShare(lightTexel(light, LIGHT_PLACE), ivec2(lightTexel(light, LIGHT_CONE).zw), seen.point, side, seen.pixelSize, seen.pixel);
 #endif
 #ifdef SHADOW_SHEETS
-    if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, 1).w), seen.pixel);
+    if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, LIGHT_POWER).w), seen.pixel);
 #endif
     return sent;
 }

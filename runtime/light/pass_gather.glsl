@@ -48,8 +48,7 @@ void farGather(Group group, int number)
 
 // -- what is kept
 
-// Of the texels of gloss: for each lane its slopes and itself, then its slopes by the view, and a
-// lane of that.
+// The numbers from FAR_GLOSS on.
 float farGlossNumber(Group group, int i)
 {
     int lane = i / 4 % 3, kind = i / 12, k = i % 4;
@@ -57,19 +56,17 @@ float farGlossNumber(Group group, int i)
     return far_sums[3 * (FAR_TERMS + (k == 3 ? 0 : 1 + 3 * kind + k)) + lane];
 }
 
-// The sums lie four terms of a lane in a texel: texels 1 to 12 of red, 13 to 24 of green, 25 to 36
-// of blue.
 void farKeep(Group group, int number)
 {
     int at = farPlace(number), self = int(gl_LocalInvocationIndex);
     if (self == 0) {
         for (int i = 0; i < 3; i++)
-            far_numbers[at + i] = group.centre[i];
-        far_numbers[at + 3] = 1.0 / max(group.radius, 1e-30);
+            far_numbers[at + 4 * FAR_CENTER + i] = group.centre[i];
+        far_numbers[at + 4 * FAR_CENTER + 3] = 1.0 / max(group.radius, 1e-30);
     }
     for (int i = self; i < 3 * FAR_TERMS; i += GROUP)
-        far_numbers[at + 4 + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
-    for (int i = self; i < 24; i += GROUP)
+        far_numbers[at + 4 * FAR_SUMS + i] = far_sums[i % FAR_TERMS * 3 + i / FAR_TERMS];
+    for (int i = self; i < 4 * (FAR_TEXELS - FAR_GLOSS); i += GROUP)
         far_numbers[at + 4 * FAR_GLOSS + i] = farGlossNumber(group, i);
 }
 

@@ -209,17 +209,23 @@ void farPut(int at, vec3 numbers)
 void farKeep(Group group, int number)
 {
     int at = farPlace(number);
-    farPut(at, group.centre);
-    farPut(at + 3, group.axis);
-    farPut(at + 6, group.view);
-    farPut(at + 9, vec3(group.radius, group.cosine, group.sine));
-    farPut(at + 12, vec3(group.above, group.below, group.mirror));
-    farPut(at + 15, group.even);
-    farPut(at + 18, group.dim);
-    farPut(at + 21, group.gloss);
-    farPut(at + 24, vec3(group.exponent, group.turn, group.lean));
-    far_numbers[at + 27] = group.spread;
-    far_numbers[at + 28] = group.behind ? 1.0 : 0.0;
+    farPut(at + GROUP_CENTER, group.centre);
+    farPut(at + GROUP_AXIS, group.axis);
+    farPut(at + GROUP_VIEW, group.view);
+    far_numbers[at + GROUP_RADIUS] = group.radius;
+    far_numbers[at + GROUP_COSINE] = group.cosine;
+    far_numbers[at + GROUP_SINE] = group.sine;
+    far_numbers[at + GROUP_ABOVE] = group.above;
+    far_numbers[at + GROUP_BELOW] = group.below;
+    far_numbers[at + GROUP_MIRROR] = group.mirror;
+    farPut(at + GROUP_EVEN, group.even);
+    farPut(at + GROUP_DIM, group.dim);
+    farPut(at + GROUP_GLOSS, group.gloss);
+    far_numbers[at + GROUP_EXPONENT] = group.exponent;
+    far_numbers[at + GROUP_TURN] = group.turn;
+    far_numbers[at + GROUP_LEAN] = group.lean;
+    far_numbers[at + GROUP_SPREAD] = group.spread;
+    far_numbers[at + GROUP_BEHIND] = group.behind ? 1.0 : 0.0;
 }
 
 void main()
@@ -237,7 +243,7 @@ void main()
         barrier();
     }
     for (; number < FAR_GROUPS; number++)
-        if (gl_LocalInvocationIndex == 0u) far_numbers[farPlace(number) + 9] = -1.0;
+        if (gl_LocalInvocationIndex == 0u) far_numbers[farPlace(number) + GROUP_RADIUS] = -1.0;
     for (int i = 0; i < SETS; i++)
         far_words[farBlock() * FAR_WORDS + farSet(i)] = map[i];
 }

@@ -13,15 +13,14 @@ uint farWord(int i) { return texelFetch(far_bits, i).x; }
 // Light that falls on a surface, at a point and with a normal.
 vec3 farIrradiance(int at, vec3 point, vec3 normal)
 {
-    vec4 centre = farTexel(at);
+    vec4 centre = farTexel(at + FAR_CENTER);
     float s[FAR_TERMS];
     farSlopes((point - centre.xyz) * centre.w, normal, s);
     vec3 sum = vec3(0.0);
     vec4 four;
-    const int LANE = FAR_TERMS / 4; // texels
 #define FAR_FOUR(k)                                                                                                    \
     four = vec4(s[4 * k], s[4 * k + 1], s[4 * k + 2], s[4 * k + 3]);                                                   \
-    sum += vec3(dot(farTexel(at + 1 + k), four), dot(farTexel(at + 1 + LANE + k), four), dot(farTexel(at + 1 + 2 * LANE + k), four));
+    sum += vec3(dot(farTexel(at + FAR_SUMS + k), four), dot(farTexel(at + FAR_SUMS + FAR_QUADS + k), four), dot(farTexel(at + FAR_SUMS + 2 * FAR_QUADS + k), four));
     FAR_FOUR(0) FAR_FOUR(1) FAR_FOUR(2) FAR_FOUR(3) FAR_FOUR(4) FAR_FOUR(5)
     FAR_FOUR(6) FAR_FOUR(7) FAR_FOUR(8) FAR_FOUR(9) FAR_FOUR(10) FAR_FOUR(11)
     return max(sum, 0.0);
@@ -31,8 +30,8 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 // What gloss 1 sends back, of a point and a mirrored view.
 vec3 farGloss(int at, vec3 point, vec3 mirror)
 {
-    vec4 centre = farTexel(at), u = vec4((point - centre.xyz) * centre.w, 1.0);
-    vec4 red = farTexel(at + FAR_GLOSS + 3), green = farTexel(at + FAR_GLOSS + 4), blue = farTexel(at + FAR_GLOSS + 5);
+    vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);
+    vec4 red = farTexel(at + FAR_MIRROR), green = farTexel(at + FAR_MIRROR + 1), blue = farTexel(at + FAR_MIRROR + 2);
     vec3 turn = mirror - vec3(red.w, green.w, blue.w);
     vec3 sum = vec3(dot(farTexel(at + FAR_GLOSS), u), dot(farTexel(at + FAR_GLOSS + 1), u), dot(farTexel(at + FAR_GLOSS + 2), u));
     return max(sum + vec3(dot(red.xyz, turn), dot(green.xyz, turn), dot(blue.xyz, turn)), 0.0);

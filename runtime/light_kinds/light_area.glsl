@@ -249,8 +249,8 @@ vec3 areaOfSide(Area light, AreaSide side)
 // A parallelogram as a point sees it.
 Area areaAt(int light, vec3 point)
 {
-    return areaSeen(lightTexel(light, 0).xyz - point, lightTexel(light, 2).xyz, lightTexel(light, 3).xyz,
-                    lightTexel(light, 1).w > 0.0);
+    return areaSeen(lightTexel(light, LIGHT_PLACE).xyz - point, lightTexel(light, LIGHT_AXIS).xyz, lightTexel(light, LIGHT_CONE).xyz,
+                    lightTexel(light, LIGHT_POWER).w > 0.0);
 }
 
 #ifdef SHADOW_SOFT
@@ -260,9 +260,9 @@ vec3 softLight(int light, Seen seen); // shadow_soft.glsl
 vec3 lightFromArea(int light, Seen seen)
 {
 #ifdef SHADOW_SOFT
-    return lightTexel(light, 1).xyz * softLight(light, seen);
+    return lightTexel(light, LIGHT_POWER).xyz * softLight(light, seen);
 #else
-    return lightTexel(light, 1).xyz * surfaceArea(seen.m, areaAt(light, seen.point));
+    return lightTexel(light, LIGHT_POWER).xyz * surfaceArea(seen.m, areaAt(light, seen.point));
 #endif
 }
 #endif

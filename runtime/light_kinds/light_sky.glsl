@@ -7,9 +7,7 @@
 #ifndef LIGHT_SENDS
 #define LIGHT_HAS_SKY
 layout(std140) uniform Sky {
-    vec4 sky_irradiance[31];
-    vec4 sky_world[3]; // rows: from the eye's axes to the world's
-    vec4 sky_light;    // what the sky's light is times
+#include "sky.layout.def"
 };
 uniform samplerCube sky_map;
 

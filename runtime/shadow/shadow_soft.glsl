@@ -40,7 +40,7 @@ struct Soft {
 
 Soft softOf(int light, Seen seen)
 {
-    vec4 corner = lightTexel(light, 0), u = lightTexel(light, 2), v = lightTexel(light, 3);
+    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);
     vec3 x = normalize(u.xyz), z = normalize(cross(u.xyz, v.xyz)), y = cross(z, x), way = seen.point - corner.xyz;
     float side = dot(z, way) < 0.0 ? -1.0 : 1.0, near = 0.0;
     int layer = int(u.w) - 1 + (side < 0.0 ? SOFT_POINTS * SOFT_POINTS : 0);
@@ -263,8 +263,8 @@ SHARE softCell(Soft s, ivec2 cell)
 // that, what of each cell does not arrive.
 vec3 softLight(int light, Seen seen)
 {
-    vec4 corner = lightTexel(light, 0), u = lightTexel(light, 2), v = lightTexel(light, 3);
-    bool both = lightTexel(light, 1).w > 0.0;
+    vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);
+    bool both = lightTexel(light, LIGHT_POWER).w > 0.0;
     vec3 sum = vec3(0.0);
     SHARE lost = SHARE(1.0);
     Soft s = softOf(light, seen);

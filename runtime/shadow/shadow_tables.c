@@ -262,7 +262,7 @@ static void put_extent(const Render *render, int light, float (*texels)[4])
     const ShadowViews *views = &render->shadows->views;
     const bool casts =
         soft_views_wanted(&render->scene->lights[light]) && !render->options.no_shadows;
-    texels[2][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[light].first) : 1;
+    texels[LIGHT_AXIS][3] = !casts ? 0 : views->count ? (float)(1 + views->lights[light].first) : 1;
 }
 
 void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
@@ -279,19 +279,21 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
         if (section == VIEW_SPACE_PLAIN || section == VIEW_SPACE_SECTIONS)
             continue;
         float(*next)[4] = places[section];
-        places[section] += VIEW_SPACE_LIGHT_TEXELS;
+        places[section] += LIGHT_TEXELS;
         if (section >= VIEW_SPACE_KINDS) {
             put_extent(render, i, next);
             continue;
         }
         const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
         const bool mapped = casts && shadow_has_maps(render);
-        next[2][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
-        next[3][2] = mapped ? (float)render->shadows->views.lights[i].first : 0;
-        next[3][3] = mapped ? (float)render->shadows->views.lights[i].count : casts ? 0 : -1;
-        next[1][3] = casts ? (float)layer : 0;
+        next[LIGHT_AXIS][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
+        next[LIGHT_CONE][2] = mapped ? (float)render->shadows->views.lights[i].first : 0;
+        next[LIGHT_CONE][3] = mapped  ? (float)render->shadows->views.lights[i].count
+                              : casts ? 0
+                                      : -1;
+        next[LIGHT_POWER][3] = casts ? (float)layer : 0;
         if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
-            next[3][3] = -2 - next[3][3] - 8.0f * (float)bit++;
+            next[LIGHT_CONE][3] = -2 - next[LIGHT_CONE][3] - 8.0f * (float)bit++;
     }
 }
 

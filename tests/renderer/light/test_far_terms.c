@@ -21,7 +21,9 @@ enum {
 };
 
 static const char head[] =
-    "#define FAR_LIGHTS 512\n#define FAR_INVOCATIONS 8\n"
+    "#define FAR_LIGHTS 512\n#define FAR_INVOCATIONS 8\n#define FAR_BITS 16\n#define FAR_TOPS 1\n"
+    "#define FAR_NEAR 17\n#define FAR_MARKS 33\n#define FAR_WORDS 196\n"
+    "#define FAR_NUMBERS_BINDING 5\n#define FAR_WORDS_BINDING 4\n"
     "struct Lit { vec3 even, gloss; };\nvec3 surfaceEven(Lit m) { return m.even; }\n"
     "vec3 surfaceGloss(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return false; "
     "}\n";
