@@ -2,7 +2,6 @@
 #include "runtime/indirect/indirect.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/voxels.h"
 #include <string.h>
 
 /* Also before the cache is made. */
@@ -108,16 +107,6 @@ const char *indirect_lacks_view(const Render *render)
         return NULL;
     return is_said(render) ? "the scene has no objects"
                            : "the scene has no `indirect:`, which --indirect=METHOD gives it";
-}
-
-double indirect_radius(const Scene *scene, const Cache *cache)
-{
-    /* all but a layer on each side is as wide as the objects */
-    const VoxelGrid grid = voxel_grid(scene, cache);
-    const double longest = grid.edge * (grid.size - 2);
-    if (scene->indirect.radius > 0)
-        return scene->indirect.radius;
-    return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
 }
 
 bool indirect_keeps(const Render *render)

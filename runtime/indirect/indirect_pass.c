@@ -1,8 +1,8 @@
 /* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/blue_noise.h"
-#include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_sequence.h"
+#include "runtime/indirect/pass_rays.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <stdio.h>
@@ -109,7 +109,7 @@ static void set_models(const Render *render, float models[4])
     const SceneIndirect *in = &render->scene->indirect;
     const bool voxels = indirect_reads_voxels(render);
     const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
-    const double radius = indirect_radius(render->scene, &render->cache);
+    const double radius = voxel_grid_radius(render->scene, &render->cache);
     models[0] = voxels ? (float)indirect_near(render) : 0;
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
@@ -145,7 +145,7 @@ static void set_block(const Render *render, ScreenPass *pass)
     double samples[INDIRECT_RAYS_MOST][2];
     memcpy(block[0], render->space.ray, sizeof block[0]);
     memcpy(block[1], render->space.depth, sizeof block[1]);
-    block[2][0] = (float)indirect_radius(render->scene, &render->cache);
+    block[2][0] = (float)voxel_grid_radius(render->scene, &render->cache);
     block[2][1] = (float)in->offset;
     block[2][2] = in->offset > 0 ? 0 : (float)lift;
     block[2][3] = (float)in->contrast;
@@ -155,8 +155,9 @@ static void set_block(const Render *render, ScreenPass *pass)
         block[3][2 + i] = (float)render->at[i];
         block[4][i] = (float)(beyond < render->size[i] ? beyond : render->size[i]);
     }
-    block[4][3] =
-        in->filter_size ? INFINITY : (float)(part * indirect_radius(render->scene, &render->cache));
+    block[4][3] = in->filter_size
+                      ? INFINITY
+                      : (float)(part * voxel_grid_radius(render->scene, &render->cache));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)

@@ -1,8 +1,6 @@
-/* Infinite planes that rays of indirect light meet; what these go through, in words. */
-#include "grammar/tables.h"
+/* Infinite planes that rays of indirect light meet. */
 #include "runtime/frame/frame.h"
-#include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/pass_rays.h"
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
@@ -32,22 +30,4 @@ void indirect_planes_set(const Render *render, ScreenPass *pass)
                          &render->scene->objects[render->cache.planes[i].object].world_from_local,
                          planes[count++]);
     material_write(&pass->material, "IndirectPlanes", planes, sizeof *planes * (size_t)count);
-}
-
-void indirect_planes_put(Text *out, const Render *render)
-{
-    const Word method = indirect_method(render);
-    const int planes = indirect_planes_count(render), opaque = render->cache.opaque_plane_count;
-    text_format(out, "indirect  by the method %s", word_table[method].name);
-    if (render->scene->indirect.method == WORD_Indirect_auto)
-        text_format(out, ", as %s",
-                    method == WORD_Indirect_hybrid       ? "the scene has objects"
-                    : transparency_has_lists(render->gl) ? "the scene has no objects for voxels"
-                                                         : "voxels take OpenGL 4.3");
-    text_put(out, "\n");
-    if (indirect_is_directional(render))
-        text_put(out, "indirect  light from all around comes by direction\n");
-    if (planes)
-        text_format(out, "indirect  rays meet %d of %d infinite planes, which are not in voxels\n",
-                    planes, opaque);
 }

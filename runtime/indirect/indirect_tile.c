@@ -1,7 +1,9 @@
 /* How far around a tile indirect light looks at what the picture shows, so that a tile with so much
  * around it has what the whole picture has. */
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_methods.h"
+#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/pass_smooth.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 
@@ -15,7 +17,7 @@ static double reach_of(const Render *render)
     if (method == WORD_Indirect_voxels || method == WORD_Indirect_hybrid)
         return method == WORD_Indirect_hybrid ? indirect_near(render) : 0;
     const bool picture = !indirect_reads_voxels(render) || render->scene->indirect.bounces > 0;
-    return picture ? indirect_radius(render->scene, &render->cache) : 0;
+    return picture ? voxel_grid_radius(render->scene, &render->cache) : 0;
 }
 
 /* The least distance of an object from the eye, along the way in which it looks: of the corners of

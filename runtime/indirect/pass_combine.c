@@ -2,6 +2,7 @@
  * dimmed, and indirect light. Its GLSL is pass_combine.glsl, behind lighting.glsl. */
 #include "gen/render_text.h"
 #include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_methods.h"
 #include "runtime/light/lighting.h"
 
 static bool pass_combine_needed(const Render *render) { return indirect_is(render); }

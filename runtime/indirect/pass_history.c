@@ -3,8 +3,9 @@
  * of this is there. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/indirect.h"
 #include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/pass_smooth.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <stddef.h>
@@ -89,7 +90,7 @@ static double reach_of(const Render *render)
 {
     const double voxel =
         indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->cache).edge : 0;
-    return indirect_radius(render->scene, &render->cache) + 2 * voxel;
+    return voxel_grid_radius(render->scene, &render->cache) + 2 * voxel;
 }
 
 static unsigned doubts_of(const Render *render)
@@ -197,6 +198,12 @@ static void pass_history_draw(Render *render)
     free(means[1]);
 }
 
+static bool pass_history_moved(Render *render, int first, int count)
+{
+    indirect_motion_add(render, first, count);
+    return true;
+}
+
 const FramePass pass_history = {
     .plan = {"history",
              .reads = FRAME_BIT(depth) | FRAME_BIT(gbuffer) | FRAME_BIT(light) | FRAME_BIT(voxels) |
@@ -206,4 +213,6 @@ const FramePass pass_history = {
     .needed = indirect_keeps,
     .make = pass_history_make,
     .draw = pass_history_draw,
+    .moved = pass_history_moved,
+    .forget = indirect_motion_delete,
 };

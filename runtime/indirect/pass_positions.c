@@ -4,7 +4,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/pass_positions.h"
 #include "runtime/indirect/voxels.h"
 #include <math.h>
 #include <string.h>

@@ -189,7 +189,7 @@ static void bounce_nodes(Render *render)
 {
     enum { VOXEL_UNIT, RADIANCE_UNIT };
     ScreenPass *bounce = &render->radiance->bounce;
-    const double radius = indirect_radius(render->scene, &render->cache);
+    const double radius = voxel_grid_radius(render->scene, &render->cache);
     if (!bounce->material.store)
         return;
     pass_voxels_set(render, VOXEL_UNIT, bounce);
@@ -211,12 +211,6 @@ static void bounce_nodes(Render *render)
 
 static bool pass_radiance_make(Render *render) { return radiance_make(render); }
 
-bool pass_radiance_change(Render *render)
-{
-    render->radiance->drawn = false;
-    return lighting_changed(render, RENDER_LIGHTS, &render->radiance->light);
-}
-
 static void pass_radiance_draw(Render *render)
 {
     FrameRadiance *radiance = render->radiance;
@@ -229,14 +223,23 @@ static void pass_radiance_draw(Render *render)
     draw_surfaces(render, STEP_keep);
     light_nodes(render);
     bounce_nodes(render);
-    pass_rays_place(render); /* voxels may be larger now */
+    indirect_forget(render);
     radiance->drawn = true;
 }
 
 static bool pass_radiance_changed(Render *render, unsigned what)
 {
-    render->radiance->drawn &= !(what & RENDER_LIGHTS);
+    render->radiance->drawn &=
+        !(what & RENDER_LIGHTS) &&
+        !(what & RENDER_TIME && (pass_voxels_by_time(render) || radiance_by_time(render)));
     return lighting_changed(render, what, &render->radiance->light);
+}
+
+static bool pass_radiance_moved(Render *render, int first, int count)
+{
+    (void)first, (void)count;
+    render->radiance->drawn = false;
+    return true;
 }
 
 const FramePass pass_radiance = {
@@ -247,5 +250,6 @@ const FramePass pass_radiance = {
     .make = pass_radiance_make,
     .draw = pass_radiance_draw,
     .changed = pass_radiance_changed,
+    .moved = pass_radiance_moved,
     .forget = radiance_delete,
 };

@@ -2,8 +2,7 @@
  * pass_rays.glsl, behind indirect_place.glsl and that of the method. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/pass_rays.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 
@@ -17,7 +16,7 @@ enum {
 
 static bool pass_rays_needed(const Render *render) { return indirect_is(render); }
 
-void pass_rays_place(Render *render)
+static void pass_rays_place(Render *render)
 {
     indirect_forget(render);
     FrameIndirect *in = render->indirect;
@@ -33,7 +32,6 @@ void pass_rays_place(Render *render)
     for (size_t i = 0; i < RAYS && indirect_reads_voxels(render); i++)
         if (passes[i]->material.store) {
             pass_voxels_set(render, VOXEL_UNIT, passes[i]);
-            radiance_set(render, RADIANCE_UNIT, passes[i]);
             indirect_planes_set(render, passes[i]);
         }
 }
@@ -155,8 +153,10 @@ static void run(Render *render, ScreenPass *pass)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_light, 0), LIGHT_UNIT);
     if (indirect_reads_voxels(render))
         voxel_bricks_bind(render, VOXEL_UNIT);
-    if (radiance_needed(render))
+    if (radiance_needed(render)) {
+        radiance_set(render, RADIANCE_UNIT, pass); /* the pass radiance may have chosen a size */
         radiance_bind(render, RADIANCE_UNIT);
+    }
     indirect_around_bind(render, SKY_UNIT);
     const Framebuffer *target =
         &render->targets.draws[smoothed ? FRAME_DRAW_rays : FRAME_DRAW_open];
@@ -197,9 +197,9 @@ static bool pass_rays_changed(Render *render, unsigned what)
 
 static bool pass_rays_moved(Render *render, int first, int count)
 {
+    (void)first, (void)count;
     pass_rays_place(render);
     indirect_doubt(render, INDIRECT_DOUBT_light);
-    indirect_motion_add(render, first, count);
     return true;
 }
 
@@ -211,12 +211,6 @@ static void pass_rays_request(const Render *render, FramePlanPass *row)
 }
 
 static void pass_rays_drawn(Render *render) { render->indirect->moving.on = false; }
-
-static void pass_rays_forget(Render *render)
-{
-    indirect_delete(render);
-    indirect_motion_delete(render);
-}
 
 const FramePass pass_rays = {
     .plan = {"rays",
@@ -232,5 +226,5 @@ const FramePass pass_rays = {
     .place = pass_rays_place,
     .changed = pass_rays_changed,
     .moved = pass_rays_moved,
-    .forget = pass_rays_forget,
+    .forget = indirect_delete,
 };

@@ -3,7 +3,8 @@
  * indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/pass_smooth.h"
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
@@ -35,7 +36,7 @@ int pass_smooth_reach(const Render *render)
     return indirect_is_smoothed(render) ? coarse * (reach + spread) : 0;
 }
 
-bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
+static bool pass_smooth_needed(const Render *render) { return indirect_is_smoothed(render); }
 
 static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)
 {

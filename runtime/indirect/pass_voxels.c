@@ -6,7 +6,6 @@
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
-#include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -274,21 +273,24 @@ void pass_voxels_forget(Render *render)
 {
     for (int i = 0; i < render->cache.place_count; i++)
         render->voxels->drawn &= render->cache.places[i].cut < 0;
-    render->radiance->drawn = false;
 }
 
-/* Also what casts shadows: nodes are lit anew. */
+bool pass_voxels_by_time(const Render *render)
+{
+    const Cache *cache = &render->cache;
+    bool is = false;
+    for (int i = 0; i < cache->caster_count; i++)
+        is |= spaces_by_time(&cache->casters[i].material);
+    return is;
+}
+
 static void pass_voxels_forget_time(Render *render)
 {
     const Cache *cache = &render->cache;
-    bool casts = false, cuts = false;
-    for (int i = 0; i < cache->caster_count; i++)
-        casts |= spaces_by_time(&cache->casters[i].material);
-    for (int i = 0; casts && i < cache->place_count; i++)
-        cuts |= cache->places[i].cut >= 0 &&
-                spaces_by_time(&cache->casters[cache->places[i].cut].material);
-    render->voxels->drawn &= !cuts;
-    render->radiance->drawn &= !casts && !radiance_by_time(render);
+    for (int i = 0; i < cache->place_count; i++)
+        if (cache->places[i].cut >= 0)
+            render->voxels->drawn &=
+                !spaces_by_time(&cache->casters[cache->places[i].cut].material);
 }
 
 /* Fits the grid again: moved objects may lie outside it or be smaller than a voxel. */
@@ -299,7 +301,7 @@ static bool pass_voxels_change(Render *render)
     render->voxels->grid = voxel_grid(render->scene, &render->cache);
     if (!voxel_bodies_sort(render, render->voxels))
         return gl_fail(render->gl, "out of memory");
-    render->voxels->drawn = render->radiance->drawn = false;
+    render->voxels->drawn = false;
     return true;
 }
 

@@ -64,3 +64,13 @@ void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double c
         clip[12 + row] = -grid->low[from] * over * (parts ? 1 : 2) - (parts ? 0 : 1);
     }
 }
+
+double voxel_grid_radius(const Scene *scene, const Cache *cache)
+{
+    /* all but a layer on each side is as wide as the objects */
+    const VoxelGrid grid = voxel_grid(scene, cache);
+    const double longest = grid.edge * (grid.size - 2);
+    if (scene->indirect.radius > 0)
+        return scene->indirect.radius;
+    return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
+}

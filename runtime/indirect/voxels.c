@@ -1,7 +1,6 @@
 /* Views of voxels by their names, and what they are, in words. */
 #include "runtime/indirect/voxels.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/radiance.h"
 #include <string.h>
 
 /* No level has two digits: 512 voxels have ten. */
@@ -39,5 +38,4 @@ void voxels_put(Text *out, const Render *render)
     if (cut)
         text_format(out, "; %d are cut out", cut);
     text_put(out, "\n");
-    radiance_put(out, render);
 }

@@ -8,7 +8,6 @@
 #include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
 #include "runtime/cache/cache.h"
-#include "runtime/indirect/indirect_state.h"
 #include "runtime/frame/render_options.h"
 
 enum {
@@ -16,6 +15,42 @@ enum {
     VOXELS_LEVELS_MOST = 10,
     VOXELS_WAVES_MOST = 8,
     VOXELS_FINE = VOXELS_WAVES_MOST + 1
+};
+
+/* A cube of cubes around all objects, with one empty layer at least on each side. */
+typedef struct {
+    double low[3], edge; /* in the world: its lowest corner; of a voxel */
+    int size;            /* voxels along an edge of the whole */
+} VoxelGrid;
+
+/* Of a mesh, in its own space. */
+typedef struct {
+    bool closed;
+    double volume, area; /* within it; of its triangles */
+    double longest;      /* of its triangles' edges */
+} VoxelShape;
+
+struct FrameVoxels {
+    VoxelGrid grid;
+    int layers, levels; /* the map's: those above are for views alone */
+    VoxelShape *shapes; /* by mesh of the cache */
+    /* By place of the cache: 0, a surface; VOXELS_FINE, one of small triangles; else a body, and
+     * the wave in which it is drawn: bodies of one wave are apart, as what is met twice is
+     * empty. */
+    unsigned char *waves;
+    int wave_count;
+    /* of closed meshes, in the form of the map; of others: R32UI, a word in each layer */
+    GLuint within, surface;
+    /* both; a level above has a texel for 2 x 2, where any of them is full */
+    GLuint map;
+    GLuint bricks, buffer; /* as rays read it: a texture of a buffer's, RG32UI: voxel_bricks.c */
+    GLuint framebuffer;
+    /* into within; surface, both; the map's lowest level, those above, bricks */
+    Material flip, touch, fine, merge, above, brick;
+    GLuint fine_places;       /* a buffer, and what it gets: voxel_fine.c */
+    float (*fine_rows)[3][4]; /* room for each place of the cache */
+    bool drawn;               /* the map holds the scene */
+    ScreenPass view;
 };
 
 /* Around what fills voxels; without any: around the origin. voxel_grid.c, as is what follows. */
@@ -48,7 +83,13 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
 /* Something that fills voxels is in that wave, or is such a surface. */
 bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
 
+/* How far rays go, in the world's units: the key `radius`, or a quarter of the longest edge of the
+ * box around all objects. */
+double voxel_grid_radius(const Scene *scene, const Cache *cache);
+
 bool pass_voxels_needed(const Render *render);
+/* Shadow casters depend on the time. */
+bool pass_voxels_by_time(const Render *render);
 /* Materials are others, and with them what is cut out. */
 void pass_voxels_forget(Render *render);
 /* Tells a pass that has voxel_map.glsl in its text which unit the bricks are bound to, and where

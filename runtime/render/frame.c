@@ -1,7 +1,9 @@
 /* The frame graph: the list of passes, and calls of each pass's functions in turn. */
 #include "runtime/glass/glass.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/indirect_methods.h"
+#include "runtime/indirect/pass_positions.h"
+#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/pass_smooth.h"
 #include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/light/light_far.h"

@@ -2,6 +2,7 @@
  * hold. */
 #include "runtime/render/frame_memory.h"
 #include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_methods.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include <string.h>

@@ -2,7 +2,6 @@
 #include "runtime/render/render.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect.h"
-#include "runtime/indirect/indirect_motion.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/light/light_far.h"
 #include "runtime/picture/picture.h"

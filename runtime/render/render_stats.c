@@ -5,6 +5,8 @@
 #include "runtime/gl/clock.h"
 #include "runtime/glass/glass_state.h"
 #include "runtime/indirect/indirect.h"
+#include "runtime/indirect/indirect_methods.h"
+#include "runtime/indirect/radiance.h"
 #include "runtime/indirect/voxels.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/displaced_stats.h"
@@ -239,9 +241,10 @@ static void put_memory(Text *out, const Render *render)
     if (render->targets.plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
     if (indirect_is(render))
-        indirect_planes_put(out, render);
+        indirect_methods_put(out, render);
     if (render->voxels->map)
         voxels_put(out, render);
+    radiance_put(out, render);
     put_soft(out, render);
     put_unshadowed(out, render);
     if (render->exact->corners)

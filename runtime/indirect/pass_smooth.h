@@ -1,0 +1,10 @@
+/* Temporal accumulation, denoiser and upsampling of what rays found. */
+#ifndef MATC_INDIRECT_PASS_SMOOTH_H
+#define MATC_INDIRECT_PASS_SMOOTH_H
+#include "runtime/frame/frame_pass.h"
+
+/* Pixels around one that the denoiser reads. */
+int pass_smooth_reach(const Render *render);
+/* The rows of the frame graph. */
+extern const FramePass pass_history, pass_smooth, pass_spread;
+#endif
