@@ -36,10 +36,10 @@ typedef struct FrameLight FrameLight;         /* light/light_state.h */
 typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
 typedef struct ExactShadows ExactShadows;     /* exact/exact_state.h */
 typedef struct FrameVolumes FrameVolumes;     /* shadow/shadow_state.h */
-typedef struct FrameVoxels FrameVoxels;       /* indirect/indirect_state.h */
-typedef struct FrameRadiance FrameRadiance;   /* indirect/indirect_state.h */
-typedef struct FrameIndirect FrameIndirect;   /* indirect/indirect_state.h */
-typedef struct FramePositions FramePositions; /* indirect/indirect_state.h */
+typedef struct FrameVoxels FrameVoxels;       /* indirect/voxels/voxels.h */
+typedef struct FrameRadiance FrameRadiance;   /* indirect/radiance/radiance.h */
+typedef struct FrameIndirect FrameIndirect;   /* indirect/settings/indirect_state.h */
+typedef struct FramePositions FramePositions; /* indirect/screen/pass_positions.h */
 typedef struct FramePicture FramePicture;     /* picture/picture_state.h */
 typedef struct FrameGlass FrameGlass;         /* glass/glass_state.h */
 

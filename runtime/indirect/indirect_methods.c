@@ -2,7 +2,7 @@
 #include "runtime/indirect/indirect_methods.h"
 #include "grammar/tables.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/rays/pass_rays.h"
 
 void indirect_methods_put(Text *out, const Render *render)
 {

@@ -2,9 +2,9 @@
  * around it has what the whole picture has. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect_methods.h"
-#include "runtime/indirect/pass_rays.h"
-#include "runtime/indirect/pass_smooth.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/rays/pass_rays.h"
+#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 
 /* Pixels of a margin: beyond that a picture is drawn at once. */

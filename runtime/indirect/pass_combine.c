@@ -1,7 +1,7 @@
 /* The pass combine: over the light that comes from lights with a place, that from all around,
  * dimmed, and indirect light. Its GLSL is pass_combine.glsl, behind lighting.glsl. */
 #include "gen/render_text.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/light/lighting.h"
 

@@ -1,4 +1,4 @@
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/displaced_stats.h"
 #include "runtime/displace/displaced_traced.h"
 #include "runtime/scene/scene_displacement.h"

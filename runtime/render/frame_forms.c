@@ -1,6 +1,6 @@
 /* What a frame's targets are made of, by the scene, its shadows and its indirect light; and the
  * bytes of it all. */
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/settings/indirect.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"

@@ -1,7 +1,7 @@
 /* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they
  * hold. */
 #include "runtime/render/frame_memory.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"

@@ -1,8 +1,8 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_far.h"
 #include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"

@@ -1,9 +1,9 @@
 /* Params of materials: set in what is drawn with, and kept, so that they are set again where that
  * is made again. */
 #include "runtime/glass/glass_state.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/radiance.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/radiance/radiance.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
 #include "runtime/shadow/shadow.h"

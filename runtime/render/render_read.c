@@ -1,8 +1,8 @@
 /* What is read of a frame. The picture comes without samples; of any other view their mean is taken
  * here. */
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/pass_positions.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/screen/pass_positions.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
 #include "runtime/shadow/shadow_state.h"

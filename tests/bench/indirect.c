@@ -2,7 +2,7 @@
  * by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is:
  * indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
 #include "gen/render_text.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "indirect_passes.h"
 #include "indirect_path.h"
 #include "indirect_table.h"

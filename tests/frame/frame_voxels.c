@@ -1,4 +1,4 @@
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/test.h"

@@ -1,5 +1,5 @@
 #include "gen/render_text.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/voxel_points.h"
 #include "tests/vectors.h"
 #include <math.h>

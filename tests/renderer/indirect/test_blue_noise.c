@@ -1,8 +1,8 @@
-/* The mask of blue noise (runtime/indirect/blue_noise.c): it is what void-and-cluster gives, and
- * its spectrum has next to nothing low, whatever white noise has. `build/tests/test_blue_noise
+/* The mask of blue noise (runtime/indirect/rays/blue_noise.c): it is what void-and-cluster gives,
+ * and its spectrum has next to nothing low, whatever white noise has. `build/tests/test_blue_noise
  * print`: its rows, as that file has them. */
 #include "tests/test.h"
-#include "runtime/indirect/blue_noise.h"
+#include "runtime/indirect/rays/blue_noise.h"
 #include "tests/vectors.h"
 #include <math.h>
 #include <stdbool.h>

@@ -2,7 +2,7 @@
  * walls cross in its corners, from half a voxel to two thick; bodies that cross leave nothing out;
  * documents that are meant to harm give voxels, in time, and no fault of GL. */
 #include "tests/test.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"
 #include "tests/frame/voxel_points.h"

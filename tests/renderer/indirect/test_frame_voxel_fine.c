@@ -4,7 +4,7 @@
  * the rasteriser. */
 /* ctest: seconds=21 */
 #include "tests/test.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include <math.h>

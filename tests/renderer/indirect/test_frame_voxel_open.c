@@ -3,7 +3,7 @@
  * `build/tests/test_frame_voxel_open FILE.obj LIFT`: of that mesh, y up, so far above the
  * ground. */
 #include "tests/test.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/reference_ray.h"
 #include "tests/frame/voxel_points.h"

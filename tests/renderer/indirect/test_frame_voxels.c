@@ -3,7 +3,7 @@
  * that nothing gets out of; what is moved. */
 /* ctest: seconds=19 */
 #include "tests/test.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_voxels.h"

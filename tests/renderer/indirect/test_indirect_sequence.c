@@ -1,7 +1,7 @@
 /* Samples of indirect light's rays: published values; that sets of them are nets; that those of
  * tiles of pixels are. */
 #include "tests/test.h"
-#include "runtime/indirect/indirect_sequence.h"
+#include "runtime/indirect/rays/indirect_sequence.h"
 #include <math.h>
 #include <string.h>
 

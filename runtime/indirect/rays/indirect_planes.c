@@ -1,6 +1,6 @@
 /* Infinite planes that rays of indirect light meet. */
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 

@@ -4,8 +4,8 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
-#include "runtime/indirect/pass_positions.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/screen/pass_positions.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
 #ifndef MATC_INDIRECT_PASS_RAYS_H
 #define MATC_INDIRECT_PASS_RAYS_H
 #include "runtime/frame/frame_pass.h"
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/settings/indirect.h"
 
 enum { INDIRECT_RAYS_MOST = 128 };
 

@@ -3,8 +3,8 @@
  * indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/pass_rays.h"
-#include "runtime/indirect/pass_smooth.h"
+#include "runtime/indirect/rays/pass_rays.h"
+#include "runtime/indirect/filter/pass_smooth.h"
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 

@@ -5,8 +5,8 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
 

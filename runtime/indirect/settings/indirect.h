@@ -2,7 +2,7 @@
  * frames. docs/indirect.md explains the passes. */
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
-#include "runtime/indirect/indirect_state.h"
+#include "runtime/indirect/settings/indirect_state.h"
 #include "runtime/frame/render_options.h"
 
 /* -- Settings */

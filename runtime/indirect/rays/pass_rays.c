@@ -2,9 +2,9 @@
  * pass_rays.glsl, behind indirect_place.glsl and that of the method. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/pass_rays.h"
-#include "runtime/indirect/radiance.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/rays/pass_rays.h"
+#include "runtime/indirect/radiance/radiance.h"
+#include "runtime/indirect/voxels/voxels.h"
 
 enum {
     LIGHT_UNIT = INDIRECT_FREE_UNIT,

@@ -1,9 +1,9 @@
 /* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h.
  * Objects that fill voxels are drawn from six sides by their own programs, three times each: which
  * nodes there are, what is nearest in each, what its surface is; then all nodes are lit. */
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/radiance.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/radiance/radiance.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/lighting.h"
 #include "runtime/shadow/shadow.h"
 

@@ -1,5 +1,5 @@
 /* What is found of indirect light, and by which numbers. */
-#include "runtime/indirect/indirect.h"
+#include "runtime/indirect/settings/indirect.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include <string.h>

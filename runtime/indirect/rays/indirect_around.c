@@ -1,6 +1,6 @@
 /* Light from all around along single rays. The GLSL is indirect_around.glsl. */
 #include "gen/render_text.h"
-#include "runtime/indirect/pass_rays.h"
+#include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/light/lighting.h"
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
  *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls
  *     that face each other, wave 2; the others, wave 3 */
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* The mask: of each row its left and its right half, two digits of 64 a pixel. `test_blue_noise
  * print` writes them; that test makes them anew, by void-and-cluster. */
-#include "runtime/indirect/blue_noise.h"
+#include "runtime/indirect/rays/blue_noise.h"
 #include <string.h>
 
 static const char digits[] = BLUE_NOISE_DIGITS;

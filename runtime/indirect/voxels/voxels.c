@@ -1,5 +1,5 @@
 /* Views of voxels by their names, and what they are, in words. */
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/frame/frame.h"
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* What moved since rays were kept: where it was, and the boxes around it, then and now. */
 #ifndef MATC_INDIRECT_INDIRECT_MOTION_H
 #define MATC_INDIRECT_INDIRECT_MOTION_H
-#include "runtime/indirect/indirect_state.h"
+#include "runtime/indirect/settings/indirect_state.h"
 #include "runtime/frame/render_options.h"
 
 enum { INDIRECT_MOTIONS_MOST = 128, INDIRECT_BOXES_MOST = 16 };

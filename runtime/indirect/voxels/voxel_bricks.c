@@ -2,7 +2,7 @@
  * which is one brick. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 
 enum { BRICKS_BINDING = 2, MAP_UNIT = 0, BRICK = 4, GROUP = 4 };
 

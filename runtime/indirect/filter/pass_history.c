@@ -3,10 +3,10 @@
  * of this is there. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/indirect_motion.h"
-#include "runtime/indirect/pass_rays.h"
-#include "runtime/indirect/pass_smooth.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/filter/indirect_motion.h"
+#include "runtime/indirect/rays/pass_rays.h"
+#include "runtime/indirect/filter/pass_smooth.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>

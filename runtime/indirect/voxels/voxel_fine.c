@@ -2,7 +2,7 @@
  * three times and finds nothing in most. A mesh goes to it as a whole (voxel_bodies.c). */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <stdio.h>
 #include <stdlib.h>
 

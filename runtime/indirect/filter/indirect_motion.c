@@ -1,11 +1,11 @@
 /* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that
  * time; objects that stand elsewhere now are drawn once more, where they are seen, as numbers of
  * their motions. Where nothing moves, nothing of that runs. */
-#include "runtime/indirect/indirect_motion.h"
+#include "runtime/indirect/filter/indirect_motion.h"
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>

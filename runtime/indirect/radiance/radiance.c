@@ -1,10 +1,10 @@
 /* What cached radiance is made with: programs of materials that end in nodes, buffers, and what
  * passes read of it. */
-#include "runtime/indirect/radiance.h"
+#include "runtime/indirect/radiance/radiance.h"
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/indirect/indirect.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/settings/indirect.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/lighting.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,9 @@
 /* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/blue_noise.h"
-#include "runtime/indirect/indirect_sequence.h"
-#include "runtime/indirect/pass_rays.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/rays/blue_noise.h"
+#include "runtime/indirect/rays/indirect_sequence.h"
+#include "runtime/indirect/rays/pass_rays.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

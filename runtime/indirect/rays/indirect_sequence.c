@@ -1,6 +1,6 @@
 /* Samples of the unit square, and how they differ from pixel to pixel. */
-#include "runtime/indirect/indirect_sequence.h"
-#include "runtime/indirect/blue_noise.h"
+#include "runtime/indirect/rays/indirect_sequence.h"
+#include "runtime/indirect/rays/blue_noise.h"
 #include <math.h>
 #include <stdint.h>
 

@@ -2,7 +2,7 @@
  * voxel_walk.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
-#include "runtime/indirect/voxels.h"
+#include "runtime/indirect/voxels/voxels.h"
 
 static bool pass_cubes_needed(const Render *render)
 {
