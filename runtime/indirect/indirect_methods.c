@@ -1,19 +1,54 @@
-/* The method of indirect light in words. */
+/* The list of methods of indirect light, the choice among them, and the method in words. */
 #include "runtime/indirect/indirect_methods.h"
-#include "grammar/tables.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/rays/pass_rays.h"
 
+extern const IndirectMethod indirect_hybrid, indirect_voxels, indirect_screen, indirect_march,
+    indirect_points;
+
+/* `auto` takes the first that is possible. */
+static const IndirectMethod *const methods[] = {
+    &indirect_hybrid, &indirect_voxels, &indirect_screen, &indirect_march, &indirect_points,
+};
+enum { METHODS = sizeof methods / sizeof *methods };
+
+/* Works before the cache is made. */
+static bool has_objects(const Scene *scene)
+{
+    int i = 0;
+    while (i < scene->object_count &&
+           (scene->objects[i].hidden || scene->objects[i].kind == SCENE_Plane))
+        i++;
+    return i < scene->object_count;
+}
+
+static bool is_possible(const Render *render, const IndirectMethod *method)
+{
+    return !(method->reads & INDIRECT_READS_voxels) ||
+           (transparency_has_lists(render->gl) && has_objects(render->scene));
+}
+
+void indirect_methods_select(Render *render)
+{
+    const Word word = render->scene->indirect.method;
+    const IndirectMethod *found = NULL;
+    for (int i = 0; i < METHODS && !found; i++)
+        if (word == WORD_Indirect_auto ? methods[i]->automatic && is_possible(render, methods[i])
+                                       : methods[i]->word == word)
+            found = methods[i];
+    render->indirect->method = found;
+}
+
 void indirect_methods_put(Text *out, const Render *render)
 {
-    const Word method = indirect_method(render);
+    const IndirectMethod *method = indirect_method(render);
     const int planes = indirect_planes_count(render), opaque = render->cache.opaque_plane_count;
-    text_format(out, "indirect  by the method %s", word_table[method].name);
+    text_format(out, "indirect  by the method %s", word_table[method->word].name);
     if (render->scene->indirect.method == WORD_Indirect_auto)
         text_format(out, ", as %s",
-                    method == WORD_Indirect_hybrid       ? "the scene has objects"
-                    : transparency_has_lists(render->gl) ? "the scene has no objects for voxels"
-                                                         : "voxels take OpenGL 4.3");
+                    method->reads & INDIRECT_READS_voxels ? "the scene has objects"
+                    : transparency_has_lists(render->gl)  ? "the scene has no objects for voxels"
+                                                          : "voxels take OpenGL 4.3");
     text_put(out, "\n");
     if (indirect_is_directional(render))
         text_put(out, "indirect  light from all around comes by direction\n");

@@ -4,6 +4,8 @@
 #include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
 
+/* Chooses the method for the scene: before anything of indirect light is asked. */
+void indirect_methods_select(Render *render);
 /* Guard band around a tile in pixels, so that its pixels equal those of the whole picture; -1 if
  * the picture cannot be drawn in tiles. indirect_tile.c */
 int indirect_margin(const Render *render);

@@ -13,9 +13,9 @@ enum { MARGIN_MOST = 192, AT_ONCE = -1 };
 /* How far rays are followed through the picture, or take light from it, in the world's units. */
 static double reach_of(const Render *render)
 {
-    const Word method = indirect_method(render);
-    if (method == WORD_Indirect_voxels || method == WORD_Indirect_hybrid)
-        return method == WORD_Indirect_hybrid ? indirect_near(render) : 0;
+    const unsigned reads = indirect_method(render)->reads;
+    if (reads & INDIRECT_READS_radiance)
+        return reads & INDIRECT_READS_near ? indirect_near(render) : 0;
     const bool picture = !indirect_reads_voxels(render) || render->scene->indirect.bounces > 0;
     return picture ? voxel_grid_radius(render->scene, &render->cache) : 0;
 }

@@ -1,6 +1,7 @@
 /* The renderer as its caller sees it: what is made when, and what is read. */
 #include "runtime/render/render.h"
 #include "runtime/frame/transparency_draw.h"
+#include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_far.h"
@@ -213,6 +214,7 @@ static bool settle_patches(Render *render, const Scene *scene)
 static bool make_scene(Render *render, const Scene *scene, Cache *before)
 {
     render->scene = scene;
+    indirect_methods_select(render);
     if (!render_lights_keep(render))
         return false;
     set_size(render, scene);

@@ -19,9 +19,14 @@ fault() {
 
 # -- The table itself, each folder by its whole path; for tsort, a folder stands behind what it sees
 
-awk '{ n = split($1, part, "/"); full[part[n]] = row[NR] = $1; sees[NR] = $0 }
+# A name is a folder within the row's own, one beside it, or else any whose path ends so
+awk '{ n = split($1, part, "/"); full[part[n]] = row[NR] = $1; is[$1] = 1; sees[NR] = $0
+       if (n > 2) full[part[n - 1] "/" part[n]] = $1 }
+     function folder(row, name, above) {
+         above = row; sub(/\/[^\/]*$/, "", above)
+         return (row "/" name) in is ? row "/" name : (above "/" name) in is ? above "/" name : name in full ? full[name] : name }
      END { for (r = 1; r <= NR; r++) { n = split(sees[r], word); printf "%s", row[r]
-               for (i = 2; i <= n; i++) printf " %s", word[i] in full ? full[word[i]] : word[i]
+               for (i = 2; i <= n; i++) printf " %s", folder(row[r], word[i])
                print "" } }' "$work/short" >"$work/sees"
 awk '{ print $1, $1; for (i = 2; i <= NF; i++) print $1, $i }' "$work/sees" >"$work/order"
 tsort "$work/order" >/dev/null 2>"$work/loop" || fault <<END

@@ -36,7 +36,7 @@ bool indirect_is_directional(const Render *render)
     const SceneIndirect *in = &render->scene->indirect;
     const char *view = render->options.view;
     return indirect_is(render) && in->directional && in->gain > 0 &&
-           indirect_method(render) != WORD_Indirect_points && !indirect_is_repeated(render) &&
+           !indirect_method(render)->unlit && !indirect_is_repeated(render) &&
            !(view && indirect_view_lanes(view)) && (kinds_differ(render) || sky_differs(render));
 }
 

@@ -8,9 +8,9 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Where a scene doesn't say: of a ray through the picture; of its NEAR first voxels, so that one is
- * as long as a voxel, half of what the picture shows is thick. */
-enum { STEPS = 8, NEAR = 4, STEPS_NEAR = NEAR };
+/* Voxels over which rays read the picture: one is as long as a voxel, half as long as what the
+ * picture shows is thick. */
+enum { NEAR = 4 };
 
 /* Numbers of blue noise that a vector of the block has. */
 enum {
@@ -25,7 +25,7 @@ static IndirectSequence sequence_of(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
     return (IndirectSequence){in->sequence, in->rotation,
-                              indirect_method(render) == WORD_Indirect_screen ? 1 : in->rays};
+                              indirect_method(render)->one_shift ? 1 : in->rays};
 }
 
 static bool turns_bits(const IndirectSequence *of)
@@ -46,7 +46,7 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
     const bool uniform = in->distribution == WORD_Distribution_uniform,
                bent = indirect_shows(render, "bent");
     const IndirectSequence sequence = sequence_of(render);
-    const bool near = indirect_method(render) == WORD_Indirect_hybrid;
+    const IndirectMethod *method = indirect_method(render);
     char voxels[32] = "", turns[64] = "";
     if (turns_bits(&sequence))
         snprintf(turns, sizeof turns, "#define INDIRECT_TURNS_BITS\n#define INDIRECT_BLOCK %d\n",
@@ -60,18 +60,16 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
         "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
         "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
         in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
-        in->steps ? in->steps
-        : near    ? STEPS_NEAR
-                  : STEPS,
-        indirect_keeps(render) ? 1 : in->samples, indirect_sequence_edge(&sequence),
-        shifts_of(&sequence), (int)(in->weight - WORD_Weight_none),
-        (int)(in->rotation - WORD_Rotation_none), in->jitter ? "1.0" : "0.0", coarse,
-        indirect_filter_size(render, coarse), turns,
+        in->steps ? in->steps : method->steps, indirect_keeps(render) ? 1 : in->samples,
+        indirect_sequence_edge(&sequence), shifts_of(&sequence),
+        (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none),
+        in->jitter ? "1.0" : "0.0", coarse, indirect_filter_size(render, coarse), turns,
         indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
         uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                 : "#define INDIRECT_SHARE(cosine) 1.0\n",
         in->march == WORD_March_picture ? "#define INDIRECT_PICTURE\n" : "",
-        in->checked ? "#define INDIRECT_CHECKED\n" : "", near ? "#define INDIRECT_NEAR\n" : "",
+        in->checked ? "#define INDIRECT_CHECKED\n" : "",
+        method->reads & INDIRECT_READS_near ? "#define INDIRECT_NEAR\n" : "",
         in->bounces > 0 && !bent && !indirect_shows(render, "visibility")
             ? "#define INDIRECT_LIGHT\n"
             : "",

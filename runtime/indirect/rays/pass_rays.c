@@ -44,49 +44,32 @@ static bool is_alike(const Render *render)
     return render->scene->indirect.rotation == WORD_Rotation_tile;
 }
 
-/* How rays are sent: to the view of openness alone, by points, by a mask of the screen, or on
- * through voxels. */
-typedef struct {
-    bool seen, points, mask, voxels, levels;
-} Way;
-
-static Way way_of(const Render *render)
+/* GLSL for positions of pixels and for voxels. */
+static void add_places(const Render *render, ScreenPassText *text)
 {
-    const bool seen = indirect_shows(render, "visibility");
-    const Word method = indirect_method(render);
-    return (Way){.seen = seen,
-                 .points = !seen && method == WORD_Indirect_points,
-                 .mask = !seen && method == WORD_Indirect_screen,
-                 .voxels = indirect_reads_voxels(render),
-                 .levels = indirect_reads_radiance(render)};
-}
-
-/* Places of pixels, and of what voxels hold. */
-static void add_places(const Way *way, ScreenPassText *text)
-{
-    if (way->voxels)
+    const bool voxels = indirect_reads_voxels(render);
+    if (voxels)
         screen_pass_add(text, "#define INDIRECT_VOXELS\n");
-    if (way->levels)
+    if (indirect_reads_radiance(render))
         screen_pass_add(text, "#define INDIRECT_LEVELS\n");
     screen_pass_add(text, render_text_indirect_place);
     screen_pass_add(text, render_text_indirect_basis);
-    if (way->voxels)
+    if (voxels) {
         screen_pass_add(text, render_text_voxel_map);
-    if (way->voxels)
-        screen_pass_add(text, way->levels ? render_text_voxel_ray : render_text_voxel_march);
+        screen_pass_add(text, indirect_method(render)->ray);
+    }
     screen_pass_add(text, render_text_indirect_lift);
 }
 
-/* What is found there. */
-static void add_march(const Way *way, ScreenPassText *text)
+/* GLSL for what is found there. */
+static void add_method(const Render *render, ScreenPassText *text)
 {
-    screen_pass_add(text, way->mask     ? render_text_indirect_mask
-                          : way->points ? render_text_indirect_points
-                          : way->levels ? render_text_indirect_near
-                                        : render_text_indirect_march);
-    if (!way->mask && !way->points)
+    const IndirectMethod *method = indirect_method(render);
+    const bool seen = indirect_shows(render, "visibility"), rays = seen || !method->around;
+    screen_pass_add(text, rays ? method->hit : method->around);
+    if (rays)
         screen_pass_add(text, render_text_indirect_rays);
-    screen_pass_add(text, way->seen ? render_text_indirect_seen : render_text_pass_rays);
+    screen_pass_add(text, seen ? render_text_indirect_seen : render_text_pass_rays);
 }
 
 /* The surface, whose model is asked again where light goes on from pixels. */
@@ -109,7 +92,6 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
         planes[INDIRECT_PLANES_DEFINITION];
     char around[INDIRECT_AROUND_DEFINITION];
     const bool kept = radiance_needed(render);
-    const Way way = way_of(render);
     ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_open, 0),
                            .compute = render->compute};
     indirect_define(render, coarse, defined);
@@ -118,13 +100,13 @@ static bool make(Render *render, bool again, int coarse, ScreenPass *pass)
     add_surface(render, again, defined, &text);
     if (kept && is_alike(render))
         screen_pass_add(&text, "#define ENTRY_APART 8\n");
-    add_places(&way, &text);
+    add_places(render, &text);
     if (kept)
         screen_pass_add_all(&text, (const char *const[]){cached, render_text_radiance}, 2);
     indirect_around_add(render, around, &text);
     if (*planes)
         screen_pass_add_all(&text, (const char *const[]){planes, render_text_indirect_planes}, 2);
-    add_march(&way, &text);
+    add_method(render, &text);
     if (!screen_pass_make(render->store, &text, pass))
         return false;
     screen_pass_sampler(pass, "indirect_light", LIGHT_UNIT);

@@ -1,27 +1,8 @@
 /* What is found of indirect light, and by which numbers. */
 #include "runtime/indirect/settings/indirect.h"
-#include "runtime/frame/frame.h"
-#include "runtime/frame/transparency_draw.h"
 #include <string.h>
 
-/* Also before the cache is made. */
-static bool has_objects(const Scene *scene)
-{
-    int i = 0;
-    while (i < scene->object_count &&
-           (scene->objects[i].hidden || scene->objects[i].kind == SCENE_Plane))
-        i++;
-    return i < scene->object_count;
-}
-
-Word indirect_method(const Render *render)
-{
-    const Word method = render->scene->indirect.method;
-    if (method != WORD_Indirect_auto)
-        return method;
-    return transparency_has_lists(render->gl) && has_objects(render->scene) ? WORD_Indirect_hybrid
-                                                                            : WORD_Indirect_screen;
-}
+const IndirectMethod *indirect_method(const Render *render) { return render->indirect->method; }
 
 static bool is_said(const Render *render)
 {
@@ -57,16 +38,14 @@ bool indirect_is_smoothed(const Render *render)
 
 bool indirect_reads_radiance(const Render *render)
 {
-    return indirect_is(render) && (indirect_method(render) == WORD_Indirect_voxels ||
-                                   indirect_method(render) == WORD_Indirect_hybrid);
+    return indirect_is(render) && indirect_method(render)->reads & INDIRECT_READS_radiance;
 }
 
 bool indirect_reads_voxels(const Render *render)
 {
-    const Word method = indirect_is(render) ? indirect_method(render) : WORD_Indirect_none;
-    const bool stepped = method == WORD_Indirect_march || method == WORD_Indirect_points;
-    return indirect_reads_radiance(render) ||
-           (stepped && render->scene->indirect.march == WORD_March_voxels);
+    const unsigned reads = indirect_is(render) ? indirect_method(render)->reads : 0;
+    return reads & INDIRECT_READS_voxels || (reads & INDIRECT_READS_voxels_by_march &&
+                                             render->scene->indirect.march == WORD_March_voxels);
 }
 
 int indirect_coarse(const Render *render)

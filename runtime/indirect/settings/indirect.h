@@ -9,8 +9,8 @@
 
 /* The scene has indirect light. */
 bool indirect_is(const Render *render);
-/* The method in use, never `auto`. Only where the scene has indirect light. */
-Word indirect_method(const Render *render);
+/* The method in use; NULL if the scene says none. */
+const IndirectMethod *indirect_method(const Render *render);
 /* Components of a view of ambient occlusion or indirect light; 0 for any other view. */
 int indirect_view_lanes(const char *view);
 /* The view has that name. */

@@ -2,6 +2,7 @@
 #ifndef MATC_INDIRECT_INDIRECT_STATE_H
 #define MATC_INDIRECT_INDIRECT_STATE_H
 #include "runtime/frame/frame.h"
+#include "runtime/indirect/settings/indirect_method.h"
 
 typedef struct {
     /* by object: where it stood when rays were kept last; NULL: nothing is kept */
@@ -34,6 +35,7 @@ typedef struct {
 
 /* Of the passes. */
 struct FrameIndirect {
+    const IndirectMethod *method; /* NULL: the scene has none */
     IndirectHistory history;
     IndirectMoving moving;
     Framebuffer between; /* of levels of the filter atrous: the target open, or a part of it */

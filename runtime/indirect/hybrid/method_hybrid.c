@@ -1,0 +1,21 @@
+/* The methods hybrid and voxels: rays through voxels, whose hits send cached radiance. Hybrid first
+ * reads the picture, as far as the first voxels of a ray reach. */
+#include "gen/render_text.h"
+#include "runtime/indirect/settings/indirect_method.h"
+
+const IndirectMethod indirect_hybrid = {
+    .word = WORD_Indirect_hybrid,
+    .automatic = true,
+    .reads = INDIRECT_READS_voxels | INDIRECT_READS_radiance | INDIRECT_READS_near,
+    .steps = 4, /* one for each voxel */
+    .ray = render_text_voxel_ray,
+    .hit = render_text_indirect_near,
+};
+
+const IndirectMethod indirect_voxels = {
+    .word = WORD_Indirect_voxels,
+    .reads = INDIRECT_READS_voxels | INDIRECT_READS_radiance,
+    .steps = 8,
+    .ray = render_text_voxel_ray,
+    .hit = render_text_indirect_near,
+};
