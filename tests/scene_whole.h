@@ -1,7 +1,7 @@
 /* Scenes of texts whose pictures are read whole, as the renderer takes them; for tests. */
+#include "runtime/scene/scene_read.h"
 #ifndef TESTS_SCENE_WHOLE_H
 #define TESTS_SCENE_WHOLE_H
-#include "runtime/scene/scene.h"
 #include <string.h>
 
 static inline MatcOptions options(void)

@@ -7,8 +7,8 @@
 #include "gen/bisection_layout.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/displace/displaced_bisection.h"
-#include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_places.h"
 #include <stdlib.h>
 #include <string.h>
 

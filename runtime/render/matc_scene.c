@@ -7,6 +7,7 @@
 #include "runtime/scene/model.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_origin.h"
+#include "runtime/scene/scene_read.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

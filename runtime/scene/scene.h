@@ -180,13 +180,8 @@ typedef struct Scene {
     int document_count;
 } Scene;
 
-/* Reads a document as matc_read does. If it has keys of a scene, *scene is the scene, or NULL where
- * there are faults; they are among the document's diagnostics. *scene is NULL for a document of
- * materials alone. The scene goes before the document. */
-MatcDocument *scene_read(const char *name, const char *text, size_t size,
-                         const MatcOptions *options, Scene **scene);
-/* NULL is nothing. */
-void scene_free(Scene *scene);
+/* The word, if it is the name of a method of the list Displacing; else NULL. */
+const char *scene_displace_name(Word word);
 /* A method of the list Shadows by its name. False: there is none of it. */
 bool scene_shadows_find(const char *name, Word *method);
 /* The word, if it is the name of such a method; else NULL. */
@@ -199,10 +194,6 @@ void scene_lights_shadow(Scene *scene, Word method);
 bool scene_indirect_is(const Scene *scene); /* it has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
-/* The random number that materials know the object of that index by: objectRandom of formulas. In
- * [0, 1), in steps of 2^-24: of object 0 .8833, from the generator of Scatter, seeded by the index.
- * scene_scatter.c */
-float scene_object_random(int object);
 static inline bool scene_light_casts(const SceneLight *light)
 {
     return light->shadows != WORD_Shadows_none;
@@ -216,49 +207,14 @@ unsigned scene_models(const Scene *scene);
 /* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 
-/* What a change is to meshes: nothing; they go by it, and are what they were; objects have others,
- * which whoever draws the scene takes by drawing it as a new one; or those could not be made, and
- * objects have what they had. scene_displace.c */
-typedef enum {
-    SCENE_DISPLACED_none,
-    SCENE_DISPLACED_same,
-    SCENE_DISPLACED_anew,
-    SCENE_DISPLACED_failed
-} SceneDisplaced;
-/* So many objects from `first` on have other matrices. */
-SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
-/* A param of a material has another value. */
-SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
-                                    const double *lanes, int count);
-/* All are divided by another method of the list Displacing. */
-SceneDisplaced scene_displace_by(Scene *scene, Word method);
-/* The word, if it is the name of such a method; else NULL. */
-const char *scene_displace_name(Word word);
-/* Detail that goes by the picture (scene_detail.h) goes by one of another size. scene_displace.c */
-SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
-/* Whoever draws the scene cannot displace patches, or something wants their triangles: they become
- * meshes that are divided alike, and so do those of later changes. False: see
- * scene_displace_fault. */
-bool scene_displace_patches(const Scene *scene);
-/* A material's params have the values that were set, in its document, until this is called once
- * more. */
-void scene_displace_params(const Scene *scene, int material);
-/* Why none could be made, and of which material. */
-const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
-
 /* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
 typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
 SceneAim scene_camera_aim(SceneCamera *camera);
-
+/* Orthographic: the plane is not behind it, in any corner of the picture. One that is seen edge-on
+ * is not seen. */
+bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera,
+                             const SceneMatrix *plane);
 /* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene
  * has a motion. False: it has no direction. */
 bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);
-
-/* The triangles of an object, in its own space; of a Plane, none. False: memory ran out. A Mesh has
- * its own. */
-bool scene_solid(const SceneObject *object, Shape *made);
-/* Objects with one key have the same ones, those of a file too. */
-Key scene_solid_key(const SceneObject *object);
-/* How many they are, without making them. */
-int scene_solid_triangles(const SceneObject *object);
 #endif

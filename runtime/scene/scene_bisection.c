@@ -21,6 +21,7 @@
 #include "runtime/scene/scene_bisection.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_divide.h"
+#include "runtime/scene/scene_places.h"
 #include "runtime/scene/scene_room.h"
 #include <math.h>
 #include <stdlib.h>

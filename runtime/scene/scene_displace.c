@@ -2,9 +2,13 @@
  * afterwards, a param or where an object is, gives those that it changes another mesh, and takes
  * away what no object has any more. */
 #include "compiler/base/hash_index.h"
-#include "runtime/scene/scene_displacer.h"
+#include "compiler/base/session.h"
+#include "runtime/scene/scene_displace.h"
+#include "runtime/scene/scene_displace_param.h"
+#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_fine.h"
 #include "runtime/scene/scene_matrix.h"
-#include "runtime/scene/scene_part.h"
+#include "runtime/scene/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -223,10 +227,9 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     return count;
 }
 
-bool scene_displace(SceneReader *r, const MatcOptions *options)
+bool scene_displace(Scene *scene, Session *session, const MatcOptions *options)
 {
-    Scene *scene = r->scene;
-    Arena *arena = r->session->arena;
+    Arena *arena = session->arena;
     SceneDisplacer *by = scene->displacer = ARENA_NEW(arena, SceneDisplacer);
     *by = (SceneDisplacer){.options = *options,
                            .method = scene->displaced_by,
@@ -250,21 +253,9 @@ bool scene_displace(SceneReader *r, const MatcOptions *options)
     if (displace_objects(scene, -1, 0, scene->object_count) != SCENE_DISPLACED_failed)
         return true;
     const SceneMaterial *of = &scene->materials[by->fault];
-    diag_add(r->session, NO_SPAN, DIAG_scene_displaced, matc_material_name(of->document, of->index),
+    diag_add(session, NO_SPAN, DIAG_scene_displaced, matc_material_name(of->document, of->index),
              by->why);
     return false;
-}
-
-void scene_displace_shift(Scene *scene, const double by[3])
-{
-    SceneDisplacer *displacer = scene->displacer;
-    for (int i = 0; displacer && i < 3 * displacer->detail.eye_count; i++)
-        displacer->detail.eyes[i / 3].center[i % 3] -= by[i % 3];
-}
-
-SceneSeen *scene_displace_seen(Scene *scene)
-{
-    return scene->displacer ? &scene->displacer->seen : NULL;
 }
 
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material)

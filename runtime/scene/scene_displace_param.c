@@ -1,7 +1,7 @@
 /* Params of materials that displace: values that they have been given, instead of those that their
  * documents say. */
-#include "runtime/scene/scene_displacer.h"
-#include "runtime/scene/scene_part.h"
+#include "runtime/scene/scene_displace.h"
+#include "runtime/scene/scene_displace_param.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -10,6 +10,7 @@
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_places.h"
 #include "runtime/scene/scene_refine.h"
 #include "runtime/scene/scene_volume.h"
 #include <math.h>
@@ -49,11 +50,6 @@ MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
     point.uv[0] = (double)vertex->uv[0];
     point.uv[1] = (double)vertex->uv[1];
     return point;
-}
-
-const char *scene_displace_name(Word word)
-{
-    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
 }
 
 typedef struct {

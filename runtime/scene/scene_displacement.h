@@ -39,9 +39,4 @@ bool scene_displaced_by_driver(Word method, double pixels);
 bool scene_displaced_traced(Word method);
 /* That it has, or is made into, at most. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
-/* By what a scene's displaced meshes were divided; NULL: it was not read. scene_displace.c */
-SceneSeen *scene_displace_seen(Scene *scene);
-/* Cameras that detail goes by (scene_detail.h) stand in coordinates whose origin has moved.
- * scene_displace.c */
-void scene_displace_shift(Scene *scene, const double by[3]);
 #endif

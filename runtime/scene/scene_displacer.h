@@ -1,8 +1,8 @@
 /* The state of a scene's displacement, shared by its files. */
 #ifndef MATC_SCENE_DISPLACER_H
 #define MATC_SCENE_DISPLACER_H
-#include "runtime/scene/scene_displacement.h"
-#include "runtime/scene/scene_fine.h"
+#include "runtime/scene/scene_detail.h"
+#include "runtime/scene/scene_seen.h"
 
 /* The part of an object that is displaced. */
 typedef struct {
@@ -40,13 +40,4 @@ struct SceneDisplacer {
     int fault; /* the material of which `why` is */
     const char *why;
 };
-
-/* The values that params of a material have. scene_displace_param.c */
-Key scene_displacer_param_key(const SceneDisplacer *by, int material);
-/* The material's displacement reads the param. */
-bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count);
-/* Finds or adds it, with the value that it has; NULL: memory ran out. */
-SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const char *name, int count);
-/* Remembers why nothing can be made of a material; false. */
-bool scene_displacer_fail(SceneDisplacer *by, int material, const char *why);
 #endif

@@ -3,6 +3,7 @@
  * coordinates.
  *
  *     n = 2: corners a, b, c, and ab, ca, bc between them: a ab ca, ab b bc, ca bc c, ab bc ca */
+#include "compiler/base/hash.h"
 #include "runtime/scene/scene_divide.h"
 #include "compiler/base/hash_index.h"
 #include <math.h>
@@ -73,14 +74,6 @@ static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[
     return made;
 }
 
-static uint32_t hash_of(const void *bytes, size_t size)
-{
-    uint32_t hash = 2166136261u;
-    for (size_t i = 0; i < size; i++)
-        hash = (hash ^ ((const unsigned char *)bytes)[i]) * 16777619u;
-    return hash * 0x9E3779B1u;
-}
-
 /* Vertices so far, each once. */
 typedef struct {
     Shape *shape;
@@ -89,7 +82,7 @@ typedef struct {
 
 static uint32_t number_of(Found *f, const ShapeVertex *vertex)
 {
-    const uint32_t hash = hash_of(vertex, sizeof *vertex);
+    const uint32_t hash = (uint32_t)key_of_bytes(vertex, sizeof *vertex).low;
     HashProbe probe = hash_probe(&f->index, hash);
     while (hash_probe_next(&probe))
         if (!memcmp(&f->shape->vertices[probe.number], vertex, sizeof *vertex))
@@ -156,39 +149,4 @@ bool scene_divide(const Shape *shape, int n, Shape *made)
     }
     made->index_count = (int)(next - made->indices);
     return true;
-}
-
-int *scene_places(const Shape *shape)
-{
-    int *first = calloc((size_t)shape->vertex_count + 1, sizeof *first);
-    HashIndex index = {0};
-    for (int i = 0; first && i < shape->vertex_count; i++) {
-        float place[3];
-        for (int lane = 0; lane < 3; lane++)
-            place[lane] = shape->vertices[i].position[lane] + 0.f; /* -0 is 0 */
-        const uint32_t hash = hash_of(place, sizeof place);
-        HashProbe probe = hash_probe(&index, hash);
-        first[i] = i;
-        while (first[i] == i && hash_probe_next(&probe)) {
-            const float *other = shape->vertices[probe.number].position;
-            if (other[0] == place[0] && other[1] == place[1] && other[2] == place[2])
-                first[i] = (int)probe.number;
-        }
-        if (first[i] == i)
-            hash_index_add(NULL, &index, hash, (uint32_t)i);
-    }
-    hash_index_free(&index);
-    return first;
-}
-
-void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined)
-{
-    for (int i = 0; i < shape->vertex_count; i++) {
-        const float *n = shape->vertices[i].normal;
-        if (first[i] == i)
-            joined[i] = shape->vertices[i];
-        else if (memcmp(n, shape->vertices[first[i]].normal, sizeof shape->vertices[i].normal) != 0)
-            for (int lane = 0; lane < 3; lane++)
-                joined[first[i]].normal[lane] += n[lane];
-    }
 }

@@ -1,4 +1,4 @@
-/* Finer triangles, and which of their vertices stand in one place. */
+/* Finer triangles. */
 #ifndef MATC_SCENE_DIVIDE_H
 #define MATC_SCENE_DIVIDE_H
 #include "runtime/gl/shape.h"
@@ -13,9 +13,4 @@ ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weigh
 /* The indices of n^2 triangles whose vertices stand in rows: one at corner 0, two behind it, up to
  * n + 1 from corner 1 to corner 2. The end. */
 uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next);
-/* By vertex: the first that stands in the same place. From malloc; NULL: memory ran out. */
-int *scene_places(const Shape *shape);
-/* By such a vertex: what all of its place are moved by, which is the first with the sum of their
- * different normals. Others are left alone. */
-void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined);
 #endif

@@ -9,8 +9,11 @@
  *
  * A height that goes by places of the world is another on each copy: each has a mesh, of few
  * triangles where it is small. */
+#include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_displacer.h"
+#include "runtime/scene/scene_fine.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_solid.h"
 #include <math.h>
 
 /* of one with edges of 1: a quarter of the square root of 3 */

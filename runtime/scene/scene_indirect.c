@@ -1,6 +1,5 @@
 /* What a scene says of indirect light. */
 #include "runtime/scene/scene_part.h"
-#include <string.h>
 
 static Word word_of(const SceneThing *thing, int param)
 {
@@ -51,24 +50,4 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
         .dims_direct = is_so(&thing, S_Indirect_dimsDirect),
         .bounces = whole_of(&thing, S_Indirect_bounces),
         .gain = scene_thing_number(&thing, S_Indirect_gain)};
-}
-
-const char *scene_indirect_name(Word word)
-{
-    return word_table[word].list == PARAM_Indirect ? word_table[word].name : NULL;
-}
-
-bool scene_indirect_is(const Scene *scene)
-{
-    return scene->indirect.rays > 0 && scene->indirect.method != WORD_Indirect_none;
-}
-
-bool scene_indirect_find(const char *name, Word *method)
-{
-    for (int i = 0; i < WORD_COUNT; i++)
-        if (scene_indirect_name((Word)i) && !strcmp(word_table[i].name, name)) {
-            *method = (Word)i;
-            return true;
-        }
-    return false;
 }

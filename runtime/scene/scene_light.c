@@ -3,21 +3,6 @@
 #include "runtime/scene/scene_part.h"
 #include <string.h>
 
-bool scene_casts(const Scene *scene)
-{
-    bool casts = false;
-    for (int i = 0; i < scene->light_count; i++)
-        casts |= scene_light_casts(&scene->lights[i]);
-    return casts;
-}
-
-/* Shadows of an extent are soft, which maps alone can be. */
-bool scene_light_takes(const SceneLight *light, Word method)
-{
-    return light_from(light) != LIGHT_FROM_extent || method == WORD_Shadows_none ||
-           method == WORD_Shadows_map;
-}
-
 /* The sky is read already. */
 static void read_sky(SceneReader *r, const SceneThing *thing, const double light[3])
 {
@@ -108,31 +93,4 @@ void scene_lights_read(SceneReader *r, const Tree *list)
     for (uint32_t i = 0; i < list->count; i++)
         if (scene_thing_read(r, list->items[i], SCENE_SORT_light, &thing))
             read_light(r, &thing);
-}
-
-const char *scene_shadows_name(Word word)
-{
-    return word_table[word].list == PARAM_Shadows ? word_table[word].name : NULL;
-}
-
-const char *scene_volume_name(Word word)
-{
-    return word_table[word].list == PARAM_Volume ? word_table[word].name : NULL;
-}
-
-bool scene_shadows_find(const char *name, Word *method)
-{
-    for (int i = 0; i < WORD_COUNT; i++)
-        if (word_table[i].list == PARAM_Shadows && !strcmp(word_table[i].name, name)) {
-            *method = (Word)i;
-            return true;
-        }
-    return false;
-}
-
-void scene_lights_shadow(Scene *scene, Word method)
-{
-    for (int i = 0; i < scene->light_count; i++)
-        if (scene_light_casts(&scene->lights[i]) && scene_light_takes(&scene->lights[i], method))
-            scene->lights[i].shadows = method;
 }

@@ -233,26 +233,6 @@ static Tree *only_materials(SceneReader *r, const Tree *document)
     return tree;
 }
 
-unsigned scene_models(const Scene *scene)
-{
-    unsigned models = 0;
-    for (int i = 0; i < scene->object_count; i++) {
-        const SceneMaterial *of = &scene->materials[scene->objects[i].material];
-        const Graph *graph = of->document->graph;
-        models |= graph->models[graph->materials[of->index].node->index];
-    }
-    return models;
-}
-
-void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE])
-{
-    const MatcDocument *document = material->document;
-    const Span span = document->graph->materials[material->index].node->span;
-    const Source *source = &document->session.sources[span.file];
-    const SourcePosition at = source_position(source, span.start);
-    snprintf(place, SCENE_PLACE, "%s:%d:%d", source->name, at.line, at.column);
-}
-
 void scene_material_resolve(SceneReader *r, const Tree *document)
 {
     Tree *tree = only_materials(r, document);

@@ -5,7 +5,8 @@
  * Where no such point is near, the camera's own position serves. */
 #include "runtime/scene/scene_origin.h"
 #include "compiler/base/memory.h"
-#include "runtime/scene/scene_displacement.h"
+#include "runtime/scene/scene_displacer.h"
+#include "runtime/scene/scene_patches.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -113,10 +114,11 @@ static void shift(Scene *scene, const double by[3])
     for (int i = 0; i < scene->mesh_count; i++)
         if (scene->meshes[i].patches)
             subtract(by, scene->meshes[i].patches->world_from_local.m + 12);
-    SceneSeen *seen = scene_displace_seen(scene);
-    for (int i = 0; seen && i < seen->count; i++)
-        shift_camera(by, &seen->cameras[i]);
-    scene_displace_shift(scene, by);
+    SceneDisplacer *displacer = scene->displacer;
+    for (int i = 0; displacer && i < displacer->seen.count; i++)
+        shift_camera(by, &displacer->seen.cameras[i]);
+    for (int i = 0; displacer && i < displacer->detail.eye_count; i++)
+        subtract(by, displacer->detail.eyes[i].center);
     for (int i = 0; i < POINT; i++)
         scene->origin[i] += by[i];
 }

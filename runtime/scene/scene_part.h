@@ -23,10 +23,6 @@ void scene_lights_read(SceneReader *r, const Tree *list);
 void scene_sun_add(SceneReader *r);
 /* NULL: the default. scene_camera.c */
 void scene_camera_read(SceneReader *r, Tree *tree);
-/* Orthographic: the plane is not behind it, in any corner of the picture. One that is seen edge-on
- * is not seen. */
-bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera,
-                             const SceneMatrix *plane);
 /* After the camera. scene_motion.c */
 void scene_motion_read(SceneReader *r, Tree *tree);
 
@@ -49,11 +45,6 @@ int scene_material_read_of(SceneReader *r, const Tree *path, int number);
 void scene_material_open(SceneReader *r, const Tree *document);
 /* Resolves those of the document that were met or named, after all are read. */
 void scene_material_resolve(SceneReader *r, const Tree *document);
-/* Objects whose materials displace them become meshes that are displaced. False: a diagnostic says
- * why. scene_displace.c */
-bool scene_displace(SceneReader *r, const MatcOptions *options);
-/* What it has beside the document's memory. */
-void scene_displace_free(Scene *scene);
 /* The place in scene->meshes of a file, read when it is met first; or -1. scene_mesh.c */
 int scene_mesh_read(SceneReader *r, const Tree *path);
 /* How many meshes there are of the file's materials, side by side from *first on, by ascending

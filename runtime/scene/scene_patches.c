@@ -6,8 +6,8 @@
  *     their own face's. */
 #include "runtime/scene/scene_patches.h"
 #include "compiler/base/hash_index.h"
-#include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_places.h"
 #include "runtime/scene/scene_seen.h"
 #include <math.h>
 #include <stdlib.h>

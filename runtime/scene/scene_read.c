@@ -1,9 +1,11 @@
 /* Text -> Scene: the document's outermost level. */
 #include "compiler/document.h"
 #include "compiler/base/memory.h"
+#include "runtime/scene/scene_displace.h"
 #include "runtime/scene/scene_part.h"
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_origin.h"
+#include "runtime/scene/scene_read.h"
 #include "runtime/scene/scene_stand.h"
 #include <math.h>
 #include <stdlib.h>
@@ -262,7 +264,7 @@ MatcDocument *scene_read(const char *name, const char *text, size_t size,
     r.fine = r.fine && !document->session.diags.errors && scene_stand(&r, options);
     if (r.fine)
         scene_origin_find(r.scene);
-    if (r.fine && scene_displace(&r, options)) {
+    if (r.fine && scene_displace(r.scene, r.session, options)) {
         scene_triangles_warn(&r);
         *made = r.scene;
     } else

@@ -8,6 +8,10 @@
  * 0xe220a8397b1dcdaf, 0x6e789e6aa1b965f4. */
 uint64_t scene_scatter_next(uint64_t *state);
 
+/* The random number that materials know the object of that index by: objectRandom of formulas. In
+ * [0, 1), in steps of 2^-24: of object 0 .8833, from the generator of Scatter, seeded by the index. */
+float scene_object_random(int object);
+
 typedef struct {
     double size[3];              /* of the box around the origin in which they stand */
     double rotation[3];          /* radians about x, y and z, at most, either way */

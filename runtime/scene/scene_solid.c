@@ -2,6 +2,7 @@
  * rest is made here. */
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

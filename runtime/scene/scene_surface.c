@@ -4,8 +4,9 @@
  *
  *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s =
  *     0.5, t = 0.5 */
+#include "runtime/scene/scene_places.h"
+#include "runtime/scene/scene_solid.h"
 #include "runtime/scene/scene_surface.h"
-#include "runtime/scene/scene_divide.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <stdlib.h>

@@ -3,6 +3,7 @@
 #include "runtime/scene/scene_displacement.h"
 #include "runtime/scene/scene_fine.h"
 #include "runtime/scene/scene_part.h"
+#include "runtime/scene/scene_solid.h"
 #include <stdlib.h>
 
 static int triangles_of(const Scene *scene, const SceneObject *object)

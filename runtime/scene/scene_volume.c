@@ -9,6 +9,7 @@
  *
  *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes
  *     are those of a ball at its equator too, where each height's has no end. */
+#include "runtime/scene/scene_places.h"
 #include "runtime/scene/scene_volume.h"
 #include "compiler/base/vec3.h"
 #include "runtime/scene/scene_divide.h"

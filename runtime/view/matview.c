@@ -5,6 +5,8 @@
 #include "compiler/base/progress.h"
 #include "compiler/base/session.h"
 #include "compiler/base/watch.h"
+#include "runtime/scene/scene_displace.h"
+#include "runtime/scene/scene_read.h"
 #include "runtime/view/compare.h"
 #include "runtime/view/picture_name.h"
 #include "runtime/scene/model.h"

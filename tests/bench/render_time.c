@@ -2,6 +2,7 @@
 #include <stdio.h>
 #include "render_time.h"
 #include "matbench.h"
+#include "runtime/scene/scene_read.h"
 #include <math.h>
 #include <stdlib.h>
 

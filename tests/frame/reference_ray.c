@@ -1,3 +1,4 @@
+#include "runtime/scene/scene_solid.h"
 #include "tests/frame/reference_ray.h"
 #include <math.h>
 #include <stdlib.h>

@@ -1,0 +1,92 @@
+/* Questions to a scene: its lights, its materials, and the words of its methods. */
+#include "runtime/scene/scene.h"
+#include "compiler/document.h"
+#include <stdio.h>
+#include <string.h>
+
+bool scene_casts(const Scene *scene)
+{
+    bool casts = false;
+    for (int i = 0; i < scene->light_count; i++)
+        casts |= scene_light_casts(&scene->lights[i]);
+    return casts;
+}
+
+/* Shadows of an extent are soft, which maps alone can be. */
+bool scene_light_takes(const SceneLight *light, Word method)
+{
+    return light_from(light) != LIGHT_FROM_extent || method == WORD_Shadows_none ||
+           method == WORD_Shadows_map;
+}
+
+void scene_lights_shadow(Scene *scene, Word method)
+{
+    for (int i = 0; i < scene->light_count; i++)
+        if (scene_light_casts(&scene->lights[i]) && scene_light_takes(&scene->lights[i], method))
+            scene->lights[i].shadows = method;
+}
+
+const char *scene_shadows_name(Word word)
+{
+    return word_table[word].list == PARAM_Shadows ? word_table[word].name : NULL;
+}
+
+bool scene_shadows_find(const char *name, Word *method)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (word_table[i].list == PARAM_Shadows && !strcmp(word_table[i].name, name)) {
+            *method = (Word)i;
+            return true;
+        }
+    return false;
+}
+
+const char *scene_volume_name(Word word)
+{
+    return word_table[word].list == PARAM_Volume ? word_table[word].name : NULL;
+}
+
+bool scene_indirect_is(const Scene *scene)
+{
+    return scene->indirect.rays > 0 && scene->indirect.method != WORD_Indirect_none;
+}
+
+const char *scene_indirect_name(Word word)
+{
+    return word_table[word].list == PARAM_Indirect ? word_table[word].name : NULL;
+}
+
+bool scene_indirect_find(const char *name, Word *method)
+{
+    for (int i = 0; i < WORD_COUNT; i++)
+        if (scene_indirect_name((Word)i) && !strcmp(word_table[i].name, name)) {
+            *method = (Word)i;
+            return true;
+        }
+    return false;
+}
+
+const char *scene_displace_name(Word word)
+{
+    return word_table[word].list == PARAM_Displacing ? word_table[word].name : NULL;
+}
+
+unsigned scene_models(const Scene *scene)
+{
+    unsigned models = 0;
+    for (int i = 0; i < scene->object_count; i++) {
+        const SceneMaterial *of = &scene->materials[scene->objects[i].material];
+        const Graph *graph = of->document->graph;
+        models |= graph->models[graph->materials[of->index].node->index];
+    }
+    return models;
+}
+
+void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE])
+{
+    const MatcDocument *document = material->document;
+    const Span span = document->graph->materials[material->index].node->span;
+    const Source *source = &document->session.sources[span.file];
+    const SourcePosition at = source_position(source, span.start);
+    snprintf(place, SCENE_PLACE, "%s:%d:%d", source->name, at.line, at.column);
+}
