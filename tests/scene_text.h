@@ -1,7 +1,7 @@
 /* Scenes from texts, for tests. */
 #ifndef MATC_SCENE_TEXT_H
 #define MATC_SCENE_TEXT_H
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
 #include <math.h>
 #include <stdio.h>

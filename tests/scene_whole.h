@@ -1,5 +1,5 @@
 /* Scenes of texts whose pictures are read whole, as the renderer takes them; for tests. */
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #ifndef TESTS_SCENE_WHOLE_H
 #define TESTS_SCENE_WHOLE_H
 #include <string.h>

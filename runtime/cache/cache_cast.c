@@ -4,7 +4,7 @@
 #include "runtime/cache/instances.h"
 #include "runtime/displace/displaced_traced.h"
 #include "runtime/draw/material_feed.h"
-#include "runtime/scene/scene_scatter.h"
+#include "runtime/tessellate/scene_scatter.h"
 #include <stdlib.h>
 
 /* A place, with what it is sorted by. */

@@ -1,7 +1,7 @@
 /* Meshes of a cache: of solids, of files, and those that the driver displaces. */
 #include "runtime/cache/cache.h"
 #include "runtime/scene/scene_matrix.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 
 static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)

@@ -4,7 +4,7 @@
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/draw/material_feed.h"
-#include "runtime/scene/scene_scatter.h"
+#include "runtime/tessellate/scene_scatter.h"
 #include <stdlib.h>
 #include <string.h>
 

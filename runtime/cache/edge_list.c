@@ -4,7 +4,7 @@
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 

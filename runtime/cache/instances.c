@@ -1,6 +1,6 @@
 /* Matrices in double become floats of a buffer. */
 #include "runtime/cache/instances.h"
-#include "runtime/scene/scene_scatter.h"
+#include "runtime/tessellate/scene_scatter.h"
 #include <string.h>
 
 bool instances_there(const GlContext *gl)

@@ -2,7 +2,7 @@
  * own. */
 #include "runtime/displace/displaced.h"
 #include "runtime/displace/displaced_method.h"
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,7 +2,7 @@
  * 2) / 2 points, in n^2 triangles. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
-#include "runtime/scene/scene_divide.h"
+#include "runtime/tessellate/scene_divide.h"
 #include <stdlib.h>
 
 static bool make(const DisplacedMaking *making, Displaced *made)

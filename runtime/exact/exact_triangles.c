@@ -1,7 +1,7 @@
 /* Corners go to the world in double. Their middle is known after a first turn over all objects; a
  * second writes what they are from there. */
 #include "runtime/exact/exact_triangles.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>

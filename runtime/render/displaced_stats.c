@@ -1,7 +1,7 @@
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/displaced_stats.h"
 #include "runtime/displace/displaced_traced.h"
-#include "runtime/scene/scene_displacement.h"
+#include "runtime/tessellate/scene_displacement.h"
 #include "runtime/shadow/shadow_state.h"
 
 /* "voxels, edges": what sees triangles where the picture's surface is traced. */

@@ -6,7 +6,7 @@
 #include "runtime/gl/message.h"
 #include "runtime/render/host.h"
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_origin.h"
 #include <math.h>

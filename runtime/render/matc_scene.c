@@ -4,10 +4,10 @@
 #include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
 #include "runtime/render/host.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_origin.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -10,7 +10,7 @@
 #include "runtime/render/passes.h"
 #include "runtime/render/render_state.h"
 #include "runtime/scene/scene_area.h"
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_origin.h"
 #include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"

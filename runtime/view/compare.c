@@ -1,5 +1,5 @@
 /* The scene, again and again, with other words. */
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "runtime/view/compare.h"
 #include <stdio.h>
 #include <stdlib.h>

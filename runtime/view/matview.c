@@ -5,11 +5,11 @@
 #include "compiler/base/progress.h"
 #include "compiler/base/session.h"
 #include "compiler/base/watch.h"
-#include "runtime/scene/scene_displace.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/tessellate/scene_displace.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "runtime/view/compare.h"
 #include "runtime/view/picture_name.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_divide.h"
-#include "runtime/scene/scene_refine.h"
+#include "runtime/tessellate/scene_divide.h"
+#include "runtime/tessellate/scene_refine.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/displace/displaced_bisection.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

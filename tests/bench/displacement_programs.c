@@ -5,7 +5,7 @@
 #include "runtime/draw/spaces.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "runtime/scene/scene_divide.h"
+#include "runtime/tessellate/scene_divide.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

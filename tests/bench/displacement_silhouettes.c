@@ -4,7 +4,7 @@
 #include "displacement.h"
 #include "matbench.h"
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

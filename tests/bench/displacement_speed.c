@@ -4,7 +4,7 @@
 #include "matbench.h"
 #include "runtime/displace/displaced.h"
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -7,7 +7,7 @@
 #include "runtime/frame/frame.h"
 #include "runtime/measure/plot.h"
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

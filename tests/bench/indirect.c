@@ -7,8 +7,8 @@
 #include "indirect_path.h"
 #include "indirect_table.h"
 #include "matbench.h"
-#include "runtime/scene/scene_read.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/scene_reader/scene_read.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #include "indirect_passes.h"
 #include "matbench.h"
 #include "runtime/gl/clock.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "tests/frame/indirect_scenes.h"
 #include "tests/meshes/meshes.h"
 #include <math.h>

@@ -3,7 +3,7 @@
  * is kept of frames before. */
 #include "indirect_path.h"
 #include "matbench.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

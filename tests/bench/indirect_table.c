@@ -3,10 +3,10 @@
  * pixel in 256 voxels along an edge: tests compare that with rays of Embree. */
 #include "indirect_table.h"
 #include "matbench.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "shadows_scene.h"
 #include "runtime/frame/frame.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include "tests/meshes/meshes.h"
 #include <math.h>
 #include <stdio.h>

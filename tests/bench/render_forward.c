@@ -13,7 +13,7 @@
 #include "runtime/cache/view_space.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "runtime/surface/surface_model.h"
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #include <stdio.h>
 #include "render_time.h"
 #include "matbench.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #include "matbench.h"
 #include "shadows.h"
 #include "shadows_error.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include "tests/meshes/meshes.h"
 #include <math.h>
 #include <stdio.h>

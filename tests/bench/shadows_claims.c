@@ -1,7 +1,7 @@
 /* What the thesis says of quality, in numbers: how a small map's volume compares with large maps,
  * how many quads have the right diagonal by chance, and how early a blurred volume starts. */
 #include "matbench.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "shadows.h"
 #include "shadows_error.h"
 #include <math.h>

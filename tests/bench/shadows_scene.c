@@ -1,5 +1,5 @@
 /* Documents with balls where the casters stand, which become the mesh. */
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "shadows_scene.h"
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * splits, points go where matc_move has them, numbers are doubles. */
 #include "tests/frame/bisection_reference.h"
 #include "tests/frame/bisection_seen.h"
-#include "runtime/scene/scene_bisection.h"
+#include "runtime/tessellate/scene_bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/test.h"
 #include <math.h>

@@ -2,7 +2,7 @@
 #ifndef MATC_FRAME_DRAW_H
 #define MATC_FRAME_DRAW_H
 #include "runtime/render/render.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 
 /* The layout `integer`, exact powers, no averages over pixels: references have points. */
 MatcOptions frame_exact_options(void);

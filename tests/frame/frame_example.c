@@ -1,4 +1,4 @@
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "tests/frame/frame_example.h"
 #include "compiler/base/file.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/frame/reference_ray.h"
 #include <math.h>
 #include <stdlib.h>

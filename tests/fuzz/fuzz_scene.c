@@ -1,8 +1,8 @@
 /* libFuzzer's entry for scenes: any bytes as a document, read into a Scene; what drawing takes for
  * granted of one is looked at. */
 #include "fuzz.h"
-#include "runtime/scene/scene_read.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/scene_reader/scene_read.h"
+#include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Documents of growth.def that are files of meshes. They are read by a process of their own, whose
  * time counts. */
 #include "growth.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>

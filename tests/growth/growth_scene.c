@@ -1,6 +1,6 @@
 /* Documents of growth.def that are scenes. */
 #include "growth.h"
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include <string.h>
 
 void growth_scene(const char *text, const MatcOptions *options, GrowthRun *run)

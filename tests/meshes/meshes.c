@@ -1,6 +1,6 @@
 /* Finds them by their names, whatever their format. */
 #include "tests/meshes/meshes.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* Cameras of frames by closed forms, motions that are refused, which frames an option means, and
  * what their files are called. */
-#include "runtime/scene/scene_read.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
 #include "runtime/view/frames.h"
 #include <math.h>

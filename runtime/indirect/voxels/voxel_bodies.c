@@ -4,7 +4,7 @@
  *     that face each other, wave 2; the others, wave 3 */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 

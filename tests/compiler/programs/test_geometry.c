@@ -3,7 +3,7 @@
  * what is closed has no hole; what has no such programs says so. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
-#include "runtime/scene/scene_divide.h"
+#include "runtime/tessellate/scene_divide.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

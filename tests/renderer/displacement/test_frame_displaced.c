@@ -2,7 +2,7 @@
  * which meshes are displaced; no hole in what is closed, wherever levels meet, edges are hard or
  * texture coordinates have a seam; pictures, shadows and changes against what meshes give. */
 /* ctest: unsanitized */
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "runtime/scene/scene_patches.h"

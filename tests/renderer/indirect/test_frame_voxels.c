@@ -2,7 +2,7 @@
  * counting what lies before them, surfaces by lines through middles; levels by those below; a room
  * that nothing gets out of; what is moved. */
 /* ctest: seconds=19 */
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/render.h"

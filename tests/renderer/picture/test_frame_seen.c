@@ -2,7 +2,7 @@
  * eye and of parallel ones, on meshes and on planes; time, when it changes, too; the number of an
  * object, drawn by instances and one by one; what a mesh has at its vertices, and the slope of
  * that. */
-#include "runtime/scene/scene_scatter.h"
+#include "runtime/tessellate/scene_scatter.h"
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "grammar/lobe_table.h"
 #include "tests/gltf_folder.h"
 #include "compiler/document.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 
 #define MESH                                                                                       \
     "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"              \

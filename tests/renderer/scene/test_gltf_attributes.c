@@ -2,7 +2,7 @@
  * of its place, whatever assimp joins, copies or leaves out; all component types by hand; files
  * that are wrong, or hostile. */
 #include "tests/gltf_folder.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 
 /* Rows of a place and of numbers that are a function of it, (x + 10 z, x z, x - z, 7); the last two
  * rows are in one place, with different numbers; no triangle has row 4. */

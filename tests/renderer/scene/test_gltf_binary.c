@@ -1,8 +1,8 @@
 /* glTF files that hold their pictures and triangles: .glb, data: addresses, buffers; lengths that
  * lie; meshes of them in parts. */
 #include "tests/gltf_folder.h"
-#include "runtime/scene/model.h"
-#include "runtime/scene/model_number.h"
+#include "runtime/mesh_import/model.h"
+#include "runtime/mesh_import/model_number.h"
 
 #define MESH                                                                                       \
     "\"scene\":0,\"scenes\":[{\"nodes\":[0]}],\"nodes\":[{\"mesh\":0}],\"meshes\":[{"              \

@@ -1,7 +1,7 @@
 /* Meshes out of files: a square whose tangents are known, in every format; what is missing; files
  * that are damaged or hostile. */
 #include "tests/test.h"
-#include "runtime/scene/model.h"
+#include "runtime/mesh_import/model.h"
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>

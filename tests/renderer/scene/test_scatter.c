@@ -1,7 +1,7 @@
 /* Copies at random: the generator against published numbers, places by hand, that all of a range is
  * taken, what is refused. */
 #include "tests/test.h"
-#include "runtime/scene/scene_scatter.h"
+#include "runtime/tessellate/scene_scatter.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdio.h>

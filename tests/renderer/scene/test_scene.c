@@ -1,6 +1,6 @@
 /* Scenes as they are read: matrices, cameras and lights by closed forms; solids by their volume,
  * and by what a step of u or v does to them. */
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include <math.h>
 #include <stdio.h>

@@ -1,12 +1,12 @@
 /* Detail by the size in the picture: outlines of bodies with fewer sides, by projections written
  * down here; meshes that displaced copies share, against the same points moved one by one; which
  * scenes have it; the warning of a scene of too many triangles. */
-#include "runtime/scene/scene_displace.h"
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_displace.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/scene_text.h"
 #include "compiler/matc.h"
 #include "runtime/scene/scene_detail.h"
-#include "runtime/scene/scene_displacement.h"
+#include "runtime/tessellate/scene_displacement.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 

@@ -4,7 +4,7 @@
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
-#include "runtime/scene/scene_divide.h"
+#include "runtime/tessellate/scene_divide.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,9 +2,9 @@
  * within, seen by the half-edges alone; and by error: what is flat stays as it is, what is found is
  * finer, and the error is that of many times as many triangles of an even division. */
 #include "tests/test.h"
-#include "runtime/scene/scene_bisection.h"
-#include "runtime/scene/scene_divide.h"
-#include "runtime/scene/scene_refine.h"
+#include "runtime/tessellate/scene_bisection.h"
+#include "runtime/tessellate/scene_divide.h"
+#include "runtime/tessellate/scene_refine.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

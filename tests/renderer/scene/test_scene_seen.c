@@ -1,7 +1,7 @@
 /* Bisection by what is seen: pixels of a length by closed forms; and of a terrain, how far its
  * triangles are from where the material has them, as the camera sees it, projected here by the
  * camera's own numbers. */
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene_seen.h"

@@ -1,11 +1,11 @@
 /* Volumes instead of surfaces, as triangles: closed, with the volume, the holes and the normals of
  * closed forms; on bases that are flat, curved, open, or of several sides. */
-#include "runtime/scene/scene_displace.h"
+#include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_places.h"
 #include "tests/test.h"
 #include "tests/scene_whole.h"
 #include "runtime/scene/scene.h"
-#include "runtime/scene/scene_volume.h"
+#include "runtime/tessellate/scene_volume.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* Cascades of a directional light: their texels stand still while the camera moves and turns, and
  * so do ends of shadows in pictures. That light is right in each of them, test_frame_cast.c
  * says. */
-#include "runtime/scene/scene_solid.h"
+#include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
 #include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"

@@ -1,0 +1,343 @@
+/* From `_WETNESS` to numbers. A file may be anybody's: each index, count and length is held against
+ * what is there. */
+#include "runtime/mesh_import/model_attributes.h"
+#include "compiler/base/root.h"
+#include "compiler/front/gltf_file.h"
+#include "runtime/gl/message.h"
+#include "runtime/mesh_import/model.h"
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* glTF 2.0, section 3.6.2.2. */
+typedef enum {
+    BYTE = 5120,
+    UNSIGNED_BYTE,
+    SHORT,
+    UNSIGNED_SHORT,
+    UNSIGNED_INT = 5125,
+    FLOAT
+} Component;
+enum { LANES = 4, MOST_STRIDE = 252, PLACE = 96 };
+
+typedef struct {
+    GltfPlace place;
+    const Tree *root;
+    ModelAttributes *made;
+    size_t vertices; /* of all primitives that have some */
+    char *error;
+    size_t room;
+    char where[PLACE]; /* "meshes/0/primitives/1" */
+} Reader;
+
+/* An accessor, as it was checked. */
+typedef struct {
+    const unsigned char *at; /* NULL: all is 0 */
+    size_t stride;
+    int lanes;
+    Component component;
+    bool normalized;
+    /* which vertices have other values than those, and which: section 3.6.2.3. NULL: none */
+    const Tree *sparse;
+} Accessor;
+
+static bool fail(const Reader *r, const char *name, const char *why)
+{
+    return message_fail(r->error, r->room, "%s/attributes/%.*s: %s", r->where, SHAPE_NAME, name,
+                        why);
+}
+
+static bool is_text(const Tree *tree, const char *text)
+{
+    return tree && tree->kind == TREE_scalar && !strcmp(tree->text, text);
+}
+
+static int lanes_of(const Tree *type)
+{
+    static const char *const types[LANES] = {"SCALAR", "VEC2", "VEC3", "VEC4"};
+    int i = 0;
+    while (i < LANES && !is_text(type, types[i]))
+        i++;
+    return i < LANES ? i + 1 : 0;
+}
+
+static size_t bytes_of(size_t component)
+{
+    return component == BYTE || component == UNSIGNED_BYTE     ? 1
+           : component == SHORT || component == UNSIGNED_SHORT ? 2
+           : component == UNSIGNED_INT || component == FLOAT   ? 4
+                                                               : 0;
+}
+
+/* Where the numbers lie; NULL, or why they do not. */
+static const char *find_bytes(const Reader *r, const Tree *accessor, size_t count, Accessor *made)
+{
+    GltfBytes bytes;
+    const char *why;
+    const Tree *index = gltf_file_value(accessor, "bufferView");
+    const size_t size = bytes_of(made->component) * (size_t)made->lanes;
+    if (!index)
+        return NULL;
+    if (!gltf_file_view(&r->place, index, &bytes, &why))
+        return why;
+    const Tree *view = gltf_file_item(r->root, "bufferViews", gltf_file_whole(index, SIZE_MAX));
+    const size_t offset = gltf_file_whole(gltf_file_value(accessor, "byteOffset"), 0);
+    made->stride = gltf_file_whole(gltf_file_value(view, "byteStride"), size);
+    if (made->stride < size || made->stride > MOST_STRIDE)
+        return "its bufferView's byteStride is less than a value, or more than 252";
+    if (offset > bytes.size || (count - 1) * made->stride + size > bytes.size - offset)
+        return "its accessor ends behind the end of its bufferView";
+    made->at = (const unsigned char *)bytes.at + offset;
+    return NULL;
+}
+
+static const char *find_accessor(const Reader *r, const Tree *index, size_t count, Accessor *made)
+{
+    const Tree *accessor = gltf_file_item(r->root, "accessors", gltf_file_whole(index, SIZE_MAX));
+    const size_t component = gltf_file_whole(gltf_file_value(accessor, "componentType"), 0);
+    if (!accessor)
+        return "its accessor is not there";
+    *made = (Accessor){.lanes = lanes_of(gltf_file_value(accessor, "type")),
+                       .component = (Component)component,
+                       .sparse = gltf_file_value(accessor, "sparse")};
+    made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
+    if (!made->lanes)
+        return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
+    if (!bytes_of(component) || component == UNSIGNED_INT) /* which attributes cannot have */
+        return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, "
+               "5126)";
+    if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
+        return "its accessor has another count than that of POSITION";
+    return find_bytes(r, accessor, count, made);
+}
+
+/* One number, little endian. Of the signed ones the least but one is -1. */
+static float number_at(const Accessor *a, const unsigned char *at)
+{
+    const unsigned word =
+        a->component == SHORT || a->component == UNSIGNED_SHORT ? at[0] | (unsigned)at[1] << 8 : 0;
+    const float by = a->normalized ? 1 : 0;
+    float value;
+    switch (a->component) {
+    case BYTE:
+        value = (float)(at[0] ^ 0x80) - 0x80;
+        return by ? fmaxf(value / INT8_MAX, -1) : value;
+    case UNSIGNED_BYTE:
+        return by ? (float)at[0] / UINT8_MAX : at[0];
+    case SHORT:
+        value = (float)(word ^ 0x8000) - 0x8000;
+        return by ? fmaxf(value / INT16_MAX, -1) : value;
+    case UNSIGNED_SHORT:
+        return by ? (float)word / UINT16_MAX : (float)word;
+    default:
+        memcpy(&value, at, sizeof value);
+        return value;
+    }
+}
+
+static void put_numbers(const Accessor *a, size_t count, float (*to)[LANES])
+{
+    const size_t size = bytes_of(a->component);
+    for (size_t i = 0; i < count; i++) {
+        to[i][LANES - 1] = 1;
+        for (int lane = 0; lane < a->lanes; lane++)
+            to[i][lane] = a->at ? number_at(a, a->at + i * a->stride + (size_t)lane * size) : 0;
+    }
+}
+
+/* So many values of so many bytes, close together, of a part of a sparse accessor; NULL: `why`. */
+static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size_t size,
+                                         const char **why)
+{
+    GltfBytes bytes;
+    const size_t offset = gltf_file_whole(gltf_file_value(part, "byteOffset"), 0);
+    if (!gltf_file_view(&r->place, gltf_file_value(part, "bufferView"), &bytes, why))
+        return NULL;
+    *why = "its sparse values end behind the end of their bufferView";
+    return offset > bytes.size || size > bytes.size - offset
+               ? NULL
+               : (const unsigned char *)bytes.at + offset;
+}
+
+/* Values of some vertices, by their numbers. NULL, or what is wrong. */
+static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices,
+                              float (*to)[LANES])
+{
+    const Tree *indices = gltf_file_value(a->sparse, "indices");
+    const size_t count = gltf_file_whole(gltf_file_value(a->sparse, "count"), 0);
+    const size_t component = gltf_file_whole(gltf_file_value(indices, "componentType"), 0),
+                 wide = bytes_of(component);
+    const char *why = NULL;
+    if (!count || count > vertices)
+        return "its accessor has more sparse values than vertices, or none";
+    if (component != UNSIGNED_BYTE && component != UNSIGNED_SHORT && component != UNSIGNED_INT)
+        return "its sparse indices' componentType is none of 5121, 5123, 5125";
+    const unsigned char *number = sparse_bytes(r, indices, count * wide, &why);
+    Accessor values = *a;
+    values.stride = bytes_of(a->component) * (size_t)a->lanes;
+    values.at =
+        number ? sparse_bytes(r, gltf_file_value(a->sparse, "values"), count * values.stride, &why)
+               : NULL;
+    if (!values.at)
+        return why;
+    for (size_t i = 0; i < count; i++, number += wide, values.at += values.stride) {
+        uint32_t vertex = 0;
+        for (size_t byte = 0; byte < wide; byte++)
+            vertex |= (uint32_t)number[byte] << 8 * byte;
+        if (vertex >= vertices)
+            return "its sparse indices are beyond its vertices";
+        put_numbers(&values, 1, &to[vertex]);
+    }
+    return NULL;
+}
+
+/* The number of a name, "_WETNESS" being "wetness"; SHAPE_NAMED: so many came before it. */
+static int place_of(Reader *r, const char *key)
+{
+    char name[SHAPE_NAME] = "";
+    for (size_t i = 0; i + 1 < SHAPE_NAME && key[i + 1]; i++)
+        name[i] =
+            (char)(key[i + 1] >= 'A' && key[i + 1] <= 'Z' ? key[i + 1] - 'A' + 'a' : key[i + 1]);
+    int i = 0;
+    while (i < SHAPE_NAMED && r->made->names[i][0] && strcmp(r->made->names[i], name) != 0)
+        i++;
+    if (i < SHAPE_NAMED)
+        memcpy(r->made->names[i], name, sizeof name);
+    return i;
+}
+
+static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
+{
+    Accessor accessor;
+    const int place = place_of(r, member->key);
+    if (place == SHAPE_NAMED)
+        return true;
+    if (primitive->values[place])
+        return fail(r, member->key, "two names that differ in capitals alone");
+    const char *why = find_accessor(r, member->value, primitive->vertex_count, &accessor);
+    if (why)
+        return fail(r, member->key, why);
+    primitive->values[place] =
+        arena_alloc(r->place.session->arena, primitive->vertex_count * sizeof(float[LANES]));
+    put_numbers(&accessor, primitive->vertex_count, primitive->values[place]);
+    why = accessor.sparse
+              ? put_sparse(r, &accessor, primitive->vertex_count, primitive->values[place])
+              : NULL;
+    return !why || fail(r, member->key, why);
+}
+
+/* A name that a formula can ask for. */
+static bool is_own(const Member *member)
+{
+    return member->key[0] == '_' && member->key[1] && member->size < SHAPE_NAME;
+}
+
+/* Room beside its texture coordinates, and its vertices. */
+static bool begin(Reader *r, const Tree *attributes, const char *name, ModelPrimitive *primitive)
+{
+    static const char *const sets[MODEL_COORDINATES] = {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2",
+                                                        "TEXCOORD_3", "TEXCOORD_4", "TEXCOORD_5",
+                                                        "TEXCOORD_6", "TEXCOORD_7"};
+    int count = 0;
+    while (count < MODEL_COORDINATES && tree_find(attributes, sets[count]))
+        count++;
+    if (count == MODEL_COORDINATES)
+        return fail(r, name, "no room for it beside eight sets of texture coordinates");
+    const Tree *position = gltf_file_item(
+        r->root, "accessors", gltf_file_whole(gltf_file_value(attributes, "POSITION"), SIZE_MAX));
+    primitive->vertex_count = gltf_file_whole(gltf_file_value(position, "count"), 0);
+    if (!primitive->vertex_count)
+        return fail(r, name, "its primitive has no POSITION");
+    if (primitive->vertex_count > MODEL_VERTICES ||
+        (r->vertices += primitive->vertex_count) > MODEL_VERTICES)
+        return fail(r, name, "more vertices than are drawn");
+    return true;
+}
+
+static bool read_primitive(Reader *r, const Tree *attributes)
+{
+    ModelPrimitive primitive = {0};
+    const uint32_t count = attributes && attributes->kind == TREE_object ? attributes->count : 0;
+    for (uint32_t i = 0; i < count; i++) {
+        const Member *member = &attributes->members[i];
+        if (is_own(member) &&
+            ((!primitive.vertex_count && !begin(r, attributes, member->key, &primitive)) ||
+             !read_one(r, member, &primitive)))
+            return false;
+    }
+    ARENA_PUSH(r->place.session->arena, r->made->primitives, r->made->count, r->made->room,
+               primitive);
+    return true;
+}
+
+static bool read_meshes(Reader *r)
+{
+    const Tree *mesh;
+    for (size_t m = 0; (mesh = gltf_file_item(r->root, "meshes", m)); m++) {
+        const Tree *primitive;
+        for (size_t p = 0; (primitive = gltf_file_item(mesh, "primitives", p)); p++) {
+            snprintf(r->where, sizeof r->where, "meshes/%zu/primitives/%zu", m, p);
+            if (!read_primitive(r, gltf_file_value(primitive, "attributes")))
+                return false;
+        }
+    }
+    return true;
+}
+
+/* As large as a mesh's file may be; below the root that `user` is. */
+static char *read_file(void *user, const char *path, size_t *size, const char **why)
+{
+    struct stat info;
+    const int descriptor = root_open(user, path, why);
+    FILE *file =
+        descriptor >= 0 && !fstat(descriptor, &info) && info.st_size <= (off_t)MODEL_FILE_MIB << 20
+            ? fdopen(descriptor, "rb")
+            : NULL;
+    char *text = file ? malloc((size_t)info.st_size + 1) : NULL;
+    *why = "no such file, or it is too large";
+    if (text) {
+        *size = fread(text, 1, (size_t)info.st_size, file);
+        text[*size] = 0;
+    }
+    if (file)
+        fclose(file);
+    else if (descriptor >= 0)
+        close(descriptor);
+    return text;
+}
+
+/* Most files have none, and their JSON may be long. */
+static bool may_have(const ModelSource *source)
+{
+    size_t size = 0, at = 0;
+    const char *why;
+    char *text = read_file((void *)source->root, source->path, &size, &why);
+    while (text && at + 1 < size && (text[at] != '"' || text[at + 1] != '_'))
+        at++;
+    free(text);
+    return at + 1 < size;
+}
+
+bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
+                           char *error, size_t room)
+{
+    GltfFiles files = {0};
+    MatcOptions options;
+    const char *path = source->path, *dot = strrchr(path, '.'), *why;
+    *made = (ModelAttributes){0};
+    if (!dot || (strcmp(dot, ".gltf") != 0 && strcmp(dot, ".glb") != 0) || !may_have(source))
+        return true;
+    matc_options_init(&options);
+    options.read_file = read_file;
+    options.user = (void *)source->root;
+    Session session = session_open(&options, arena);
+    Reader r = {.place = {&session, &files, path}, .made = made, .error = error, .room = room};
+    r.root = gltf_file_root(&r.place, &why);
+    if (!r.root)
+        return message_fail(error, room, "%s",
+                            session.diags.count ? session.diags.at[0].message : why);
+    return read_meshes(&r);
+}

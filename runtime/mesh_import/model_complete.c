@@ -1,0 +1,250 @@
+/* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates,
+ * normals, tangents. */
+#include "runtime/mesh_import/model_sides.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define PI 3.14159265358979323846
+
+static const char *find_fault(const Shape *shape)
+{
+    if (shape->vertex_count < 3 || shape->index_count < 3)
+        return "it has no triangle";
+    if (shape->index_count % 3)
+        return "its last triangle lacks corners";
+    for (int i = 0; i < shape->index_count; i++)
+        if (shape->indices[i] >= (uint32_t)shape->vertex_count)
+            return "a triangle has a corner that is not there";
+    for (int i = 0; i < shape->vertex_count; i++)
+        for (int k = 0; k < 3; k++)
+            if (!(fabsf(shape->vertices[i].position[k]) < 1e18f))
+                return "a position is no number, or not below 1e18";
+    return NULL;
+}
+
+static void subtract(const float a[3], const float b[3], float out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[k] - b[k];
+}
+
+static void cross(const float a[3], const float b[3], float out[3])
+{
+    for (int k = 0; k < 3; k++)
+        out[k] = a[(k + 1) % 3] * b[(k + 2) % 3] - a[(k + 2) % 3] * b[(k + 1) % 3];
+}
+
+static float dot(const float a[3], const float b[3])
+{
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* False: it has no length, or is no number, and stays as it was. */
+static bool normalize(float v[3])
+{
+    float length = sqrtf(dot(v, v));
+    if (!(length > 1e-20f) || !isfinite(length))
+        return false;
+    for (int k = 0; k < 3; k++)
+        v[k] /= length;
+    return true;
+}
+
+/* Into the unit sphere around the origin; gives the factor that takes it back to its size. 0: all
+ * its points are one. */
+static float fit(Shape *shape)
+{
+    float low[3], high[3];
+    memcpy(low, shape->vertices[0].position, sizeof low);
+    memcpy(high, low, sizeof high);
+    for (int i = 1; i < shape->vertex_count; i++)
+        for (int k = 0; k < 3; k++) {
+            low[k] = fminf(low[k], shape->vertices[i].position[k]);
+            high[k] = fmaxf(high[k], shape->vertices[i].position[k]);
+        }
+    float size[3];
+    subtract(high, low, size);
+    const float half = sqrtf(dot(size, size)) / 2;
+    for (int i = 0; i < shape->vertex_count && half > 0; i++)
+        for (int k = 0; k < 3; k++)
+            shape->vertices[i].position[k] =
+                (shape->vertices[i].position[k] - (low[k] / 2 + high[k] / 2)) / half;
+    return half;
+}
+
+/* As on the sphere, seen from the middle. */
+static void make_coordinates(Shape *shape)
+{
+    for (int i = 0; i < shape->vertex_count; i++) {
+        ShapeVertex *vertex = &shape->vertices[i];
+        const float *p = vertex->position;
+        float turn = atan2f(p[1], p[0]) / (float)(2 * PI);
+        vertex->uv[0] = turn < 0 ? turn + 1 : turn;
+        vertex->uv[1] = atan2f(p[2], hypotf(p[0], p[1])) / (float)PI + 0.5f;
+    }
+}
+
+/* The mean of the faces that meet at a vertex, each by its area: the length of its edges' cross
+ * product. */
+static void make_normals(Shape *shape)
+{
+    for (int i = 0; i < shape->vertex_count; i++)
+        memset(shape->vertices[i].normal, 0, sizeof shape->vertices[i].normal);
+    for (int i = 0; i < shape->index_count; i += 3) {
+        ShapeVertex *corner[3];
+        float a[3], b[3], normal[3];
+        for (int k = 0; k < 3; k++)
+            corner[k] = &shape->vertices[shape->indices[i + k]];
+        subtract(corner[1]->position, corner[0]->position, a);
+        subtract(corner[2]->position, corner[0]->position, b);
+        cross(a, b, normal);
+        for (int k = 0; k < 9; k++)
+            corner[k / 3]->normal[k % 3] += normal[k % 3];
+    }
+}
+
+/* Of unit length; upwards where there is none to be had. */
+static void mend_normals(Shape *shape)
+{
+    static const float up[3] = {0, 0, 1};
+    for (int i = 0; i < shape->vertex_count; i++)
+        if (!normalize(shape->vertices[i].normal))
+            memcpy(shape->vertices[i].normal, up, sizeof up);
+}
+
+/* Of a vertex: how many triangles gave it tangents; by how much more of their area those turn right
+ * around its normal than left. */
+typedef struct {
+    int faces;
+    float turn;
+} Tally;
+
+/* dP/du and dP/dv of a triangle, added to its corners. With edges a and b, and (s, t) and (p, q)
+ * their steps in u and v:
+ *   a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D, D = s q - t
+ * p Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu =
+ * a, Pv = b. */
+static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
+{
+    float a[3], b[3], out[3];
+    subtract(corner[1]->position, corner[0]->position, a);
+    subtract(corner[2]->position, corner[0]->position, b);
+    cross(a, b, out);
+    const float s = corner[1]->uv[0] - corner[0]->uv[0], t = corner[1]->uv[1] - corner[0]->uv[1];
+    const float p = corner[2]->uv[0] - corner[0]->uv[0], q = corner[2]->uv[1] - corner[0]->uv[1];
+    const float d = model_area(corner[0]->uv, corner[1]->uv, corner[2]->uv);
+    if (d == 0)
+        return;
+    for (int i = 0; i < 9; i++) {
+        const int c = i / 3, k = i % 3;
+        corner[c]->tangentU[k] += (q * a[k] - t * b[k]) / d;
+        corner[c]->tangentV[k] += (s * b[k] - p * a[k]) / d;
+    }
+    for (int c = 0; c < 3; c++) {
+        tally[c]->faces++;
+        tally[c]->turn += copysignf(1, d) * dot(out, corner[c]->normal);
+    }
+}
+
+/* Their mean, in the plane of the normal. What has no direction there, or turns the other way than
+ * its triangles, as it may around a pole, becomes the frame that goes on from the normal. */
+static void mend_tangents(ShapeVertex *vertex, const Tally *tally)
+{
+    const float *n = vertex->normal, side = tally->turn < 0 ? -1 : 1;
+    float *tangents[2] = {vertex->tangentU, vertex->tangentV};
+    for (int i = 0; i < 6; i++)
+        tangents[i / 3][i % 3] /= (float)(tally->faces ? tally->faces : 1);
+    for (int i = 0; i < 2; i++) {
+        const float along = dot(tangents[i], n);
+        for (int k = 0; k < 3; k++)
+            tangents[i][k] -= along * n[k];
+    }
+    float out[3];
+    cross(vertex->tangentU, vertex->tangentV, out);
+    if (side * dot(out, n) > 1e-8f && isfinite(dot(out, out)))
+        return;
+    const float *axis = fabsf(n[2]) < 0.9f ? (const float[3]){0, 0, 1} : (const float[3]){1, 0, 0};
+    cross(axis, n, vertex->tangentU);
+    normalize(vertex->tangentU);
+    cross(n, vertex->tangentU, vertex->tangentV);
+    for (int k = 0; k < 3; k++)
+        vertex->tangentV[k] *= side;
+}
+
+static bool make_tangents(Shape *shape)
+{
+    Tally *tallies = calloc((size_t)shape->vertex_count, sizeof *tallies);
+    if (!tallies)
+        return false;
+    for (int i = 0; i < shape->index_count; i += 3) {
+        ShapeVertex *corner[3];
+        Tally *tally[3];
+        for (int k = 0; k < 3; k++) {
+            corner[k] = &shape->vertices[shape->indices[i + k]];
+            tally[k] = &tallies[shape->indices[i + k]];
+        }
+        add_tangents(corner, tally);
+    }
+    for (int i = 0; i < shape->vertex_count; i++)
+        mend_tangents(&shape->vertices[i], &tallies[i]);
+    free(tallies);
+    return true;
+}
+
+/* Coordinates that are no numbers would make tangents that are none. */
+static bool are_finite(const Shape *shape)
+{
+    for (int i = 0; i < shape->vertex_count; i++)
+        if (!(fabsf(shape->vertices[i].uv[0]) < 1e9f && fabsf(shape->vertices[i].uv[1]) < 1e9f))
+            return false;
+    return true;
+}
+
+/* `kept`: NULL, or a row for each vertex and as many again; a vertex that becomes two has its row
+ * twice. */
+static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size,
+                            float (*kept)[3])
+{
+    const char *fault = find_fault(shape);
+    if (fault)
+        return fault;
+    if (has_coordinates && !are_finite(shape))
+        return "a texture coordinate is no number, or not below 1e9";
+    *size = fit(shape);
+    if (!(*size > 0))
+        return "all its corners are one point";
+    if (!has_coordinates)
+        make_coordinates(shape);
+    if (!has_normals)
+        make_normals(shape);
+    mend_normals(shape);
+    return model_part_sides(shape, kept) && make_tangents(shape) ? NULL : "out of memory";
+}
+
+const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    float size;
+    return complete(shape, has_normals, has_coordinates, &size, NULL);
+}
+
+/* What is computed of a mesh is computed at the size of one: whether an area is small is then a
+ * question with an answer. */
+const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
+{
+    float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);
+    if (!kept)
+        return "out of memory";
+    for (int i = 0; i < shape->vertex_count; i++)
+        memcpy(kept[i], shape->vertices[i].position, sizeof *kept);
+    const char *fault = complete(shape, has_normals, has_coordinates, &size, kept);
+    for (int i = 0; !fault && i < shape->vertex_count; i++) {
+        memcpy(shape->vertices[i].position, kept[i], sizeof *kept);
+        for (int k = 0; k < 3; k++) {
+            shape->vertices[i].tangentU[k] *= size;
+            shape->vertices[i].tangentV[k] *= size;
+        }
+    }
+    free(kept);
+    return fault;
+}

@@ -1,0 +1,47 @@
+/* The buffers of a .gltf or .glb file, whose addresses are relative to it. Data within the file,
+ * places of the net and whatever is wrong are passed over: reading the mesh says what is wrong. An
+ * address is taken as it is, %20 too, as assimp 5.2 takes it. */
+#include "compiler/base/file.h"
+#include "compiler/base/text.h"
+#include "compiler/front/gltf_chunks.h"
+#include "runtime/mesh_import/model.h"
+#include <cjson/cJSON.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LONGEST_PATH = 4096 };
+
+/* The file that an address beside `path` names; false: it is none. */
+static bool file_beside(const char *path, const char *uri, char *to, size_t room)
+{
+    const char *slash = strrchr(path, '/');
+    if (!*uri || strchr(uri, ':'))
+        return false;
+    const int folder = slash && uri[0] != '/' ? (int)(slash - path) + 1 : 0;
+    const int size = snprintf(to, room, "%.*s%s", folder, path, uri);
+    return size > 0 && (size_t)size < room;
+}
+
+void model_files(const char *path, WatchList *files)
+{
+    const char *dot = strrchr(path, '.'), *why;
+    char file[LONGEST_PATH];
+    size_t size = 0;
+    const bool binary = dot && text_same(dot, ".glb");
+    char *text = dot && (binary || text_same(dot, ".gltf")) ? file_read(path, &size, &why) : NULL;
+    Arena arena = {0};
+    GltfChunks chunks = {.text = text, .size = size};
+    const bool whole = text && (!binary || !gltf_chunks_of(&arena, text, size, &chunks));
+    cJSON *json = whole ? cJSON_ParseWithLength(chunks.text, chunks.size) : NULL;
+    const cJSON *buffer;
+    cJSON_ArrayForEach(buffer, cJSON_GetObjectItem(json, "buffers"))
+    {
+        const char *uri = cJSON_GetStringValue(cJSON_GetObjectItem(buffer, "uri"));
+        if (uri && file_beside(path, uri, file, sizeof file))
+            watch_list_add(files, file);
+    }
+    cJSON_Delete(json);
+    arena_free(&arena);
+    free(text);
+}

@@ -1,0 +1,53 @@
+/* What a scene says of indirect light. */
+#include "runtime/scene_reader/scene_part.h"
+
+static Word word_of(const SceneThing *thing, int param)
+{
+    return (Word)scene_thing_number(thing, param);
+}
+static int whole_of(const SceneThing *thing, int param)
+{
+    return (int)scene_thing_number(thing, param);
+}
+static bool is_so(const SceneThing *thing, int param)
+{
+    return scene_thing_number(thing, param) != 0;
+}
+
+/* Without the key all is as it would be with it, but that no method is in use: --indirect may name
+ * one. */
+void scene_indirect_read(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_indirect, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_indirect, &thing))
+        return;
+    scene_thing_preset(&thing, word_of(&thing, S_Indirect_preset));
+    r->scene->indirect = (SceneIndirect){
+        .method = tree ? word_of(&thing, S_Indirect_method) : WORD_Indirect_none,
+        .rays = whole_of(&thing, S_Indirect_rays),
+        .samples = whole_of(&thing, S_Indirect_samples),
+        .history = whole_of(&thing, S_Indirect_history),
+        .error = scene_thing_number(&thing, S_Indirect_error),
+        .steps = whole_of(&thing, S_Indirect_steps),
+        .radius = scene_thing_number(&thing, S_Indirect_radius),
+        .offset = scene_thing_number(&thing, S_Indirect_offset),
+        .thickness = scene_thing_number(&thing, S_Indirect_thickness),
+        .filter = word_of(&thing, S_Indirect_filter),
+        .filter_size = whole_of(&thing, S_Indirect_filterSize),
+        .coarse = 1 << (word_of(&thing, S_Indirect_resolution) - WORD_Resolution_full),
+        .moving = 1 << (word_of(&thing, S_Indirect_moving) - WORD_Resolution_full),
+        .contrast = scene_thing_number(&thing, S_Indirect_contrast),
+        .weight = word_of(&thing, S_Indirect_weight),
+        .distribution = word_of(&thing, S_Indirect_distribution),
+        .sequence = word_of(&thing, S_Indirect_sequence),
+        .rotation = word_of(&thing, S_Indirect_rotation),
+        .march = word_of(&thing, S_Indirect_march),
+        .jitter = is_so(&thing, S_Indirect_jitter),
+        .checked = is_so(&thing, S_Indirect_checked),
+        .directional = is_so(&thing, S_Indirect_directional),
+        .dims_direct = is_so(&thing, S_Indirect_dimsDirect),
+        .bounces = whole_of(&thing, S_Indirect_bounces),
+        .gain = scene_thing_number(&thing, S_Indirect_gain)};
+}

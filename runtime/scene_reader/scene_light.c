@@ -1,0 +1,96 @@
+/* Reads lights: what all kinds share here, the rest by the row of the kind. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene_reader/scene_part.h"
+#include <string.h>
+
+/* The sky is read already. */
+static void read_sky(SceneReader *r, const SceneThing *thing, const double light[3])
+{
+    for (int i = 0; i < 3; i++)
+        r->scene->sky_light[i] += light[i];
+    if (r->scene->sky >= 0)
+        return;
+    diag_add(r->session, thing->tree->span, DIAG_scene_no_sky);
+    r->fine = false;
+}
+
+/* The parameter of the kind with that name; -1: it has none. */
+static int find_param(SceneKind kind, const char *name)
+{
+    const SceneKindRow *row = &scene_kind_table[kind];
+    for (int i = row->first; i < row->first + row->count; i++)
+        if (!strcmp(scene_param_table[i].param.name, name))
+            return i;
+    return -1;
+}
+
+static LightParams params_of(const SceneThing *thing)
+{
+    const SceneKindRow *row = &scene_kind_table[thing->kind];
+    LightParams params = {.kind = thing->kind};
+    for (int i = 0; i < row->count; i++) {
+        const SceneParamRow *param = &scene_param_table[row->first + i];
+        if (param->value == SCENE_VALUE_plain && param->param.lanes == 3)
+            scene_thing_vector(thing, row->first + i, params.at[i]);
+        else if (param->value == SCENE_VALUE_plain)
+            params.at[i][0] = scene_thing_number(thing, row->first + i);
+    }
+    return params;
+}
+
+static void fail(SceneReader *r, const SceneThing *thing, const LightFault *fault)
+{
+    diag_add(r->session, scene_thing_span(thing, fault->param), fault->diag, fault->text);
+    r->fine = false;
+}
+
+/* The parameters that kinds share, of which each has some. */
+static void read_shared(SceneReader *r, const SceneThing *thing, const LightParams *params,
+                        SceneLight *light)
+{
+    const int position = find_param(thing->kind, "position"),
+              direction = find_param(thing->kind, "direction"),
+              shadows = find_param(thing->kind, "shadows"), name = find_param(thing->kind, "name");
+    const double *color = light_params_at(params, find_param(thing->kind, "color"));
+    for (int i = 0; i < 3; i++)
+        light->light[i] = color[i] * *light_params_at(params, find_param(thing->kind, "intensity"));
+    if (name >= 0)
+        light->name = scene_thing_name(r, scene_thing_given(thing, name));
+    if (position >= 0)
+        memcpy(light->position, light_params_at(params, position), sizeof light->position);
+    if (direction >= 0)
+        memcpy(light->direction, light_params_at(params, direction), sizeof light->direction);
+    if (direction >= 0 && !scene_vector_normalize(light->direction))
+        fail(r, thing, &(LightFault){DIAG_no_direction, direction, "direction"});
+    if (shadows >= 0)
+        light->shadows = (Word)*light_params_at(params, shadows);
+    if (!scene_light_takes(light, light->shadows))
+        fail(r, thing, &(LightFault){DIAG_scene_soft, shadows, scene_shadows_name(light->shadows)});
+}
+
+static void read_light(SceneReader *r, const SceneThing *thing)
+{
+    const LightParams params = params_of(thing);
+    Scene *scene = r->scene;
+    SceneLight light = {.kind = thing->kind, .direction = {0, 0, -1}, .shadows = WORD_Shadows_none};
+    const LightKind *row = light_kind_of(&light);
+    LightFault fault;
+    read_shared(r, thing, &params, &light);
+    if (row->from == LIGHT_FROM_sky) {
+        read_sky(r, thing, light.light);
+        return;
+    }
+    if (row->read && !row->read(&params, &light, &fault))
+        fail(r, thing, &fault);
+    size_t count = (size_t)scene->light_count;
+    ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
+    scene->light_count = (int)count;
+}
+
+void scene_lights_read(SceneReader *r, const Tree *list)
+{
+    SceneThing thing;
+    for (uint32_t i = 0; i < list->count; i++)
+        if (scene_thing_read(r, list->items[i], SCENE_SORT_light, &thing))
+            read_light(r, &thing);
+}

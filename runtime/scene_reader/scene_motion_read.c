@@ -1,0 +1,77 @@
+/* Reads how the camera moves from frame to frame. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene_reader/scene_part.h"
+#include <math.h>
+
+#define RADIANS (3.14159265358979323846 / 180)
+
+enum { LEAST_KEYS = 2 };
+
+static bool fault(SceneReader *r, Span span, const char *what)
+{
+    diag_add(r->session, span, DIAG_scene_path, what);
+    return r->fine = false;
+}
+
+static bool read_turntable(SceneReader *r, const SceneThing *thing, SceneMotion *motion)
+{
+    motion->frames = (int)scene_thing_number(thing, S_Turntable_frames);
+    motion->angle = scene_thing_number(thing, S_Turntable_degrees) * RADIANS;
+    scene_thing_vector(thing, S_Turntable_axis, motion->axis);
+    if (scene_vector_normalize(motion->axis))
+        return true;
+    diag_add(r->session, scene_thing_span(thing, S_Turntable_axis), DIAG_no_direction, "axis");
+    return r->fine = false;
+}
+
+static bool read_key(SceneReader *r, Tree *tree, SceneMotion *motion, size_t *room)
+{
+    SceneThing thing;
+    SceneKey key;
+    if (!scene_thing_read(r, tree, SCENE_SORT_key, &thing))
+        return false;
+    key.time = scene_thing_number(&thing, S_Key_time);
+    scene_thing_vector(&thing, S_Key_position, key.position);
+    scene_thing_vector(&thing, S_Key_target, key.target);
+    if (motion->key_count && key.time <= motion->keys[motion->key_count - 1].time)
+        return fault(r, scene_thing_span(&thing, S_Key_time), "the times of keys rise");
+    size_t count = (size_t)motion->key_count;
+    ARENA_PUSH(r->session->arena, motion->keys, count, *room, key);
+    motion->key_count = (int)count;
+    return true;
+}
+
+static bool read_path(SceneReader *r, const SceneThing *thing, SceneMotion *motion)
+{
+    const Tree *keys = scene_thing_given(thing, S_Path_keys);
+    size_t room = 0;
+    motion->frames = (int)scene_thing_number(thing, S_Path_frames);
+    for (uint32_t i = 0; keys && i < keys->count; i++)
+        if (!read_key(r, keys->items[i], motion, &room))
+            return false;
+    return motion->key_count >= LEAST_KEYS ||
+           fault(r, scene_thing_span(thing, S_Path_keys), "a path has two keys or more");
+}
+
+/* The camera can be lost on the way: where it meets its target, or looks straight up. */
+static void check_frames(SceneReader *r, const Tree *tree)
+{
+    SceneMotion *motion = &r->scene->motion;
+    SceneCamera camera;
+    for (int frame = 0; frame < motion->frames; frame++)
+        if (!scene_motion_camera(r->scene, frame, motion->frames, &camera)) {
+            fault(r, tree->span, "the camera has no direction in some frame, or up is along it");
+            return;
+        }
+}
+
+void scene_motion_read(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    SceneMotion *motion = &r->scene->motion;
+    if (!scene_thing_read(r, tree, SCENE_SORT_motion, &thing))
+        return;
+    motion->kind = thing.kind;
+    if ((thing.kind == SCENE_Turntable ? read_turntable : read_path)(r, &thing, motion) && r->fine)
+        check_frames(r, tree);
+}

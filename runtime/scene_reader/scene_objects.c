@@ -1,0 +1,449 @@
+/* The hierarchy of objects as a flat list: each with its matrix to the world, and its material. */
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene_reader/scene_part.h"
+#include "runtime/tessellate/scene_scatter.h"
+#include "runtime/scene_reader/scene_stand.h"
+#include <math.h>
+#include <string.h>
+
+/* What a group gives to what is in it. */
+typedef struct {
+    SceneMatrix world_from_group;
+    int material;     /* -1: none */
+    int depth;        /* groups and instances around it */
+    const char *name; /* of these, joined by '/'; NULL: none has one */
+} Around;
+
+/* Where the rows of a kind have what every object has, and its own numbers. */
+typedef struct {
+    int transform, material, name;
+    int numbers[3], lanes; /* params, of so many lanes each; -1: no more */
+} ObjectRow;
+
+static const ObjectRow rows[SCENE_KIND_COUNT] = {
+    [SCENE_Group] = {S_Group_transform, S_Group_material, S_Group_name, {-1}, 0},
+    [SCENE_Scatter] = {S_Scatter_transform, S_Scatter_material, S_Scatter_name, {-1}, 0},
+    [SCENE_Instance] = {S_Instance_transform, S_Instance_material, S_Instance_name, {-1}, 0},
+    [SCENE_Sphere] = {S_Sphere_transform,
+                      S_Sphere_material,
+                      S_Sphere_name,
+                      {S_Sphere_radius, S_Sphere_detail, -1},
+                      1},
+    [SCENE_Box] = {S_Box_transform, S_Box_material, S_Box_name, {S_Box_size, -1}, 3},
+    [SCENE_Cylinder] = {S_Cylinder_transform,
+                        S_Cylinder_material,
+                        S_Cylinder_name,
+                        {S_Cylinder_radius, S_Cylinder_height, S_Cylinder_detail},
+                        1},
+    [SCENE_Cone] = {S_Cone_transform,
+                    S_Cone_material,
+                    S_Cone_name,
+                    {S_Cone_radius, S_Cone_height, S_Cone_detail},
+                    1},
+    [SCENE_Parallelogram] = {S_Parallelogram_transform,
+                             S_Parallelogram_material,
+                             S_Parallelogram_name,
+                             {S_Parallelogram_u, S_Parallelogram_v, -1},
+                             3},
+    [SCENE_Plane] = {S_Plane_transform, S_Plane_material, S_Plane_name, {-1}, 0},
+    [SCENE_Mesh] = {S_Mesh_transform, S_Mesh_material, S_Mesh_name, {-1}, 0},
+};
+
+static bool fault(SceneReader *r, Span span, DiagKind kind, const char *what)
+{
+    diag_add(r->session, span, kind, what);
+    return r->fine = false;
+}
+
+static void read_numbers(const SceneThing *thing, SceneObject *object)
+{
+    const ObjectRow *row = &rows[thing->kind];
+    for (int i = 0; i < 3 && row->numbers[i] >= 0; i++)
+        if (row->lanes == 3)
+            scene_thing_vector(thing, row->numbers[i], object->numbers + 3 * i);
+        else
+            object->numbers[i] = scene_thing_number(thing, row->numbers[i]);
+}
+
+/* How far its own numbers lead it along an axis; the matrix takes that further. */
+static double reach_of(const SceneObject *object)
+{
+    double reach = 1;
+    for (int i = 0; i < SCENE_NUMBERS; i++)
+        reach = fmax(reach, fabs(object->numbers[i]));
+    return reach;
+}
+
+/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to
+ * stay at a right angle. */
+static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+{
+    const SceneMatrix *m = &object->world_from_local;
+    const double reach = reach_of(object);
+    const Span span = scene_thing_span(thing, rows[thing->kind].transform);
+    double x[3], y[3], z[3];
+    memcpy(x, m->m, sizeof x);
+    memcpy(y, m->m + 4, sizeof y);
+    memcpy(z, m->m + 8, sizeof z);
+    for (int i = 0; i < 16; i++)
+        if (!(fabs(m->m[i]) * (i < 12 ? reach : 1) < 1e30))
+            return fault(r, span, DIAG_scene_flat, "the transformation leads too far away");
+    if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
+        return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
+    const double axes[3][3] = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}};
+    double cross[3];
+    scene_vector_cross(axes[1], axes[2], cross);
+    if (fabs(scene_vector_dot(axes[0], cross)) < 1e-9)
+        return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
+    if (thing->kind == SCENE_Plane && fabs(scene_vector_dot(x, y)) > 1e-6)
+        return fault(r, span, DIAG_scene_flat,
+                     "the transformation leaves x and y of a plane at no right angle");
+    return true;
+}
+
+static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
+{
+    return thing->kind != SCENE_Parallelogram ||
+           scene_vector_span(object->numbers, object->numbers + 3) ||
+           fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat,
+                 "u and v span nothing");
+}
+
+/* Its own, or that of what is around it. */
+static int material_of(SceneReader *r, const SceneThing *thing, int around)
+{
+    Tree *given = scene_thing_given(thing, rows[thing->kind].material);
+    return given ? scene_material_read(r, given) : around;
+}
+
+static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *key)
+{
+    diag_add(r->session, thing->tree->span, DIAG_missing_key, scene_kind_table[thing->kind].name,
+             key);
+    return r->fine = false;
+}
+
+/* The names of the groups around it and its own, joined by '/': lamps/bulb. NULL: there are
+ * none. */
+static const char *name_of(SceneReader *r, const SceneThing *thing, const char *around)
+{
+    const Tree *given = scene_thing_given(thing, rows[thing->kind].name);
+    const char *own = scene_thing_name(r, given);
+    if (!own || !around)
+        return own ? own : around;
+    Text joined = text_new(r->session->arena);
+    text_format(&joined, "%s/%s", around, own);
+    return joined.at;
+}
+
+static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
+{
+    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    *mesh = file ? scene_mesh_read(r, file) : -1;
+    return thing->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, thing, "file"));
+}
+
+/* Told once. */
+static bool add_plane(SceneReader *r, const SceneThing *thing)
+{
+    if (r->plane_count > SCENE_PLANES)
+        return false;
+    ARENA_PUSH(r->session->arena, r->planes, r->plane_count, r->plane_room, r->scene->object_count);
+    if (r->plane_count <= SCENE_PLANES)
+        return true;
+    diag_add(r->session, thing->tree->span, DIAG_too_many_planes, SCENE_PLANES);
+    return r->fine = false;
+}
+
+static bool fault_many(SceneReader *r, Span span)
+{
+    diag_add(r->session, span, DIAG_too_many_objects, SCENE_OBJECTS);
+    return r->fine = false;
+}
+
+/* Whether there is room for one more; it is told once that there is none. */
+static bool count_thing(SceneReader *r, Span span)
+{
+    if (r->things > SCENE_OBJECTS)
+        return false;
+    return ++r->things <= SCENE_OBJECTS || fault_many(r, span);
+}
+
+static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject object)
+{
+    Scene *scene = r->scene;
+    if (!scene_triangles_add(r, thing, &object))
+        return false;
+    size_t count = (size_t)scene->object_count;
+    r->origin_count = count; /* of objects that were no part of the scene, others are gone */
+    ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_room, thing->tree->span);
+    ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
+    scene->object_count = (int)count;
+    return true;
+}
+
+/* A mesh of a file with materials, which nothing around it and not the document gives one: an
+ * object for each. */
+static bool is_in_parts(const SceneThing *thing, int material)
+{
+    const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
+    const char *dot = file && file->kind == TREE_scalar ? strrchr(file->text, '.') : NULL;
+    return dot && (!strcmp(dot, ".gltf") || !strcmp(dot, ".glb")) && material < 0 &&
+           !scene_thing_given(thing, S_Mesh_material);
+}
+
+static bool add_parts(SceneReader *r, const SceneThing *thing, SceneObject object)
+{
+    const Tree *file = scene_thing_given(thing, S_Mesh_file);
+    int first;
+    const int count = scene_mesh_read_parts(r, file, &first);
+    for (int i = first; i < first + count; i++) {
+        object.mesh = i;
+        object.material = scene_material_read_of(r, file, r->scene->meshes[i].part);
+        if (object.material < 0 || (i > first && !count_thing(r, thing->tree->span)) ||
+            !push_object(r, thing, object))
+            return false;
+    }
+    return count >= 0;
+}
+
+static bool add_object(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    const bool round =
+        thing->kind == SCENE_Sphere || thing->kind == SCENE_Cylinder || thing->kind == SCENE_Cone;
+    SceneObject object = {.kind = thing->kind,
+                          .name = around->name,
+                          .adapts = round && !tree_find(thing->tree, "detail"),
+                          .world_from_local = around->world_from_group};
+    read_numbers(thing, &object);
+    object.material = around->material;
+    if (!check_matrix(r, thing, &object) || !check_parallelogram(r, thing, &object))
+        return false;
+    if (is_in_parts(thing, object.material))
+        return add_parts(r, thing, object);
+    if (!find_mesh(r, thing, &object.mesh))
+        return false;
+    if (object.material < 0)
+        return scene_thing_given(thing, rows[thing->kind].material)
+                   ? r->fine
+                   : fault_missing(r, thing, "material");
+    return (thing->kind != SCENE_Plane || r->aside || add_plane(r, thing)) &&
+           push_object(r, thing, object);
+}
+
+static void read_list(SceneReader *r, const Tree *list, const Around *around);
+static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
+static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
+
+/* A place of the outermost list, where the origin may be: scene_origin.c. */
+static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix *matrix)
+{
+    Scene *scene = r->scene;
+    size_t count = (size_t)scene->root_count;
+    SceneRoot root = {.number = scene->root_count, .plane = thing->kind == SCENE_Plane};
+    memcpy(root.at, matrix->m + 12, sizeof root.at);
+    ARENA_PUSH(r->session->arena, scene->roots, count, r->root_room, root);
+    scene->root_count = (int)count;
+}
+
+/* What is wrong with an object is told once, however often it is met. */
+static void read_object(SceneReader *r, Tree *tree, const Around *around)
+{
+    SceneThing thing;
+    if (!scene_thing_read(r, tree, SCENE_SORT_object, &thing))
+        return;
+    const Transform *transform = scene_thing_transform(&thing, rows[thing.kind].transform);
+    const SceneMatrix own = transform ? scene_matrix_of(transform) : scene_matrix_identity();
+    const Around here = {.world_from_group = scene_matrix_multiply(&around->world_from_group, &own),
+                         .material = material_of(r, &thing, around->material),
+                         .depth = around->depth + 1,
+                         .name = name_of(r, &thing, around->name)};
+    if (around->depth == 0 && !r->aside)
+        add_root(r, &thing, &here.world_from_group);
+    if (here.depth > LIMIT_DEPTH) {
+        diag_add(r->session, tree->span, DIAG_too_deep, LIMIT_DEPTH);
+        tree->failed = true, r->fine = false;
+    } else if (thing.kind == SCENE_Scatter)
+        tree->failed = !read_copies(r, &thing, &here);
+    else if (thing.kind == SCENE_Instance)
+        tree->failed = !read_instance(r, &thing, &here);
+    else if (thing.kind != SCENE_Group)
+        tree->failed = !add_object(r, &thing, &here);
+    else if (scene_thing_given(&thing, S_Group_objects))
+        read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
+}
+
+/* An alias may stand for a list any number of times, in lists that are aliases: what is met is
+ * counted. */
+static void read_list(SceneReader *r, const Tree *list, const Around *around)
+{
+    for (uint32_t i = 0; i < list->count && count_thing(r, list->items[i]->span); i++)
+        read_object(r, list->items[i], around);
+}
+
+/* A definition is open while what is in it is read: what is instanced then contains itself. False:
+ * told. */
+static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    const Tree *name = scene_thing_given(thing, S_Instance_of);
+    Tree *definition = name ? scene_definition_find(r, name) : NULL;
+    if (!name)
+        return fault_missing(r, thing, "of");
+    if (definition && definition->open) {
+        diag_add(r->session, name->span, DIAG_cycle, name->text);
+        return r->fine = false;
+    }
+    if (!definition || !count_thing(r, thing->tree->span))
+        return false;
+    definition->open = true;
+    read_object(r, definition, around);
+    definition->open = false;
+    return true;
+}
+
+static bool has(const SceneThing *thing, const char *key)
+{
+    return tree_find(thing->tree, key) != NULL;
+}
+
+static bool fault_scatter(SceneReader *r, const SceneThing *thing, int param, const char *what)
+{
+    return fault(r, scene_thing_span(thing, param), DIAG_scene_scatter, what);
+}
+
+static bool check_scatter(SceneReader *r, const SceneThing *thing)
+{
+    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
+    if (scene_thing_number(thing, S_Scatter_least) > scene_thing_number(thing, S_Scatter_most))
+        return fault_scatter(r, thing, S_Scatter_least, "the least scale is greater than the most");
+    if (on && has(thing, "size"))
+        return fault_scatter(r, thing, S_Scatter_size,
+                             "copies on a surface stand in no box: `on` or `size`");
+    if (has(thing, "density") && has(thing, "count"))
+        return fault_scatter(r, thing, S_Scatter_density,
+                             "there are as many copies as one says: `density` or `count`");
+    if (!on && has(thing, "density"))
+        return fault_scatter(r, thing, S_Scatter_density, "density is of a surface: it wants `on`");
+    if (!on && has(thing, "aligned"))
+        return fault_scatter(r, thing, S_Scatter_aligned,
+                             "copies are aligned to a surface: it wants `on`");
+    return true;
+}
+
+static bool make_surface(SceneReader *r, const SceneThing *thing, int first, SceneSurface *made)
+{
+    const Scene *scene = r->scene;
+    for (int i = first; i < scene->object_count; i++)
+        if (scene->objects[i].kind == SCENE_Plane)
+            return fault_scatter(r, thing, S_Scatter_on,
+                                 "a plane has no end: copies cannot stand evenly on all of it");
+    if (!scene_surface_make(scene, scene->objects + first, scene->object_count - first, made) ||
+        (r->surface_triangles += made->count) > SCENE_SURFACE_TRIANGLES)
+        return fault_scatter(r, thing, S_Scatter_on,
+                             "surfaces that copies stand on have too many triangles in all");
+    return scene_surface_area(made) > 0 ||
+           fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
+}
+
+/* The objects of a tree, in its own space: they are added, and go with what the caller makes of
+ * object_count. */
+static void read_aside(SceneReader *r, Tree *tree, int depth)
+{
+    const bool before = r->aside;
+    const size_t stands = r->stand_count;
+    r->aside = true;
+    read_object(
+        r, tree,
+        &(Around){.world_from_group = scene_matrix_identity(), .material = 0, .depth = depth});
+    r->aside = before;
+    r->stand_count = stands;
+}
+
+/* Of objects as any, in the copies' space. False: told. */
+static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around,
+                         SceneSurface *made)
+{
+    Scene *scene = r->scene;
+    const int objects = scene->object_count;
+    *made = (SceneSurface){0};
+    if (!count_thing(r, thing->tree->span))
+        return false;
+    read_aside(r, scene_thing_given(thing, S_Scatter_on), around->depth);
+    const bool done = r->fine && make_surface(r, thing, objects, made);
+    if (done)
+        scene_stand_open(r, &around->world_from_group, objects,
+                         scene_thing_number(thing, S_Scatter_aligned) != 0);
+    scene->object_count = objects;
+    return done;
+}
+
+/* Of a density, to the nearest; beyond all that there may be: one more than that. */
+static int copies_of(const SceneThing *thing, const SceneSurface *surface)
+{
+    if (!has(thing, "density"))
+        return (int)scene_thing_number(thing, S_Scatter_count);
+    return (int)fmin(scene_thing_number(thing, S_Scatter_density) * scene_surface_area(surface) +
+                         .5,
+                     SCENE_OBJECTS + 1);
+}
+
+/* What is wrong with one copy is wrong with all. */
+static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around,
+                       const SceneScatter *scatter)
+{
+    const Tree *list = scene_thing_given(thing, S_Scatter_objects);
+    const int count = copies_of(thing, scatter->surface);
+    uint64_t state = (uint64_t)scene_thing_number(thing, S_Scatter_seed);
+    const size_t stand = r->stand_count - 1; /* copies may have surfaces of their own */
+    for (int i = 0; list && i < count && (i == 0 || r->fine) && count_thing(r, thing->tree->span);
+         i++) {
+        SceneStood stood = {.first = r->scene->object_count};
+        scene_scatter_numbers(state, stood.numbers);
+        const SceneMatrix own = scene_scatter_matrix(scatter, &state);
+        const Around here = {.world_from_group =
+                                 scene_matrix_multiply(&around->world_from_group, &own),
+                             .material = around->material,
+                             .depth = around->depth,
+                             .name = around->name};
+        read_list(r, list, &here);
+        stood.end = r->scene->object_count;
+        if (scatter->surface)
+            scene_stand_add(r, stand, &stood);
+    }
+}
+
+/* False: told. */
+static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
+{
+    SceneSurface surface = {0};
+    const bool on = scene_thing_given(thing, S_Scatter_on) != NULL;
+    SceneScatter scatter = {.least = scene_thing_number(thing, S_Scatter_least),
+                            .most = scene_thing_number(thing, S_Scatter_most),
+                            .surface = on ? &surface : NULL,
+                            .aligned = scene_thing_number(thing, S_Scatter_aligned) != 0};
+    scene_thing_vector(thing, S_Scatter_size, scatter.size);
+    scene_thing_vector(thing, S_Scatter_rotation, scatter.rotation);
+    const bool fine = check_scatter(r, thing) && (!on || read_surface(r, thing, around, &surface));
+    if (fine)
+        add_copies(r, thing, around, &scatter);
+    scene_surface_free(&surface);
+    return fine;
+}
+
+void scene_objects_read(SceneReader *r, const Tree *list)
+{
+    read_list(r, list, &(Around){.world_from_group = scene_matrix_identity(), .material = -1});
+}
+
+/* All of them together may be as much as a scene. */
+void scene_objects_check_unused(SceneReader *r)
+{
+    const int objects = r->scene->object_count;
+    r->things = 0;
+    for (uint32_t i = 0; r->definitions && i < r->definitions->count; i++) {
+        Tree *definition = scene_definition_unused(r, i);
+        if (definition)
+            read_aside(r, definition, 0);
+        r->scene->object_count = objects;
+    }
+}

@@ -1,0 +1,285 @@
+/* Text -> Scene: the document's outermost level. */
+#include "compiler/document.h"
+#include "compiler/base/memory.h"
+#include "runtime/tessellate/scene_displace.h"
+#include "runtime/scene_reader/scene_part.h"
+#include "runtime/tessellate/scene_displacement.h"
+#include "runtime/scene/scene_origin.h"
+#include "runtime/scene_reader/scene_read.h"
+#include "runtime/scene_reader/scene_stand.h"
+#include <math.h>
+#include <stdlib.h>
+
+static void read_image(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_image, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_image, &thing))
+        return;
+    r->scene->width = (int)scene_thing_number(&thing, S_Image_width);
+    r->scene->height = (int)scene_thing_number(&thing, S_Image_height);
+    r->scene->glow = scene_thing_number(&thing, S_Image_glow) != 0;
+    r->scene->tiles = scene_thing_number(&thing, S_Image_tiles) != 0;
+}
+
+static void read_tone(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_toneMapping, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_toneMapping, &thing))
+        return;
+    static const int first[SCENE_KIND_COUNT] = {[SCENE_ReinhardDevlin] = S_ReinhardDevlin_intensity,
+                                                [SCENE_Drago] = S_Drago_bias,
+                                                [SCENE_Shoulder] = S_Shoulder_knee};
+    static const int numbers[SCENE_KIND_COUNT] = {
+        [SCENE_ReinhardDevlin] = 4, [SCENE_Drago] = 1, [SCENE_Shoulder] = 1};
+    static const int exposures[SCENE_KIND_COUNT] = {
+        [SCENE_Clamp] = S_Clamp_exposure,       [SCENE_Filmic] = S_Filmic_exposure,
+        [SCENE_Shoulder] = S_Shoulder_exposure, [SCENE_Exponential] = S_Exponential_exposure,
+        [SCENE_Linear] = S_Linear_exposure,     [SCENE_Drago] = S_Drago_exposure};
+    Scene *scene = r->scene;
+    scene->tone = thing.kind;
+    scene->exposure =
+        exposures[thing.kind] ? exp2(scene_thing_number(&thing, exposures[thing.kind])) : 1;
+    for (int i = 0; i < numbers[thing.kind]; i++)
+        scene->tone_numbers[i] = scene_thing_number(&thing, first[thing.kind] + i);
+}
+
+static void read_shadow_maps(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_shadowMaps, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_shadowMaps, &thing))
+        return;
+    r->scene->shadow_size = (int)scene_thing_number(&thing, S_ShadowMaps_size);
+    r->scene->shadow_filter = (int)scene_thing_number(&thing, S_ShadowMaps_filter);
+    r->scene->shadow_cascades = (int)scene_thing_number(&thing, S_ShadowMaps_cascades);
+    r->scene->shadow_points = (int)scene_thing_number(&thing, S_ShadowMaps_areaPoints);
+    r->scene->shadow_colored = scene_thing_number(&thing, S_ShadowMaps_colored) != 0;
+    r->scene->shadow_volume = (Word)scene_thing_number(&thing, S_ShadowMaps_volume);
+    r->scene->shadow_path = (Word)scene_thing_number(&thing, S_ShadowMaps_path);
+    r->scene->shadow_offset = scene_thing_number(&thing, S_ShadowMaps_offset);
+    r->scene->shadow_stretched = scene_thing_number(&thing, S_ShadowMaps_stretched) != 0;
+}
+
+static bool sees_planes(const SceneReader *r, const SceneCamera *camera)
+{
+    size_t i = 0;
+    while (i < r->plane_count &&
+           scene_camera_sees_plane(r->scene, camera,
+                                   &r->scene->objects[r->planes[i]].world_from_local))
+        i++;
+    return i == r->plane_count;
+}
+
+static void read_voxels(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_voxels, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_voxels, &thing))
+        return;
+    const int size = (int)scene_thing_number(&thing, S_Voxels_size);
+    r->scene->voxel_size = size;
+    if (!(size & (size - 1)))
+        return;
+    diag_add(r->session, scene_thing_span(&thing, S_Voxels_size), DIAG_scene_voxels, size);
+    r->fine = false;
+}
+
+static bool has_skirts(Word method, Word skirts)
+{
+    switch (skirts) {
+    case WORD_Skirts_auto:
+        return true;
+    case WORD_Skirts_outline:
+        return method == WORD_Displacing_geometry;
+    case WORD_Skirts_borders:
+    case WORD_Skirts_early:
+        return method == WORD_Displacing_feedback;
+    default:
+        return method == WORD_Displacing_geometry || method == WORD_Displacing_feedback;
+    }
+}
+
+static void read_displacement(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_displacement, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_displacement, &thing))
+        return;
+    r->scene->displaced_by = (Word)scene_thing_number(&thing, S_Displacement_method);
+    r->scene->displaced_pixels = scene_thing_number(&thing, S_Displacement_pixels);
+    r->scene->displaced_triangles = (int)scene_thing_number(&thing, S_Displacement_triangles);
+    r->scene->displaced_level = (int)scene_thing_number(&thing, S_Displacement_level);
+    const Word method = r->scene->displaced_by;
+    SceneDividing *dividing = &r->scene->dividing;
+    dividing->skirts = (Word)scene_thing_number(&thing, S_Displacement_skirts);
+    dividing->near = scene_thing_number(&thing, S_Displacement_near);
+    dividing->detail = scene_thing_number(&thing, S_Displacement_detail);
+    dividing->steps = (int)scene_thing_number(&thing, S_Displacement_steps);
+    dividing->push = scene_thing_number(&thing, S_Displacement_push);
+    dividing->bulge = scene_thing_number(&thing, S_Displacement_bulge);
+    dividing->spread = scene_thing_number(&thing, S_Displacement_spread);
+    dividing->symbol = (Word)scene_thing_number(&thing, S_Displacement_symbol);
+    if ((method == WORD_Displacing_mesh || scene_displaced_traced(method)) &&
+        r->scene->displaced_pixels > 0)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_pixels), DIAG_scene_pixels,
+                 word_table[method].name);
+    else if (method == WORD_Displacing_bisection && r->scene->displaced_level)
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_level), DIAG_scene_level);
+    else if ((dividing->push != 0 || dividing->bulge > 0) &&
+             !scene_displaced_by_driver(method, r->scene->displaced_pixels))
+        diag_add(r->session,
+                 scene_thing_span(&thing,
+                                  dividing->push != 0 ? S_Displacement_push : S_Displacement_bulge),
+                 DIAG_scene_rounded, word_table[method].name);
+    else if (!has_skirts(method, dividing->skirts))
+        diag_add(r->session, scene_thing_span(&thing, S_Displacement_skirts), DIAG_scene_skirts,
+                 word_table[method].name, word_table[dividing->skirts].name);
+    else
+        return;
+    r->fine = false;
+}
+
+static void read_tools(SceneReader *r, Tree *tree)
+{
+    SceneThing thing;
+    if (!tree)
+        scene_thing_default(r, SCENE_SORT_tools, &thing);
+    else if (!scene_thing_read(r, tree, SCENE_SORT_tools, &thing))
+        return;
+    r->scene->tools = (SceneTools){.grid = scene_thing_number(&thing, S_Tools_grid) != 0,
+                                   .axes = scene_thing_number(&thing, S_Tools_axes) != 0,
+                                   .lights = scene_thing_number(&thing, S_Tools_lights) != 0,
+                                   .grid_cells = (int)scene_thing_number(&thing, S_Tools_gridCells),
+                                   .grid_step = scene_thing_number(&thing, S_Tools_gridStep),
+                                   .axes_length = scene_thing_number(&thing, S_Tools_axesLength),
+                                   .light_size = scene_thing_number(&thing, S_Tools_lightSize)};
+}
+
+/* A plane that lies in part behind an orthographic camera would be cut there. */
+static void check_rays(SceneReader *r, const SceneThing *document)
+{
+    const Scene *scene = r->scene;
+    SceneCamera camera = scene->camera;
+    if (!r->fine || camera.kind != SCENE_Orthographic || !r->plane_count)
+        return;
+    bool fine = sees_planes(r, &camera);
+    for (int frame = 0; fine && frame < scene->motion.frames; frame++)
+        fine = scene_motion_camera(scene, frame, scene->motion.frames, &camera) &&
+               sees_planes(r, &camera);
+    if (fine)
+        return;
+    diag_add(r->session, scene_thing_span(document, S_Scene_camera), DIAG_scene_rays);
+    r->fine = false;
+}
+
+/* Whether a material emits light at one of some points. */
+static bool emits(const SceneMaterial *material)
+{
+    static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3",
+                                         "u=0.87 v=0.29 x=-2 y=0.3 z=-1"};
+    MatcOptions options;
+    bool any = false;
+    matc_options_init(&options);
+    options.slot = "emissive";
+    for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+        const MatcNumbers light =
+            matc_eval_slot(material->document, material->index, points[i], &options);
+        for (int k = 0; k < light.lanes; k++)
+            any |= light.lane[k] > 0;
+    }
+    return any;
+}
+
+static void warn_of_darkness(SceneReader *r, const SceneThing *thing)
+{
+    const Scene *scene = r->scene;
+    const Tree *objects = scene_thing_given(thing, S_Scene_objects);
+    if (!r->fine || !scene->object_count || scene_thing_given(thing, S_Scene_lights))
+        return;
+    for (int i = 0; i < scene->material_count; i++)
+        if (i != scene->sky && emits(&scene->materials[i]))
+            return;
+    diag_add(r->session, objects->span, DIAG_no_light);
+}
+
+static void read_scene(SceneReader *r, Tree *document)
+{
+    SceneThing thing;
+    if (!resolve_color_space(&r->resolver, document)) {
+        r->fine = false;
+        return;
+    }
+    scene_thing_read_document(r, document, &thing);
+    scene_material_open(r, document);
+    scene_definition_open(r, document);
+    read_image(r, scene_thing_given(&thing, S_Scene_image));
+    scene_camera_read(r, scene_thing_given(&thing, S_Scene_camera));
+    if (scene_thing_given(&thing, S_Scene_motion) && r->fine)
+        scene_motion_read(r, scene_thing_given(&thing, S_Scene_motion));
+    read_tone(r, scene_thing_given(&thing, S_Scene_toneMapping));
+    read_shadow_maps(r, scene_thing_given(&thing, S_Scene_shadowMaps));
+    read_displacement(r, scene_thing_given(&thing, S_Scene_displacement));
+    read_voxels(r, scene_thing_given(&thing, S_Scene_voxels));
+    scene_indirect_read(r, scene_thing_given(&thing, S_Scene_indirect));
+    read_tools(r, scene_thing_given(&thing, S_Scene_tools));
+    if (scene_thing_given(&thing, S_Scene_objects))
+        scene_objects_read(r, scene_thing_given(&thing, S_Scene_objects));
+    scene_objects_check_unused(r);
+    Tree *sky = scene_thing_given(&thing, S_Scene_sky);
+    r->scene->sky = sky ? scene_material_read(r, sky) : -1;
+    if (scene_thing_given(&thing, S_Scene_lights))
+        scene_lights_read(r, scene_thing_given(&thing, S_Scene_lights));
+    check_rays(r, &thing);
+    scene_material_resolve(r, document);
+    scene_sun_add(r);
+    if (!r->session->diags.errors)
+        warn_of_darkness(r, &thing);
+}
+
+MatcDocument *scene_read(const char *name, const char *text, size_t size,
+                         const MatcOptions *options, Scene **made)
+{
+    MatcDocument *document = document_read(name, text, size, options);
+    Tree *tree = document->tree;
+    *made = NULL;
+    if (!tree || !resolve_is_scene(tree)) {
+        document_resolve(document, tree);
+        return document;
+    }
+    SceneReader r = {.session = &document->session, .document = document, .fine = true};
+    r.resolver.session = r.session;
+    r.scene = calloc(1, sizeof *r.scene);
+    if (!r.scene)
+        memory_exhausted();
+    r.scene->time = document->options.time;
+    ARENA_PUSH(r.session->arena, r.asides, r.aside_count, r.aside_room, ((SceneMaterial){NULL, 0}));
+    read_scene(&r, tree);
+    r.fine = r.fine && !document->session.diags.errors && scene_stand(&r, options);
+    if (r.fine)
+        scene_origin_find(r.scene);
+    if (r.fine && scene_displace(r.scene, r.session, options)) {
+        scene_triangles_warn(&r);
+        *made = r.scene;
+    } else
+        scene_free(r.scene);
+    return document;
+}
+
+void scene_free(Scene *scene)
+{
+    if (!scene)
+        return;
+    scene_displace_free(scene);
+    for (int i = 0; i < scene->mesh_count; i++)
+        scene_mesh_free(&scene->meshes[i]);
+    for (int i = 0; i < scene->document_count; i++)
+        matc_document_free(scene->documents[i]);
+    free(scene);
+}

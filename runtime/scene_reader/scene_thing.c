@@ -1,0 +1,182 @@
+/* Tree -> SceneThing, by the rows of scene.def. Every key that no row has is a fault. */
+#include "runtime/scene_reader/scene_thing.h"
+#include "compiler/front/scene_check.h"
+#include <string.h>
+
+static const SceneKindRow *row_of(const SceneThing *thing)
+{
+    return &scene_kind_table[thing->kind];
+}
+
+static bool fail(SceneReader *r) { return r->fine = false; }
+
+/* A value that only a shader could be told later has no place in a scene. */
+static bool is_number(SceneReader *r, const SceneParamRow *row, const Value *value)
+{
+    if (value->kind != VALUE_uniform)
+        return true;
+    diag_add(r->session, value->span, DIAG_param_here, row->param.name,
+             "it is of a scene, and no uniform of a program");
+    return fail(r);
+}
+
+static bool are_numbers(SceneReader *r, const SceneParamRow *row, const Transform *transform)
+{
+    const Value *const parts[] = {&transform->scale, &transform->translation, &transform->rotation,
+                                  &transform->shear};
+    bool fine = true;
+    for (int i = 0; i < 4; i++)
+        fine &= is_number(r, row, parts[i]);
+    return fine;
+}
+
+static bool read_plain(SceneReader *r, const SceneParamRow *row, Tree *tree, Value *value)
+{
+    if (!resolve_param(&r->resolver, &row->param, tree, value))
+        return fail(r);
+    return value->kind == VALUE_transform ? are_numbers(r, row, value->transform)
+                                          : is_number(r, row, value);
+}
+
+static bool read_value(SceneReader *r, const Member *member, SceneThing *thing, int place)
+{
+    const SceneParamRow *row = &scene_param_table[row_of(thing)->first + place];
+    if (row->value == SCENE_VALUE_plain)
+        return read_plain(r, row, member->value, &thing->values[place]);
+    if (tree_is_null(member->value))
+        return true;
+    const bool list = member->value->kind == TREE_list;
+    if (row->value == SCENE_VALUE_list && !list) {
+        diag_add(r->session, member->value->span, DIAG_wrong_type, row->param.name, "a list",
+                 tree_describe(r->session, member->value));
+        return fail(r);
+    }
+    thing->given[place] = member->value;
+    return true;
+}
+
+static void set_defaults(SceneReader *r, SceneThing *thing)
+{
+    for (int i = 0; i < row_of(thing)->count; i++) {
+        const SceneParamRow *row = &scene_param_table[row_of(thing)->first + i];
+        thing->given[i] = NULL;
+        thing->values[i] = row->value == SCENE_VALUE_plain && row->param.lanes
+                               ? resolve_default(&r->resolver, &row->param)
+                               : (Value){0};
+    }
+}
+
+static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *member)
+{
+    scene_check_unknown(r->session, thing->kind, member);
+    return fail(r);
+}
+
+/* Every member but the one that names the kind, and `skips`: keys that belong to others. */
+static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const char *key),
+                         SceneThing *thing)
+{
+    const SceneKindRow *row = row_of(thing);
+    bool fine = true;
+    set_defaults(r, thing);
+    for (uint32_t i = 0; i < tree->count; i++) {
+        const Member *member = &tree->members[i];
+        int place = 0;
+        while (place < row->count &&
+               strcmp(scene_param_table[row->first + place].param.name, member->key) != 0)
+            place++;
+        if (place < row->count)
+            fine &= read_value(r, member, thing, place);
+        else if (strcmp(member->key, scene_sort_table[row->sort].name) != 0 &&
+                 !(skips && skips(member->key)))
+            fine = unknown_key(r, thing, member);
+    }
+    return fine;
+}
+
+bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing)
+{
+    if (tree->failed)
+        return false; /* an alias of what was told already */
+    const int kind = scene_check_kind(r->session, tree, sort);
+    thing->kind = (SceneKind)(kind < 0 ? 0 : kind);
+    thing->tree = tree;
+    if (kind < 0)
+        fail(r);
+    tree->failed = kind < 0 || !read_members(r, tree, NULL, thing);
+    return !tree->failed;
+}
+
+static bool is_document_key(const char *key)
+{
+    return resolve_is_document_key(key) || !strcmp(key, "materials");
+}
+
+bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing)
+{
+    *thing = (SceneThing){.kind = SCENE_Scene, .tree = tree};
+    return read_members(r, tree, is_document_key, thing);
+}
+
+void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing)
+{
+    int kind = 0;
+    while (scene_kind_table[kind].sort != sort)
+        kind++;
+    thing->kind = (SceneKind)kind;
+    thing->tree = NULL;
+    set_defaults(r, thing);
+}
+
+static int place_of(const SceneThing *thing, int param) { return param - row_of(thing)->first; }
+
+void scene_thing_preset(SceneThing *thing, Word preset)
+{
+    for (int i = 0; i < scene_preset_count; i++) {
+        const ScenePresetRow *row = &scene_preset_table[i];
+        const char *name = scene_param_table[row->param].param.name;
+        if (row->kind == thing->kind && row->word == preset &&
+            !(thing->tree && tree_find(thing->tree, name)))
+            thing->values[place_of(thing, row->param)].number[0] = row->value;
+    }
+}
+
+double scene_thing_number(const SceneThing *thing, int param)
+{
+    return thing->values[place_of(thing, param)].number[0];
+}
+
+void scene_thing_vector(const SceneThing *thing, int param, double vector[3])
+{
+    double lanes[4];
+    value_number(&thing->values[place_of(thing, param)], TYPE_vec3, lanes);
+    memcpy(vector, lanes, 3 * sizeof *vector);
+}
+
+const Transform *scene_thing_transform(const SceneThing *thing, int param)
+{
+    const Value *value = &thing->values[place_of(thing, param)];
+    return value->kind == VALUE_transform ? value->transform : NULL;
+}
+
+const char *scene_thing_name(SceneReader *r, const Tree *given)
+{
+    if (!given || (given->kind == TREE_scalar && *given->text))
+        return given ? given->text : NULL;
+    diag_add(r->session, given->span, DIAG_wrong_type, "name", "a text",
+             tree_describe(r->session, given));
+    fail(r);
+    return NULL;
+}
+
+Tree *scene_thing_given(const SceneThing *thing, int param)
+{
+    return thing->given[place_of(thing, param)];
+}
+
+Span scene_thing_span(const SceneThing *thing, int param)
+{
+    const SceneParamRow *row = &scene_param_table[param];
+    const Member *member = thing->tree ? tree_find(thing->tree, row->param.name) : NULL;
+    return member ? member->value->span : thing->tree ? thing->tree->span : NO_SPAN;
+}

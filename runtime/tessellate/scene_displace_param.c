@@ -1,0 +1,84 @@
+/* Params of materials that displace: values that they have been given, instead of those that their
+ * documents say. */
+#include "runtime/tessellate/scene_displace.h"
+#include "runtime/tessellate/scene_displace_param.h"
+#include <stdlib.h>
+#include <string.h>
+
+Key scene_displacer_param_key(const SceneDisplacer *by, int material)
+{
+    Key key = {(uint64_t)material, 0};
+    for (int i = 0; i < by->param_count; i++)
+        if (by->params[i].material == material) {
+            const Key parts[] = {key, key_of_bytes(by->params[i].name, strlen(by->params[i].name)),
+                                 key_of_bytes(by->params[i].lanes, sizeof by->params[i].lanes)};
+            key = key_of_bytes(parts, sizeof parts);
+        }
+    return key;
+}
+
+/* The values of a material's params become its document's defaults, and back. */
+void scene_displace_params(const Scene *scene, int material)
+{
+    for (int i = 0; i < scene->displacer->param_count; i++) {
+        SceneDisplacedParam *param = &scene->displacer->params[i];
+        double before[4];
+        if (param->material != material)
+            continue;
+        matc_set_default(scene->materials[material].document, param->name, param->lanes,
+                         param->count, before);
+        memcpy(param->lanes, before, (size_t)param->count * sizeof *before);
+    }
+}
+
+void scene_displace_free(Scene *scene)
+{
+    for (int i = 0; scene->displacer && i < scene->displacer->param_count; i++)
+        free(scene->displacer->params[i].name);
+    if (scene->displacer)
+        free(scene->displacer->params);
+}
+
+bool scene_displacer_fail(SceneDisplacer *by, int material, const char *why)
+{
+    by->fault = material;
+    by->why = why;
+    return false;
+}
+
+bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count)
+{
+    const SceneMaterial *of = &scene->materials[material];
+    MatcOptions options = scene->displacer->options;
+    bool reads = false;
+    options.pass = "depth";
+    options.moved = false;
+    MatcProgram *program = matc_compile(of->document, of->index, MATC_KEY, &options);
+    for (int i = 0; matc_ok(program) && i < matc_uniform_count(program); i++)
+        reads |= !strcmp(matc_uniform(program, i)->param, name) &&
+                 matc_uniform(program, i)->lanes == count;
+    matc_program_free(program);
+    return reads;
+}
+
+SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const char *name, int count)
+{
+    SceneDisplacer *by = scene->displacer;
+    for (int i = 0; i < by->param_count; i++)
+        if (by->params[i].material == material && !strcmp(by->params[i].name, name))
+            return &by->params[i];
+    SceneDisplacedParam *params =
+        realloc(by->params, ((size_t)by->param_count + 1) * sizeof *params);
+    char *copy = strdup(name);
+    by->params = params ? params : by->params;
+    if (!params || !copy) {
+        free(copy);
+        return NULL;
+    }
+    SceneDisplacedParam *param = &params[by->param_count++];
+    *param = (SceneDisplacedParam){material, copy, {0}, count};
+    const SceneMaterial *of = &scene->materials[material];
+    /* gives what it is, and gets that back */
+    matc_set_default(of->document, name, param->lanes, count, param->lanes);
+    return param;
+}

@@ -1,0 +1,343 @@
+/* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each
+ * place is moved once, by the C reference in double, and where triangles are divided by error a
+ * little more, to where they miss less (scene_refine_fit.h). What draws the scene then sees meshes
+ * like any other, whatever it draws them for: shadows of each method, voxels, edges of the picture.
+ *
+ * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and
+ * all vertices of one place move together: along the unit sum of their normals, where those are
+ * several, and by the texture coordinates and tangents of the first. So what was closed stays
+ * closed, bit for bit. */
+#include "runtime/tessellate/scene_displacement.h"
+#include "runtime/tessellate/scene_divide.h"
+#include "runtime/scene/scene_matrix.h"
+#include "runtime/scene/scene_places.h"
+#include "runtime/tessellate/scene_refine.h"
+#include "runtime/tessellate/scene_volume.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* v by the upper left part; by its transposed inverse for normals. */
+static void turn(const SceneMatrix *m, bool transposed, const float v[3], double result[3])
+{
+    for (int row = 0; row < 3; row++) {
+        result[row] = 0;
+        for (int column = 0; column < 3; column++)
+            result[row] +=
+                m->m[transposed ? 4 * row + column : 4 * column + row] * (double)v[column];
+    }
+}
+
+static void copy(const float from[3], double to[3])
+{
+    for (int i = 0; i < 3; i++)
+        to[i] = (double)from[i];
+}
+
+MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
+                                const SceneMatrix *inverse, const double origin[3])
+{
+    MatcPoint point;
+    turn(m, false, vertex->position, point.position);
+    for (int i = 0; i < 3; i++)
+        point.position[i] += m->m[12 + i] + origin[i];
+    turn(inverse, true, vertex->normal, point.normal);
+    turn(m, false, vertex->tangentU, point.tangent_u);
+    turn(m, false, vertex->tangentV, point.tangent_v);
+    copy(vertex->position, point.local);
+    copy(vertex->tangentU, point.local_u);
+    copy(vertex->tangentV, point.local_v);
+    point.uv[0] = (double)vertex->uv[0];
+    point.uv[1] = (double)vertex->uv[1];
+    return point;
+}
+
+typedef struct {
+    const SceneDisplacing *how;
+    SceneMatrix local_from_world;
+} Mover;
+
+/* By the C reference, in the world and back. */
+static bool move_points(void *user, const ShapeVertex *at, int count, double (*to)[3])
+{
+    const Mover *mover = user;
+    const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
+    MatcPoint *points = malloc(((size_t)count + 1) * sizeof *points);
+    for (int i = 0; points && i < count; i++)
+        points[i] = scene_displaced_point(&at[i], m, inverse, mover->how->origin);
+    const bool fine = points && matc_move(mover->how->document, mover->how->material,
+                                          mover->how->options, points, count);
+    for (int i = 0; fine && i < count; i++) {
+        double from[3];
+        for (int lane = 0; lane < 3; lane++)
+            from[lane] = points[i].position[lane] - (m->m[12 + lane] + mover->how->origin[lane]);
+        for (int lane = 0; lane < 3; lane++)
+            to[i][lane] = inverse->m[lane] * from[0] + inverse->m[4 + lane] * from[1] +
+                          inverse->m[8 + lane] * from[2];
+    }
+    free(points);
+    return fine;
+}
+
+/* What is solid over points, and where a height of 1 in the world leads. */
+static bool find_solid(void *user, SceneColumn *columns, int count)
+{
+    const Mover *mover = user;
+    const SceneMatrix *m = &mover->how->world_from_local, *inverse = &mover->local_from_world;
+    MatcSolid *points = calloc((size_t)count + 1, sizeof *points);
+    for (int i = 0; points && i < count; i++)
+        points[i].at = scene_displaced_point(&columns[i].at, m, inverse, mover->how->origin);
+    const bool fine = points && matc_solid(mover->how->document, mover->how->material,
+                                           mover->how->options, points, count);
+    for (int i = 0; fine && i < count; i++) {
+        const double *n = points[i].at.normal, size = fmax(sqrt(scene_vector_dot(n, n)), 1e-30);
+        for (int lane = 0; lane < 3; lane++)
+            columns[i].along[lane] = (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] +
+                                      inverse->m[8 + lane] * n[2]) /
+                                     size;
+        memcpy(columns[i].heights, points[i].heights, sizeof columns[i].heights);
+    }
+    free(points);
+    return fine;
+}
+
+/* Pixels of a unit of the object's space, along the axis that is scaled most. */
+static double pixels_at(void *user, const double at[3])
+{
+    const Mover *mover = user;
+    const double *m = mover->how->world_from_local.m;
+    double world[3], size = 0;
+    for (int i = 0; i < 3; i++) {
+        world[i] = m[i] * at[0] + m[4 + i] * at[1] + m[8 + i] * at[2] + m[12 + i];
+        size = fmax(size, scene_vector_dot(&m[4 * i], &m[4 * i]));
+    }
+    return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
+}
+
+/* In the world. */
+static double length_of(void *user, const double by[3])
+{
+    const double *m = ((const Mover *)user)->how->world_from_local.m;
+    double world[3];
+    for (int i = 0; i < 3; i++)
+        world[i] = m[i] * by[0] + m[4 + i] * by[1] + m[8 + i] * by[2];
+    return sqrt(scene_vector_dot(world, world));
+}
+
+/* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
+static double (*moved_places(Mover *mover, const Shape *shape, const int *first, int *at))[3]
+{
+    ShapeVertex *joined = calloc((size_t)shape->vertex_count + 1, sizeof *joined);
+    double(*to)[3] = calloc((size_t)shape->vertex_count + 1, sizeof *to);
+    int count = 0;
+    bool fine = joined && to;
+    if (fine)
+        scene_places_join(shape, first, joined);
+    for (int i = 0; fine && i < shape->vertex_count; i++) {
+        at[i] = first[i] == i ? count : at[first[i]];
+        if (first[i] == i)
+            joined[count++] = joined[i];
+    }
+    fine = fine && move_points(mover, joined, count, to);
+    free(joined);
+    if (!fine)
+        free(to);
+    return fine ? to : NULL;
+}
+
+static bool move_shape(Mover *mover, Shape *shape)
+{
+    int *first = scene_places(shape), *at = calloc((size_t)shape->vertex_count + 1, sizeof *at);
+    double(*to)[3] = first && at ? moved_places(mover, shape, first, at) : NULL;
+    shape->base = calloc((size_t)shape->vertex_count + 1, sizeof *shape->base);
+    const bool fine = to && shape->base;
+    for (int i = 0; fine && i < shape->vertex_count; i++) {
+        memcpy(shape->base[i], shape->vertices[i].position, sizeof shape->base[i]);
+        for (int lane = 0; lane < 3; lane++)
+            shape->vertices[i].position[lane] = (float)to[at[i]][lane];
+    }
+    free(to);
+    free(at);
+    free(first);
+    return fine;
+}
+
+/* Of an edge, so that all triangles become so many. */
+static int parts_for(const Shape *from, double triangles)
+{
+    const double parts = ceil(sqrt(triangles / fmax(from->index_count / 3., 1)));
+    return parts > 1 ? (int)parts : 1;
+}
+
+static int parts_of(const SceneDisplacing *how, const Shape *from)
+{
+    return how->level ? how->level : parts_for(from, how->triangles);
+}
+
+static bool divide_alike(Mover *mover, const Shape *from, Shape *made)
+{
+    if (!scene_divide(from, parts_of(mover->how, from), made))
+        return false;
+    if (move_shape(mover, made))
+        return true;
+    shape_free(made);
+    return false;
+}
+
+static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mesh)
+{
+    Mover mover = {.how = how};
+    Shape *made = &mesh->shape;
+    if (!scene_matrix_invert(&how->world_from_local, &mover.local_from_world))
+        return false;
+    if (matc_has_volume(how->document, how->material))
+        return scene_volume(from, &(SceneVolume){find_solid, &mover, how->level, how->triangles},
+                            made, mesh->steps);
+    if (how->method != WORD_Displacing_bisection)
+        return divide_alike(&mover, from, made);
+    const SceneRefining refining = {.move = move_points,
+                                    .user = &mover,
+                                    .triangles = how->triangles,
+                                    .scale = how->seen ? pixels_at : NULL,
+                                    .length = length_of,
+                                    .least = how->pixels};
+    return scene_refine(from, &refining, made);
+}
+
+/* What of a motion of length 1 in the world is along an axis of the object's space: a row of the
+ * inverse. */
+static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
+{
+    for (int i = 0; i < 3; i++)
+        reach[i] =
+            bound * sqrt(inverse->m[i] * inverse->m[i] + inverse->m[4 + i] * inverse->m[4 + i] +
+                         inverse->m[8 + i] * inverse->m[8 + i]);
+}
+
+double scene_displaced_bound(const MatcDocument *document, int material, const MatcOptions *given)
+{
+    MatcOptions options = *given;
+    options.pass = "depth";
+    options.moved = false;
+    MatcProgram *program = matc_compile(document, material, MATC_KEY, &options);
+    const double bound = matc_ok(program) ? matc_displacement_bound(program) : INFINITY;
+    matc_program_free(program);
+    return bound;
+}
+
+enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* displaced_feedback.c makes no more */ };
+
+/* Where no triangle is too far away to be divided. */
+static int64_t feedback_triangles(const ScenePatches *patches)
+{
+    return (int64_t)patches->count << 2 * patches->dividing.steps;
+}
+
+/* No point bulges farther. */
+static double longest_edge(const ScenePatches *patches)
+{
+    double longest = 0;
+    for (int i = 0; i < 3 * patches->count; i++) {
+        const float *a = patches->rows[patches->at[i / 3].own[i % 3]].position,
+                    *b = patches->rows[patches->at[i / 3].own[(i + 1) % 3]].position;
+        const double way[3] = {(double)a[0] - (double)b[0], (double)a[1] - (double)b[1],
+                               (double)a[2] - (double)b[2]};
+        longest = fmax(longest, sqrt(scene_vector_dot(way, way)));
+    }
+    return longest;
+}
+
+/* At least 2: what is traced is halved again and again. */
+static int power_of_two(int parts)
+{
+    int power = 2;
+    while (power < parts)
+        power *= 2;
+    return power;
+}
+
+/* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512
+ * patches or more, which have 256 triangles each where all edges have 16 parts. */
+static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made,
+                              ScenePatches **patches)
+{
+    enum { USUAL_TRIANGLES = 256 };
+    const bool by_picture = how->pixels > 0;
+    const int parts = parts_of(how, from);
+    const bool rounded =
+        /* by corners of the mesh's own triangles */
+        how->dividing.push != 0 || how->dividing.bulge > 0;
+    const int across = how->method == WORD_Displacing_feedback ||
+                               how->method == WORD_Displacing_bisection || rounded
+                           ? 1
+                       : by_picture ? parts_for(from, how->triangles / (double)USUAL_TRIANGLES)
+                                    : (parts + SCENE_PATCH_PARTS - 1) / SCENE_PATCH_PARTS;
+    const int most = how->level && how->level < SCENE_PATCH_PARTS ? how->level : SCENE_PATCH_PARTS;
+    const double bound = scene_displaced_bound(how->document, how->material, how->options);
+    SceneMatrix inverse;
+    *made = (Shape){0};
+    *patches = NULL;
+    if (!isfinite(bound) || !scene_matrix_invert(&how->world_from_local, &inverse))
+        return true;
+    *patches = calloc(1, sizeof **patches);
+    if (!*patches || !scene_divide(from, across, made) || !scene_patches_make(made, *patches)) {
+        shape_free(made);
+        free(*patches);
+        *patches = NULL;
+        return false;
+    }
+    (*patches)->method = how->method;
+    (*patches)->world_from_local = how->world_from_local;
+    (*patches)->dividing = how->dividing;
+    while (!how->dividing.steps && (*patches)->dividing.steps < MOST_STEPS &&
+           feedback_triangles(*patches) * 4 <= how->triangles)
+        (*patches)->dividing.steps++;
+    (*patches)->apart = how->dividing.skirts != WORD_Skirts_auto;
+    (*patches)->torn = (*patches)->apart || how->method == WORD_Displacing_points ||
+                       how->method == WORD_Displacing_feedback;
+    (*patches)->bound = bound;
+    (*patches)->level = by_picture || parts > most * across ? most : (parts + across - 1) / across;
+    (*patches)->pixels = how->pixels;
+    (*patches)->triangles = how->triangles;
+    if (scene_displaced_traced(how->method))
+        (*patches)->level = power_of_two((*patches)->level);
+    set_reach(&inverse, bound, (*patches)->reach);
+    for (int i = 0; i < 3; i++)
+        (*patches)->reach[i] +=
+            fabs(how->dividing.push) + how->dividing.bulge * longest_edge(*patches);
+    return true;
+}
+
+bool scene_displaced_traced(Word method)
+{
+    return method == WORD_Displacing_traced || method == WORD_Displacing_parallax;
+}
+
+bool scene_displaced_by_driver(Word method, double pixels)
+{
+    return method != WORD_Displacing_mesh && (method != WORD_Displacing_bisection || pixels > 0);
+}
+
+bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made)
+{
+    *made = (SceneMesh){.path = "", .part = -1};
+    const bool here = how->processor || (how->method != WORD_Displacing_points &&
+                                         matc_has_volume(how->document, how->material));
+    if (!here && scene_displaced_by_driver(how->method, how->pixels) &&
+        !divide_to_patches(how, from, &made->shape, &made->patches))
+        return false;
+    return made->patches || divide(how, from, made);
+}
+
+int64_t scene_displaced_triangles(const SceneMesh *mesh)
+{
+    const ScenePatches *patches = mesh->patches;
+    if (!patches)
+        return mesh->shape.index_count / 3;
+    if (patches->method == WORD_Displacing_feedback)
+        return feedback_triangles(patches) < FEEDBACK_MOST ? feedback_triangles(patches)
+                                                           : FEEDBACK_MOST;
+    const int64_t all = (int64_t)patches->count * patches->level * patches->level;
+    const int64_t most = patches->triangles > patches->count ? patches->triangles : patches->count;
+    return patches->pixels > 0 && all > most ? most : all;
+}

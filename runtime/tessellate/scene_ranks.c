@@ -1,0 +1,36 @@
+#include "runtime/tessellate/scene_ranks.h"
+#include "runtime/tessellate/scene_room.h"
+#include <stdlib.h>
+
+bool scene_ranks_put(SceneRanks *ranks, SceneRank rank)
+{
+    if (!scene_room(&ranks->ranks, ranks->count + 1, &ranks->room, sizeof *ranks->ranks))
+        return false;
+    size_t at = ranks->count++;
+    for (; at && ranks->ranks[(at - 1) / 2].error < rank.error; at = (at - 1) / 2)
+        ranks->ranks[at] = ranks->ranks[(at - 1) / 2];
+    ranks->ranks[at] = rank;
+    return true;
+}
+
+SceneRank scene_ranks_take(SceneRanks *ranks)
+{
+    const SceneRank top = ranks->ranks[0], last = ranks->ranks[--ranks->count];
+    size_t at = 0;
+    for (size_t next = 1; next < ranks->count; next = 2 * at + 1) {
+        if (next + 1 < ranks->count && ranks->ranks[next + 1].error > ranks->ranks[next].error)
+            next++;
+        if (ranks->ranks[next].error <= last.error)
+            break;
+        ranks->ranks[at] = ranks->ranks[next];
+        at = next;
+    }
+    ranks->ranks[at] = last;
+    return top;
+}
+
+void scene_ranks_end(SceneRanks *ranks)
+{
+    free(ranks->ranks);
+    *ranks = (SceneRanks){0};
+}

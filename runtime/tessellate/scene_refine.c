@@ -1,0 +1,396 @@
+/* Bisection by error. Each triangle has a few sample points within; where they are moved to differs
+ * from where the triangle has them, as it mixes what its corners are moved to. The mean square of
+ * that distance, times the area, is the triangle's share of the whole error, and the largest are
+ * divided, an eighth of all triangles at a time; samples go to the half that they lie in, and those
+ * that a half lacks are added.
+ *
+ *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the
+ *     halves that the ridge does not cross have 0, and stay as they are
+ *
+ * At last places are moved off the surface to where triangles miss less: scene_refine_fit.h. What
+ * no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and
+ * these have up to four times as many samples: a part of the surface that is as large as two
+ * triangles of an even division has one within. */
+#include "runtime/tessellate/scene_refine.h"
+#include "compiler/base/vec3.h"
+#include "runtime/tessellate/scene_bisection.h"
+#include "runtime/tessellate/scene_divide.h"
+#include "runtime/tessellate/scene_ranks.h"
+#include "runtime/tessellate/scene_refine_fit.h"
+#include "runtime/tessellate/scene_room.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    FITS = 2,           /* times that places are fitted */
+    SAMPLES = 4,        /* of a triangle, at least, */
+    FIRST_SAMPLES = 16, /* and, of those that are made by area, at most */
+    EVEN_SHARE = 32,    /* one of so many triangles is made by area */
+    ROUND_SHARE = 8,    /* a round divides one of so many, */
+    ROUND_LEAST = 32,   /* and as many as that */
+    BATCH = 4096        /* points that are moved at once */
+};
+
+typedef struct {
+    int weights[3]; /* in the base triangle */
+    uint32_t next;  /* of the same triangle; NONE */
+    double to[3];
+} Sample;
+
+static const uint32_t NONE = UINT32_MAX;
+
+typedef struct {
+    SceneBisection b;
+    const SceneRefining *how;
+    Sample *samples;
+    size_t sample_count, sample_room, sample_moved;
+    uint32_t *first; /* sample of a triangle */
+    uint32_t *stamp; /* of a triangle: the round that changed it last */
+    uint32_t round, first_round;
+    size_t state_count, first_room, stamp_room;
+    double (*to)[3]; /* by place */
+    size_t to_count, to_room;
+    uint32_t *touched; /* triangles that are others since the last round */
+    size_t touched_count, touched_room;
+    SceneRanks ranks;
+    double least; /* mean square: below, floats have no better */
+    bool fine;
+} Refiner;
+
+/* -- samples */
+
+/* Where a triangle has the point that is moved. */
+static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3],
+                  double result[3])
+{
+    const double whole = scene_bisection_turn(t->weights[0], t->weights[1], t->weights[2]);
+    const double a = scene_bisection_turn(weights, t->weights[1], t->weights[2]) / whole,
+                 b = scene_bisection_turn(weights, t->weights[2], t->weights[0]) / whole;
+    const double *to[3];
+    for (int i = 0; i < 3; i++)
+        to[i] = r->to[r->b.place_of[t->vertex[i]]];
+    for (int lane = 0; lane < 3; lane++)
+        result[lane] = a * to[0][lane] + b * to[1][lane] + (1 - a - b) * to[2][lane];
+}
+
+static double square_scale(const Refiner *r, const double at[3])
+{
+    const double scale = r->how->scale ? r->how->scale(r->how->user, at) : 1;
+    return scale * scale;
+}
+
+static double error_of(const Refiner *r, uint32_t triangle)
+{
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    double sum = 0, scaled = 0, scales = 0;
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
+        const double scale = square_scale(r, r->samples[i].to);
+        double at[3], square = 0;
+        mixed(r, t, r->samples[i].weights, at);
+        for (int lane = 0; lane < 3; lane++)
+            square += (at[lane] - r->samples[i].to[lane]) * (at[lane] - r->samples[i].to[lane]);
+        sum += square;
+        scaled += square * scale;
+        scales += scale;
+    }
+    const bool small = sum <= count * r->least || scaled <= count * r->how->least * r->how->least;
+    return small ? 0 : scaled / count * scene_bisection_area(&r->b, triangle) * scales / count;
+}
+
+/* The area, in squares of the scale, as its corners were. */
+static double scaled_area(const Refiner *r, uint32_t triangle)
+{
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    double scale = 0;
+    for (int i = 0; i < 3; i++) {
+        const float *p = r->b.vertices[t->vertex[i]].position;
+        scale += square_scale(r, (const double[3]){(double)p[0], (double)p[1], (double)p[2]});
+    }
+    return scene_bisection_area(&r->b, triangle) * scale;
+}
+
+static SceneMiss miss_of(const Refiner *r, uint32_t triangle)
+{
+    SceneMiss miss = {.area = scene_bisection_area(&r->b, triangle)};
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next, count++) {
+        double at[3];
+        mixed(r, &r->b.triangles[triangle], r->samples[i].weights, at);
+        for (int lane = 0; lane < 3; lane++) {
+            const double off = r->samples[i].to[lane] - at[lane];
+            miss.mean[lane] += off;
+            miss.square += off * off;
+        }
+    }
+    for (int lane = 0; count && lane < 3; lane++)
+        miss.mean[lane] /= count;
+    miss.square /= count ? count : 1;
+    return miss;
+}
+
+/* Half a step of a float, of the farthest point. */
+static double least_square(const Shape *shape)
+{
+    double most = 0;
+    for (int i = 0; i < shape->vertex_count; i++)
+        for (int lane = 0; lane < 3; lane++)
+            most = fmax(most, fabs((double)shape->vertices[i].position[lane]));
+    return most * most * ldexp(1, -48);
+}
+
+/* Evenly over a triangle: points of a lattice whose steps are 1 over the plastic number and its
+ * square, the far half of the square turned over (Roberts, The unreasonable effectiveness of
+ * quasirandom sequences, 2018). */
+static void place_sample(const SceneBisectionTriangle *t, size_t number, int weights[3])
+{
+    const double steps[2] = {0.7548776662466927, 0.5698402909980532};
+    double x[2];
+    for (int i = 0; i < 2; i++)
+        x[i] = fmod(.5 + steps[i] * (double)(number % (1u << 24)), 1);
+    if (x[0] + x[1] > 1) {
+        x[0] = 1 - x[0];
+        x[1] = 1 - x[1];
+    }
+    for (int lane = 0; lane < 2; lane++)
+        weights[lane] =
+            (int)lrint(t->weights[2][lane] + x[0] * (t->weights[0][lane] - t->weights[2][lane]) +
+                       x[1] * (t->weights[1][lane] - t->weights[2][lane]));
+    weights[2] = SCENE_BISECTION_PARTS - weights[0] - weights[1];
+}
+
+static bool fill_samples(Refiner *r, uint32_t triangle, int least)
+{
+    int count = 0;
+    for (uint32_t i = r->first[triangle]; i != NONE; i = r->samples[i].next)
+        count++;
+    if (!scene_room(&r->samples, r->sample_count + FIRST_SAMPLES, &r->sample_room,
+                    sizeof *r->samples))
+        return false;
+    for (; count < least; count++) {
+        Sample *made = &r->samples[r->sample_count];
+        place_sample(&r->b.triangles[triangle], r->sample_count, made->weights);
+        made->next = r->first[triangle];
+        r->first[triangle] = (uint32_t)r->sample_count++;
+    }
+    return true;
+}
+
+/* Triangles that have no samples yet. */
+static bool add_states(Refiner *r)
+{
+    if (!scene_room(&r->first, r->b.count, &r->first_room, sizeof *r->first) ||
+        !scene_room(&r->stamp, r->b.count, &r->stamp_room, sizeof *r->stamp))
+        return false;
+    for (; r->state_count < r->b.count; r->state_count++) {
+        r->first[r->state_count] = NONE;
+        r->stamp[r->state_count] = 0;
+    }
+    return true;
+}
+
+static bool touch(Refiner *r, uint32_t triangle)
+{
+    if (r->stamp[triangle] == r->round)
+        return true;
+    if (!scene_room(&r->touched, r->touched_count + 1, &r->touched_room, sizeof *r->touched))
+        return false;
+    r->touched[r->touched_count++] = triangle;
+    r->stamp[triangle] = r->round;
+    return true;
+}
+
+/* (c, a, m) and (b, c, m): samples go to the one whose side of the line from c to m they lie on. */
+static void share_samples(void *user, uint32_t triangle, uint32_t made)
+{
+    Refiner *r = user;
+    r->fine = r->fine && add_states(r) && touch(r, triangle) && touch(r, made);
+    if (!r->fine)
+        return;
+    const SceneBisectionTriangle *t = &r->b.triangles[triangle];
+    const double side = scene_bisection_turn(t->weights[0], t->weights[2], t->weights[1]);
+    uint32_t next = r->first[triangle];
+    r->first[triangle] = r->first[made] = NONE;
+    while (next != NONE) {
+        Sample *sample = &r->samples[next];
+        const uint32_t at = next,
+                       to = scene_bisection_turn(t->weights[0], t->weights[2], sample->weights) *
+                                        side >=
+                                    0
+                                ? triangle
+                                : made;
+        next = sample->next;
+        sample->next = r->first[to];
+        r->first[to] = at;
+    }
+}
+
+/* -- points */
+
+/* The vertex that moves a place. */
+static ShapeVertex place_vertex(const SceneBisection *b, size_t place)
+{
+    ShapeVertex vertex = b->vertices[b->places[place].first];
+    memcpy(vertex.normal, b->places[place].normal, sizeof vertex.normal);
+    return vertex;
+}
+
+static bool move_places(Refiner *r, ShapeVertex *at)
+{
+    if (!scene_room(&r->to, r->b.place_count, &r->to_room, sizeof *r->to))
+        return false;
+    while (r->to_count < r->b.place_count) {
+        int count = 0;
+        for (; count < BATCH && r->to_count + (size_t)count < r->b.place_count; count++)
+            at[count] = place_vertex(&r->b, r->to_count + (size_t)count);
+        if (!r->how->move(r->how->user, at, count, r->to + r->to_count))
+            return false;
+        r->to_count += (size_t)count;
+    }
+    return true;
+}
+
+/* Those of the triangles that were touched which are new, by their triangles. */
+static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
+{
+    uint32_t waiting[BATCH];
+    int count = 0;
+    for (size_t i = 0; i <= r->touched_count; i++) {
+        const bool all = i == r->touched_count;
+        for (uint32_t k = all ? NONE : r->first[r->touched[i]]; k != NONE; k = r->samples[k].next)
+            if (k >= r->sample_moved && count < BATCH) {
+                waiting[count] = k;
+                at[count++] = scene_divide_point(r->b.shape, r->b.triangles[r->touched[i]].base,
+                                                 r->samples[k].weights, SCENE_BISECTION_PARTS);
+            }
+        if ((!all && count + FIRST_SAMPLES <= BATCH) || !count)
+            continue;
+        if (!r->how->move(r->how->user, at, count, to))
+            return false;
+        for (int k = 0; k < count; k++)
+            memcpy(r->samples[waiting[k]].to, to[k], sizeof to[k]);
+        count = 0;
+    }
+    r->sample_moved = r->sample_count;
+    return true;
+}
+
+/* -- rounds */
+
+/* Of each triangle, when there are as many as now: half as many in all as triangles are wanted. */
+static int first_samples(const Refiner *r)
+{
+    const size_t share = (size_t)r->how->triangles / 2 / r->b.count;
+    return share < SAMPLES ? SAMPLES : share > FIRST_SAMPLES ? FIRST_SAMPLES : (int)share;
+}
+
+/* What was touched is ranked anew. */
+static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3])
+{
+    bool fine = true;
+    for (size_t i = 0; fine && !by_area && i < r->touched_count; i++)
+        fine =
+            fill_samples(r, r->touched[i], r->round == r->first_round ? first_samples(r) : SAMPLES);
+    fine = fine && (by_area || (move_places(r, at) && move_samples(r, at, to)));
+    for (size_t i = 0; fine && i < r->touched_count; i++) {
+        const uint32_t triangle = r->touched[i];
+        const double error = by_area ? scaled_area(r, triangle) : error_of(r, triangle);
+        if (r->b.triangles[triangle].depth < SCENE_BISECTION_DEPTH - 2 && error > 0)
+            fine = scene_ranks_put(&r->ranks, (SceneRank){error, triangle, r->stamp[triangle]});
+    }
+    r->touched_count = 0;
+    return fine;
+}
+
+static bool divide_most(Refiner *r, size_t triangles)
+{
+    const size_t share = r->b.count / ROUND_SHARE;
+    const size_t round = r->b.count + (share > ROUND_LEAST ? share : ROUND_LEAST),
+                 to = round < triangles ? round : triangles;
+    bool fine = true;
+    r->round++;
+    while (fine && r->b.count < to && r->ranks.count) {
+        const SceneRank rank = scene_ranks_take(&r->ranks);
+        if (rank.stamp == r->stamp[rank.triangle])
+            fine = scene_bisection_split(&r->b, rank.triangle) && r->fine;
+    }
+    return fine;
+}
+
+/* Until there are so many, or no error. */
+static bool refine_to(Refiner *r, size_t triangles, bool by_area)
+{
+    ShapeVertex *at = malloc(BATCH * sizeof *at);
+    double(*to)[3] = malloc(BATCH * sizeof *to);
+    bool fine = at && to && add_states(r);
+    r->ranks.count = 0;
+    r->first_round = ++r->round;
+    for (uint32_t i = 0; fine && r->b.count < triangles && i < r->b.count; i++)
+        fine = touch(r, i);
+    fine = fine && end_round(r, by_area, at, to);
+    while (fine && r->b.count < triangles && r->ranks.count)
+        fine = divide_most(r, triangles) && end_round(r, by_area, at, to);
+    fine = fine && move_places(r, at);
+    free(at);
+    free(to);
+    return fine;
+}
+
+/* By how much a place is moved. */
+static double length_of(const Refiner *r, size_t place)
+{
+    const float *from = r->b.vertices[r->b.places[place].first].position;
+    double by[3];
+    for (int lane = 0; lane < 3; lane++)
+        by[lane] = r->to[place][lane] - (double)from[lane];
+    return r->how->length ? r->how->length(r->how->user, by) : vec3_length(by);
+}
+
+/* Places are moved to where triangles miss less, all at once; those that would move farther than
+ * any did stay. */
+static bool fit(Refiner *r)
+{
+    SceneMiss *misses = malloc((r->b.count + 1) * sizeof *misses);
+    double(*was)[3] = malloc((r->b.place_count + 1) * sizeof *was);
+    bool fine = misses && was;
+    double most = 0;
+    for (size_t i = 0; i < r->b.place_count; i++)
+        most = fmax(most, length_of(r, i));
+    for (int i = 0; fine && i < FITS; i++) {
+        memcpy(was, r->to, r->b.place_count * sizeof *was);
+        for (uint32_t t = 0; t < r->b.count; t++)
+            misses[t] = miss_of(r, t);
+        fine = scene_refine_fit(&r->b, misses, r->least, r->to);
+        for (size_t k = 0; k < r->b.place_count; k++)
+            if (length_of(r, k) > most)
+                memcpy(r->to[k], was[k], sizeof *was);
+    }
+    free(was);
+    free(misses);
+    return fine;
+}
+
+bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made)
+{
+    Refiner r = {.how = how, .fine = true};
+    const size_t triangles = (size_t)how->triangles;
+    bool fine = scene_bisection_begin(shape, &r.b);
+    r.least = least_square(shape);
+    r.b.divided = share_samples;
+    r.b.user = &r;
+    fine = fine &&
+           (r.b.count >= triangles / EVEN_SHARE || refine_to(&r, triangles / EVEN_SHARE, true));
+    fine = fine && refine_to(&r, triangles, false) && fit(&r) &&
+           scene_bisection_shape(&r.b, (const double(*)[3])r.to, made);
+    scene_bisection_end(&r.b);
+    free(r.samples);
+    free(r.first);
+    free(r.stamp);
+    free(r.to);
+    free(r.touched);
+    scene_ranks_end(&r.ranks);
+    if (!fine)
+        *made = (Shape){0};
+    return fine;
+}
