@@ -2,7 +2,7 @@
  * grouped by mesh alone. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
-#include "runtime/displace/displaced_traced.h"
+#include "runtime/displace/traced/displaced_traced.h"
 #include "runtime/draw/material_feed.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include <stdlib.h>

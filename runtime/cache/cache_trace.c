@@ -3,7 +3,7 @@
 #include "gen/render_text.h"
 #include "runtime/cache/instances.h"
 #include "runtime/cache/trace_text.h"
-#include "runtime/displace/displaced_traced.h"
+#include "runtime/displace/traced/displaced_traced.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/render/displaced_stats.h"
-#include "runtime/displace/displaced_traced.h"
+#include "runtime/displace/traced/displaced_traced.h"
 #include "runtime/tessellate/scene_displacement.h"
 #include "runtime/shadow/shadow_state.h"
 

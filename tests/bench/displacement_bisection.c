@@ -2,7 +2,7 @@
  * view before, but for what has changed; and what is kept for it. */
 #include "displacement.h"
 #include "matbench.h"
-#include "runtime/displace/displaced_bisection.h"
+#include "runtime/displace/bisection/displaced_bisection.h"
 #include "runtime/scene_reader/scene_read.h"
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * and triangles as sorted numbers. */
 #ifndef TESTS_BISECTION_BODY_H
 #define TESTS_BISECTION_BODY_H
-#include "runtime/displace/displaced_bisection.h"
+#include "runtime/displace/bisection/displaced_bisection.h"
 #include "tests/frame/frame_compare.h"
 
 enum { BISECTION_BODY_EDGE = 64 /* pixels of a picture's side */, BISECTION_BODIES = 5 };

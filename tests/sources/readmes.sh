@@ -17,6 +17,7 @@ said=$(
             case $all$end in */$name"$end"*) ;; *) echo "$page names $name, which is not there" ;; esac
         done
         set -- "$folder"/*.c "$folder"/*.def
+        [ "$folder" != runtime/displace ] || set -- "$@" "$folder"/*/*.c "$folder"/*/*.def
         [ "$folder" != tests ] || set -- "$@" tests/*/test_*.c tests/*/*/test_*.c
         for file; do
             known=

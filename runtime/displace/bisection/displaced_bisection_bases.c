@@ -6,7 +6,7 @@
  * a circle. */
 #include "gen/bisection_layout.h"
 #include "compiler/base/hash_index.h"
-#include "runtime/displace/displaced_bisection.h"
+#include "runtime/displace/bisection/displaced_bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene/scene_places.h"
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Programs and buffers of bisection, and the room that these have. */
 #include "gen/render_text.h"
-#include "runtime/displace/bisection.h"
+#include "runtime/displace/bisection/bisection.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

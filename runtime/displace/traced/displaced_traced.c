@@ -1,6 +1,6 @@
 /* A grid, and over it what rays are traced through: nodes of a pyramid, hulls of patches; or, of
  * parallax, base triangles. */
-#include "runtime/displace/displaced_traced.h"
+#include "runtime/displace/traced/displaced_traced.h"
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>

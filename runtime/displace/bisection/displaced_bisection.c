@@ -10,7 +10,7 @@
  *
  * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on;
  * the least of these that is enough. */
-#include "runtime/displace/bisection.h"
+#include "runtime/displace/bisection/bisection.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

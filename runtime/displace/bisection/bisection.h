@@ -2,7 +2,7 @@
 #ifndef MATC_DISPLACE_BISECTION_H
 #define MATC_DISPLACE_BISECTION_H
 #include "gen/bisection_layout.h"
-#include "runtime/displace/displaced_bisection.h"
+#include "runtime/displace/bisection/displaced_bisection.h"
 
 /* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what
  * follows them is one farther. */

@@ -1,6 +1,6 @@
 /* What a view is to bisection: sides and places as uniforms, lights, and how far the camera has
  * moved. */
-#include "runtime/displace/bisection.h"
+#include "runtime/displace/bisection/bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
