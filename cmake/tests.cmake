@@ -2,7 +2,7 @@
 # project's root; status 77 says that something it needs is not installed, and ctest lists it as skipped at its end.
 pkg_check_modules(CMOCKA REQUIRED IMPORTED_TARGET cmocka)
 pkg_check_modules(MPFR REQUIRED IMPORTED_TARGET mpfr)
-find_library(EMBREE embree3 REQUIRED) # traces the rays of tests/frame/reference_ray.c
+find_library(EMBREE embree3 REQUIRED) # traces the rays of tests/frame_reference/reference_ray.c
 
 # Mesa leaks a little for every context, fontconfig keeps its tables. A fault of arithmetic traps: handle_sigill says where.
 # What was freed waits in 16 MB, not 256, and pages are kept: to have them from the system anew took a fourth of what draws.
@@ -116,7 +116,7 @@ foreach(file ${TESTS})
     continue()
   endif()
   if(MATC_TESTS_JOINED AND NOT name IN_LIST WITH_alone)
-    file(STRINGS ${file} draws REGEX "\"(runtime|tests/(frame|meshes|value))/")
+    file(STRINGS ${file} draws REGEX "\"(runtime|tests/(draw|frame|frame_reference|meshes|value))/")
     set(program joined)
     if(draws)
       set(program joined_frame)

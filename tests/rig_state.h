@@ -1,8 +1,8 @@
 /* A Rig for a test's state, whose faults are the test's, and scenes that are drawn by it. */
 #ifndef TESTS_RIG_STATE_H
 #define TESTS_RIG_STATE_H
-#include "tests/value/rig.h"
-#include "tests/value/scene.h"
+#include "tests/draw/rig.h"
+#include "tests/draw/scene.h"
 
 enum { SIDE = RIG_SIDE, PIXELS = RIG_PIXELS };
 #define RIG ((Rig *)*state)

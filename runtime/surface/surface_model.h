@@ -31,7 +31,7 @@
  *     bool surfaceLetsThrough(Lit m)
  *
  * A further model is a text and a row here, and a number of its own (slots.def);
- * tests/frame/reference_light.c has the sum that its light is held against. */
+ * tests/frame_reference/reference_light.c has the sum that its light is held against. */
 #ifndef MATC_SURFACE_MODEL_H
 #define MATC_SURFACE_MODEL_H
 #include "grammar/layout_tables.h"

@@ -2,7 +2,7 @@
  * and of waves that are made of them, drawn at a grid of floats and compared with the C library in
  * double: the worst error seen, beside what docs/stability.md states of Mesa. */
 #include "matbench.h"
-#include "tests/value/canvas.h"
+#include "tests/draw/canvas.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -88,7 +88,7 @@ static int optimised_count(const void *spirv, size_t size)
 
 static char *read_text(const char *name, const char *suffix, char *path, size_t *size)
 {
-    snprintf(path, LONGEST_PATH, "%s/tests/bench/%s%s", SOURCE_FOLDER, name, suffix);
+    snprintf(path, LONGEST_PATH, "%s/tests/bench/shaders/%s%s", SOURCE_FOLDER, name, suffix);
     FILE *file = fopen(path, "rb");
     char *text = calloc(1, 1 << 20);
     if (!file || !text) {

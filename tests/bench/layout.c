@@ -2,7 +2,7 @@
  * bits and their errors. The same square with nothing to do is taken off. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
-#include "tests/value/canvas.h"
+#include "tests/draw/canvas.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

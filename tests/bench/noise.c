@@ -4,7 +4,7 @@
 #include "compiler/base/file.h"
 #include "matbench.h"
 #include "runtime/measure/meter.h"
-#include "tests/value/canvas.h"
+#include "tests/draw/canvas.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -52,7 +52,7 @@ static bool write_text(const Row *row, char text[TEXT_ROOM])
     if (!row->file) {
         canvas_library("noise", &row->choice, text + head, room);
     } else {
-        snprintf(path, sizeof path, "%s/tests/bench/%s", SOURCE_FOLDER, row->file);
+        snprintf(path, sizeof path, "%s/tests/bench/shaders/%s", SOURCE_FOLDER, row->file);
         read = file_read(path, &size, &why);
         if (!read) {
             fprintf(stderr, "matbench: %s: %s\n", path, why);

@@ -1,7 +1,7 @@
 /* Pictures against the reference: the spread of what their pixels are off. */
 #ifndef MATC_FRAME_COMPARE_H
 #define MATC_FRAME_COMPARE_H
-#include "tests/frame/reference_light.h"
+#include "tests/frame_reference/reference_light.h"
 #include "tests/test.h"
 #include <math.h>
 #include <stdlib.h>

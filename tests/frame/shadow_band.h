@@ -1,7 +1,7 @@
 /* Whether light reaches a point, outside of a band around ends of shadows. */
 #ifndef MATC_SHADOW_BAND_H
 #define MATC_SHADOW_BAND_H
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame_reference/shadow_ray.h"
 
 /* By Embree's rays to the first light: 1 or 0; -1: an end is near, as it is otherwise for one of 24
  * points beside, at most `step` across the light's way. */

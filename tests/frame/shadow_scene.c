@@ -1,5 +1,5 @@
 #include "tests/frame/shadow_scene.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame_reference/shadow_ray.h"
 #include "tests/test.h"
 #include <math.h>
 #include <stdio.h>

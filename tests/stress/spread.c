@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const double FLOAT_ULP = 1. / (1 << 23), DOUBLE_ULP = DBL_EPSILON;
-/* weights and results of eight bits: tests/value/sampler.h */
+/* weights and results of eight bits: tests/draw/sampler.h */
 static const double SAMPLER_ERROR = 3. / 255;
 
 static double greatest(const FoldArg *arg)

@@ -6,7 +6,7 @@
 #include "field.h"
 #include "pixel.h"
 #include "tests/value/documents.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 
 typedef enum {
     FAULT_none,

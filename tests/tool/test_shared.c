@@ -11,8 +11,8 @@
 #include "tests/stress/packed.h"
 #include "tests/value/batch_set.h"
 #include "tests/value/documents.h"
-#include "tests/value/draw.h"
-#include "tests/value/gbuffer.h"
+#include "tests/draw/draw.h"
+#include "tests/draw/gbuffer.h"
 #include "tests/value/read_whole.h"
 #include <math.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  * hostile ones. */
 #ifndef MATC_VALUE_TUPLE_H
 #define MATC_VALUE_TUPLE_H
-#include "call.h"
+#include "tests/draw/call.h"
 
 typedef enum {
     FORM_position,

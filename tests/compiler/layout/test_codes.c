@@ -5,7 +5,7 @@
 #include "compiler/library/normal.h"
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
-#include "tests/value/canvas.h"
+#include "tests/draw/canvas.h"
 #include "tests/value/half.h"
 #include <stdio.h>
 #include <stdlib.h>

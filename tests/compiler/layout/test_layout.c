@@ -7,7 +7,7 @@
 #include "compiler/oracle/oracle.h"
 #include "compiler/library/normal.h"
 #include "tests/layout_values.h"
-#include "tests/value/gbuffer.h"
+#include "tests/draw/gbuffer.h"
 #include "tests/value/half.h"
 
 typedef struct {

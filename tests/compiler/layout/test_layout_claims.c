@@ -6,7 +6,7 @@
 #include "compiler/pipeline.h"
 #include "tests/layout_set.h"
 #include "tests/stress/generate.h"
-#include "tests/value/kept.h"
+#include "tests/draw/kept.h"
 
 enum { TREES = 1500, TREE_POINTS = 12 };
 

@@ -3,7 +3,7 @@
 #include "tests/test.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/layout/custom.h"
-#include "tests/value/kept.h"
+#include "tests/draw/kept.h"
 #include "tests/value/read_whole.h"
 #include <stdio.h>
 #include <stdlib.h>

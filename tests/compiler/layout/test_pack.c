@@ -2,7 +2,7 @@
  * normals through the spheremap. The GLSL is the library's own, drawn; the reading side is a second
  * program that samples the target. */
 #include "tests/test.h"
-#include "tests/value/canvas.h"
+#include "tests/draw/canvas.h"
 #include "tests/value/half.h"
 #include <stdio.h>
 #include <stdlib.h>

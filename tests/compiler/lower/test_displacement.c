@@ -5,7 +5,7 @@
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "compiler/choice.h"
-#include "tests/value/curved.h"
+#include "tests/draw/curved.h"
 #include "tests/value/documents.h"
 #include "tests/value/evaluate.h"
 #include <math.h>

@@ -2,7 +2,7 @@
  * whole periods. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
-#include "tests/value/sheet.h"
+#include "tests/draw/sheet.h"
 #include "tests/value/waves.h"
 #include <stdio.h>
 #include <string.h>

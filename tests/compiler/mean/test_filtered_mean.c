@@ -5,7 +5,7 @@
 #include "tests/test.h"
 #include "compiler/library/java_random.h"
 #include "tests/value/apart.h"
-#include "tests/value/sheet.h"
+#include "tests/draw/sheet.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

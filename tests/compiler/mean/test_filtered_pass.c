@@ -1,8 +1,8 @@
 /* --aa in the passes plane and sky, where footprints come from the view ray: drawn by matc's own
  * vertex programs from cameras, against means of the map over each pixel's rays. */
 #include "tests/test.h"
-#include "tests/value/scene.h"
-#include "tests/value/rig.h"
+#include "tests/draw/scene.h"
+#include "tests/draw/rig.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -2,8 +2,8 @@
  * hand. */
 #include "tests/test.h"
 #include "tests/value/apart.h"
-#include "tests/value/mipmaps.h"
-#include "tests/value/sheet.h"
+#include "tests/draw/mipmaps.h"
+#include "tests/draw/sheet.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

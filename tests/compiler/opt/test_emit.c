@@ -7,7 +7,7 @@
 #include "compiler/ir/build.h"
 #include "compiler/pipeline.h"
 #include "tests/stress/choices.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 #include "tests/value/evaluate.h"
 #include "tests/value/expression.h"
 #include "tests/value/ir_site.h"

@@ -3,7 +3,7 @@
  * whatever they are by. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 
 enum { PLACES = 4, ROOM = 65536 };
 static const float place_u[PLACES] = {0.25F, 0.5F, 0.75F, 1.25F};

@@ -1,7 +1,7 @@
 /* What the value tests rest on: a fragment program gets the very floats of a point, on either side
  * and in either context. */
 #include "tests/test.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 #include <math.h>
 #include <stdio.h>
 

@@ -4,9 +4,9 @@
  * more of each fault; VALUE_SEED=N takes other points. */
 /* ctest: unsanitized unoptimized seconds=140 */
 #include "tests/test.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 #include "tests/value/rounding.h"
-#include "tests/value/sampler.h"
+#include "tests/draw/sampler.h"
 #include "tests/value/verdicts.h"
 #include "tests/value/ways.h"
 #include "tests/value/workers.h"

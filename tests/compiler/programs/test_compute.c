@@ -4,10 +4,10 @@
  * the reflection says. */
 #include "tests/test.h"
 #include "tests/rig_state.h"
-#include "tests/value/curved.h"
+#include "tests/draw/curved.h"
 #include "tests/value/move.h"
 #include "tests/value/read_whole.h"
-#include "tests/value/vertices.h"
+#include "tests/draw/vertices.h"
 #include <cjson/cJSON.h>
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include "tests/test.h"
 #include "tests/rig_state.h"
 #include "tests/value/move.h"
-#include "tests/value/vertices.h"
+#include "tests/draw/vertices.h"
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

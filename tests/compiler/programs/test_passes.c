@@ -5,7 +5,7 @@
 #include "tests/rig_state.h"
 #include "tests/value/apart.h"
 #include "tests/value/half.h"
-#include "tests/value/vertices.h"
+#include "tests/draw/vertices.h"
 #include <string.h>
 
 static void unpack(Rig *rig, const Scene *scene, const Framebuffer *source)

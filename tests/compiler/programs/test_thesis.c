@@ -2,7 +2,7 @@
  * four render targets. */
 #include "tests/test.h"
 #include "tests/value/documents.h"
-#include "tests/value/draw.h"
+#include "tests/draw/draw.h"
 #include "tests/value/half.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
  * against those of fine meshes, and shadows of what the camera does not see. */
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/bisection_body.h"
-#include "tests/frame/bisection_reference.h"
+#include "tests/frame_reference/bisection_reference.h"
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
 #include "runtime/scene/scene_matrix.h"

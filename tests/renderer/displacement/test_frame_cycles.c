@@ -5,8 +5,8 @@
 /* ctest: unsanitized seconds=17 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_picture.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_picture.h"
+#include "tests/frame_reference/reference_ray.h"
 #include <stdio.h>
 #include <string.h>
 

@@ -3,8 +3,8 @@
 /* ctest: seconds=82 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/shadow_ray.h"
-#include "tests/value/curved.h"
+#include "tests/frame_reference/shadow_ray.h"
+#include "tests/draw/curved.h"
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>

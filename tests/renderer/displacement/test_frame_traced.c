@@ -4,7 +4,7 @@
 /* ctest: seconds=20 */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_ray.h"
 #include <stdio.h>
 #include <string.h>
 

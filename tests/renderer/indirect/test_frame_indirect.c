@@ -3,7 +3,7 @@
 /* ctest: seconds=20 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_ray.h"
 #include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>

@@ -5,7 +5,7 @@
 /* ctest: seconds=10 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/open_ray.h"
+#include "tests/frame_reference/open_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
  * surfaces goes on evenly. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame_reference/shadow_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/indirect_goals.h"
-#include "tests/frame/indirect_truth.h"
+#include "tests/frame_reference/indirect_truth.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

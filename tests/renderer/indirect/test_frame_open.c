@@ -2,7 +2,7 @@
  * two bounces between planes; weights by distance. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/open_ray.h"
+#include "tests/frame_reference/open_ray.h"
 #include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>

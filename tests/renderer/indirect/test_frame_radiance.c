@@ -4,8 +4,8 @@
 /* ctest: unsanitized seconds=40 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/open_ray.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame_reference/open_ray.h"
+#include "tests/frame_reference/shadow_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

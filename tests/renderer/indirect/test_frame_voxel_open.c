@@ -5,7 +5,7 @@
 #include "tests/test.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_ray.h"
 #include "tests/frame/voxel_points.h"
 #include <math.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_picture.h"
+#include "tests/frame_reference/reference_picture.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

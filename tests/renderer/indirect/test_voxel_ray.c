@@ -6,7 +6,7 @@
 #include "tests/test.h"
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/voxel_walk.h"
+#include "tests/frame_reference/voxel_walk.h"
 #include "runtime/draw/screen_pass.h"
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
 /* ctest: alone */
 #include "tests/frame/frame_compare.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_picture.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_picture.h"
+#include "tests/frame_reference/reference_ray.h"
 #include <stdio.h>
 #include <string.h>
 

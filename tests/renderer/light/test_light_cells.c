@@ -7,7 +7,7 @@
 #include "compiler/evaluate.h"
 #include "grammar/scene_tables.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/lit_reference.h"
+#include "tests/frame_reference/lit_reference.h"
 #include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>

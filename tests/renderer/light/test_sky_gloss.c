@@ -5,8 +5,8 @@
 /* ctest: seconds=36 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_picture.h"
-#include "tests/frame/sky_reference.h"
+#include "tests/frame_reference/reference_picture.h"
+#include "tests/frame_reference/sky_reference.h"
 #include "tests/vectors.h"
 #include <math.h>
 #include <stdio.h>

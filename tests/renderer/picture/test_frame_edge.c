@@ -4,7 +4,7 @@
 #include "tests/test.h"
 #include "runtime/cache/edge_list.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_ray.h"
+#include "tests/frame_reference/reference_ray.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

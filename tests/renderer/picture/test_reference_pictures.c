@@ -4,7 +4,7 @@
 /* ctest: unsanitized seconds=19 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/reference_picture.h"
+#include "tests/frame_reference/reference_picture.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* The measure of matbench shadows: ends of discs by their closed forms, seen straight and aslant;
  * what is not measured. */
 #include "tests/test.h"
-#include "tests/frame/boundary.h"
+#include "tests/frame_reference/boundary.h"
 #include <math.h>
 #include <stdlib.h>
 

@@ -5,9 +5,9 @@
 /* ctest: unsanitized unoptimized seconds=50 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/glass_ray.h"
-#include "tests/frame/reference_light.h"
-#include "tests/frame/shadow_ray.h"
+#include "tests/frame_reference/glass_ray.h"
+#include "tests/frame_reference/reference_light.h"
+#include "tests/frame_reference/shadow_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
 /* ctest: seconds=31 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
-#include "tests/frame/shadow_judge.h"
+#include "tests/frame_reference/shadow_judge.h"
 #include "tests/frame/shadow_pair.h"
 #include "tests/frame/shadow_scene.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #include "tests/test.h"
 #include "tests/frame/flicker.h"
 #include "tests/frame/frame_draw.h"
-#include "tests/frame/shadow_judge.h"
+#include "tests/frame_reference/shadow_judge.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

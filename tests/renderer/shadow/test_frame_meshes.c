@@ -2,7 +2,7 @@
  * off, on four receivers. */
 /* ctest: unsanitized seconds=29 */
 #include "tests/test.h"
-#include "tests/frame/shadow_ends.h"
+#include "tests/frame_reference/shadow_ends.h"
 #include "tests/meshes/meshes.h"
 #include <string.h>
 

@@ -4,7 +4,7 @@
 /* ctest: unsanitized seconds=17 */
 #include "tests/test.h"
 #include "tests/frame/shadow_band.h"
-#include "tests/frame/shadow_ends.h"
+#include "tests/frame_reference/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"
 #include "tests/frame/shadow_scene.h"
 #include <math.h>

@@ -5,9 +5,9 @@
 /* ctest: unsanitized seconds=28 */
 #include "tests/test.h"
 #include "tests/frame/frame_change.h"
-#include "tests/frame/glass_ray.h"
-#include "tests/frame/reference_light.h"
-#include "tests/frame/soft_ray.h"
+#include "tests/frame_reference/glass_ray.h"
+#include "tests/frame_reference/reference_light.h"
+#include "tests/frame_reference/soft_ray.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

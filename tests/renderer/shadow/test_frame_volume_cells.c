@@ -4,7 +4,7 @@
 /* ctest: unsanitized seconds=14 */
 #include "tests/test.h"
 #include "gen/render_text.h"
-#include "tests/frame/shadow_ends.h"
+#include "tests/frame_reference/shadow_ends.h"
 #include "tests/frame/shadow_knot.h"
 #include "runtime/scene/scene.h"
 #include <math.h>

@@ -1,0 +1,143 @@
+/* How near a box counts to a camera, itself or by its shadow, in double. */
+#include "tests/frame_reference/bisection_seen.h"
+#include "runtime/scene/scene_matrix.h"
+#include <math.h>
+
+/* How far a box is from a point. */
+static double box_far(const double at[3], const double low[3], const double high[3])
+{
+    double square = 0;
+    for (int i = 0; i < 3; i++) {
+        const double away = fmax(fmax(low[i] - at[i], at[i] - high[i]), 0);
+        square += away * away;
+    }
+    return sqrt(square);
+}
+
+/* A line from the eye to the middle of what shines, which is in a box so large, either way. */
+typedef struct {
+    double from[3], way[3], last, grows[3];
+} Line;
+
+/* The same from what is between the eye and a light, by thirds, which leave out the worse: the
+ * distance has one minimum there. */
+static double line_far(const Line *line, const BisectionBox *box)
+{
+    double begin = 0, last = line->last, far[2] = {0};
+    for (int step = 0; step < 80; step++) {
+        double at[3], low[3], high[3];
+        for (int k = 0; k < 2; k++) {
+            const double s = begin + (last - begin) * (k + 1) / 3;
+            for (int i = 0; i < 3; i++) {
+                at[i] = line->from[i] + s * line->way[i];
+                low[i] = box->low[i] - s * line->grows[i];
+                high[i] = box->high[i] + s * line->grows[i];
+            }
+            far[k] = box_far(at, low, high);
+        }
+        if (far[0] < far[1])
+            last -= (last - begin) / 3;
+        else
+            begin += (last - begin) / 3;
+    }
+    return fmin(far[0], far[1]);
+}
+
+/* How much of a side's room there is for a point: less than 0 is beyond it. */
+static double room_at(const SceneCamera *c, int side, const double way[3])
+{
+    const double depth = -scene_vector_dot(way, c->back);
+    const double across = scene_vector_dot(way, side < 3 ? c->right : c->up);
+    return !side ? depth : c->half * depth - (side % 2 ? across : -across);
+}
+
+/* Three normals look away from all of the box, which is seen by these ways, by more than 37
+ * degrees. */
+static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
+{
+    double far = 0, least = INFINITY;
+    for (int i = 0; i < count; i++) {
+        far = fmax(far, scene_vector_dot(ways[i], ways[i]));
+        for (int k = 0; k < 3; k++)
+            least = fmin(least, scene_vector_dot(box->normal[k], ways[i]));
+    }
+    return box->closed && least > .6 * sqrt(far) * box->longest;
+}
+
+/* Around all that shines of a light. */
+static void light_box(const SceneLight *light, double low[3], double high[3])
+{
+    for (int k = 0; k < 3; k++) {
+        low[k] = high[k] = light->position[k];
+        for (int i = 0; i < 2 && light->kind == SCENE_Area; i++) {
+            low[k] += fmin(light->edges[i][k], 0);
+            high[k] += fmax(light->edges[i][k], 0);
+        }
+    }
+}
+
+/* No point of the box throws a shadow into view: from each corner of what shines, each of its
+ * corners', near and as far as can be told, is beyond one side; or all of it is turned away from
+ * the light. */
+static bool casts_nothing(const SceneCamera *c, const SceneLight *light, const BisectionBox *box)
+{
+    int beyond[5] = {0};
+    double rays[64][3], shines[2][3];
+    light_box(light, shines[0], shines[1]);
+    for (int i = 0; i < 64; i++) {
+        double *ray = rays[i], to[2][3];
+        for (int k = 0; k < 3; k++) {
+            const double at = i >> k & 1 ? box->high[k] : box->low[k];
+            ray[k] = light->kind == SCENE_Directional ? light->direction[k]
+                                                      : at - shines[i >> (k + 3) & 1][k];
+            to[0][k] = at - c->position[k];
+            to[1][k] = to[0][k] + 1e6 * ray[k];
+        }
+        for (int side = 0; side < 5; side++)
+            beyond[side] += room_at(c, side, to[0]) < 0 && room_at(c, side, to[1]) < 0;
+    }
+    bool hidden = looks_away(box, rays, 64);
+    for (int i = 0; i < 5; i++)
+        hidden |= beyond[i] == 64;
+    return hidden;
+}
+
+static double shadow_far(const Scene *scene, const SceneLight *light, const BisectionBox *box)
+{
+    const SceneCamera *c = &scene->camera;
+    const bool far = light->kind == SCENE_Directional;
+    double shines[2][3];
+    Line line = {.last = far ? 1e4 : 1};
+    if (!scene_light_casts(light) || casts_nothing(c, light, box))
+        return INFINITY;
+    light_box(light, shines[0], shines[1]);
+    for (int i = 0; i < 3; i++) {
+        line.from[i] = c->position[i];
+        line.way[i] =
+            far ? -light->direction[i] : (shines[0][i] + shines[1][i]) / 2 - c->position[i];
+        line.grows[i] = far ? 0 : (shines[1][i] - shines[0][i]) / 2;
+    }
+    return fmax(line_far(&line, box), c->near);
+}
+
+double bisection_seen_far(const Scene *scene, const BisectionBox *box)
+{
+    const SceneCamera *c = &scene->camera;
+    /* all eight corners beyond one side of what is seen, or far behind the horizon */
+    int beyond[5] = {0};
+    double ways[8][3];
+    for (int i = 0; i < 8; i++) {
+        double *way = ways[i];
+        for (int k = 0; k < 3; k++)
+            way[k] = (i >> k & 1 ? box->high[k] : box->low[k]) - c->position[k];
+        for (int side = 0; side < 5; side++)
+            beyond[side] += room_at(c, side, way) < 0;
+    }
+    bool hidden = looks_away(box, ways, 8);
+    for (int i = 0; i < 5; i++)
+        hidden |= beyond[i] == 8;
+    double far = fmax(box_far(c->position, box->low, box->high), c->near) * (hidden ? 8 : 1);
+    for (int i = 0; i < scene->light_count; i++)
+        far = fmin(far, shadow_far(scene, &scene->lights[i], box));
+    return far;
+}

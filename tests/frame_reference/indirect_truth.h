@@ -1,0 +1,31 @@
+/* What openness and light from other surfaces are at places of a picture, by many rays in double
+ * (open_ray.h), and how far a picture is off that. */
+#ifndef MATC_INDIRECT_TRUTH_H
+#define MATC_INDIRECT_TRUTH_H
+#include "tests/frame/indirect_scenes.h"
+#include "tests/frame_reference/open_ray.h"
+
+/* pixels between places; places: of 512 x 512 */
+enum { INDIRECT_TRUTH_APART = 8, INDIRECT_TRUTH_MOST = 4096 };
+
+typedef struct {
+    int pixel;
+    Open open;
+} IndirectPlace;
+
+typedef struct {
+    IndirectPlace places[INDIRECT_TRUTH_MOST];
+    int count;
+    double light; /* mean over places and lanes */
+} IndirectTruth;
+
+/* Of places in rows and columns, not at edges of objects: a pixel's middle may be on either side
+ * there. Of `rays` state is set for each place. */
+void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOptions *options,
+                         IndirectTruth *truth);
+/* Of a view of the whole picture, root of the mean square: of openness, or of light, over its
+ * mean. */
+double indirect_truth_off(const IndirectTruth *truth, const float *rgba, bool light);
+/* How much more its mean of light is, as a share. */
+double indirect_truth_more(const IndirectTruth *truth, const float *rgba);
+#endif
