@@ -2,6 +2,7 @@
  * more of a document than its materials. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
+#include "compiler/front/graph.h"
 #include "compiler/front/tree.h"
 
 struct MatcDocument {

@@ -2,7 +2,7 @@
  * it recognizes, and says what to write instead. True: it is reported. mistake.h has older ones. */
 #ifndef MATC_HINT_H
 #define MATC_HINT_H
-#include "compiler/front/resolve.h"
+#include "compiler/front/resolver.h"
 #include "grammar/library_table.h"
 
 /* A literal colour or list where one number is read. A map of a colour is none of these: it is

@@ -2,6 +2,7 @@
  * their first bytes. The numbers are the file's: gamma, profiles and all else that says how they
  * are to be shown is passed over. */
 #include "compiler/front/hint.h"
+#include "compiler/front/image.h"
 #include "compiler/front/image_file.h"
 #include <stdlib.h>
 #include <string.h>

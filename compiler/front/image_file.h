@@ -3,7 +3,7 @@
  * is untrusted: a header alone takes no memory. */
 #ifndef MATC_IMAGE_FILE_H
 #define MATC_IMAGE_FILE_H
-#include "compiler/front/resolve.h"
+#include "compiler/front/resolver.h"
 
 typedef struct {
     Session *session;

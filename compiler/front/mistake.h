@@ -1,7 +1,7 @@
 /* Mistakes that many make, each said in words of its own: true: the text is one, and it is said. */
 #ifndef MATC_MISTAKE_H
 #define MATC_MISTAKE_H
-#include "compiler/front/resolve.h"
+#include "compiler/front/resolver.h"
 #include "grammar/foreign_table.h"
 
 /* A scalar that is no number where one is wanted: in quotes, or with a unit. */

@@ -13,6 +13,7 @@
 #include "compiler/base/text.h"
 #include "compiler/front/gltf_chunks.h"
 #include "compiler/front/read.h"
+#include "grammar/tables.h"
 #include <stdlib.h>
 #include <string.h>
 

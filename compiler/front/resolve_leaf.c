@@ -1,5 +1,6 @@
 /* The value of a parameter that holds no map: a number, a truth value, a word, a picture, a wave, a
  * transformation. What a row of the tables says of it, type, default and range, is checked here. */
+#include "compiler/front/image.h"
 #include "compiler/front/resolve.h"
 #include <math.h>
 #include <string.h>

@@ -3,6 +3,7 @@
 #include "compiler/front/hint.h"
 #include "compiler/front/mistake.h"
 #include "compiler/front/reserved.h"
+#include "compiler/front/resolve.h"
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -3,7 +3,6 @@
 #ifndef MATC_TREE_H
 #define MATC_TREE_H
 #include "compiler/base/session.h"
-#include "compiler/front/graph.h"
 
 typedef enum {
     TREE_scalar, /* text, plain */
@@ -41,9 +40,9 @@ struct Tree {
         Member *members; /* with a hash table behind them where they are many: tree_set_members */
     };
     union {
-        const Node *node;
-        const Wave *wave;
-        const Items *items_made;
+        const struct Node *node;
+        const struct Wave *wave;
+        const struct Items *items_made;
         const char *name; /* the author's, NULL for none: its key under `defs:`, else its anchor */
     };
 };
