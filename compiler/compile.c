@@ -1,7 +1,7 @@
 /* The pipeline, as a list of stages. */
 #include "compiler/pipeline.h"
 #include "compiler/emit/validate.h"
-#include "compiler/front/resolve.h"
+#include "compiler/resolve/resolve.h"
 #include "compiler/ir/key.h"
 #include "compiler/lower/lower.h"
 #include "compiler/opt/opt.h"

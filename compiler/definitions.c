@@ -3,8 +3,8 @@
 #include "compiler/base/json_write.h"
 #include "compiler/base/memory.h"
 #include "compiler/describe/describe.h"
-#include "compiler/front/resolve_parameter.h"
-#include "compiler/front/resolve_definition.h"
+#include "compiler/resolve/resolve_parameter.h"
+#include "compiler/resolve/resolve_definition.h"
 #include "grammar/library_table.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 #include "compiler/base/memory.h"
 #include "compiler/document.h"
 #include "compiler/pipeline.h"
-#include "compiler/front/resolve.h"
+#include "compiler/resolve/resolve.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -2,8 +2,8 @@
  * more of a document than its materials. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
-#include "compiler/front/graph.h"
-#include "compiler/front/tree.h"
+#include "compiler/graph/graph.h"
+#include "compiler/read/tree.h"
 
 struct MatcDocument {
     Arena arena;

@@ -2,7 +2,7 @@
 #ifndef MATC_PIPELINE_H
 #define MATC_PIPELINE_H
 #include "compiler/emit/emit.h"
-#include "compiler/front/tree.h"
+#include "compiler/read/tree.h"
 
 typedef struct {
     Interface interface;

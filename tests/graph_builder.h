@@ -2,7 +2,7 @@
  * what differs. A Builder owns all it makes. */
 #ifndef MATC_GRAPH_BUILDER_H
 #define MATC_GRAPH_BUILDER_H
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>

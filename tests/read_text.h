@@ -1,7 +1,7 @@
 /* A text through the reader alone: any value, not what a material must be. */
 #ifndef MATC_READ_TEXT_H
 #define MATC_READ_TEXT_H
-#include "compiler/front/tree.h"
+#include "compiler/read/tree.h"
 
 typedef struct {
     Arena arena;

@@ -3,7 +3,7 @@
 #define MATC_EMIT_H
 #include "compiler/ir/ir.h"
 #include "compiler/emit/chunks.h"
-#include "compiler/front/graph_sky.h"
+#include "compiler/graph/graph_sky.h"
 
 /* What the fragment program declares; the vertex program and the reflection go by it. */
 typedef struct {

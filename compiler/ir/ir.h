@@ -4,7 +4,7 @@
 #ifndef MATC_IR_H
 #define MATC_IR_H
 #include "compiler/base/session.h"
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "compiler/ir/job.h"
 #include "compiler/library/reference.h"
 

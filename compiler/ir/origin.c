@@ -6,7 +6,7 @@
  *     mix_map
  *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
 #include "compiler/ir/ir.h"
-#include "compiler/front/reserved.h"
+#include "compiler/graph/reserved.h"
 #include "compiler/base/text.h"
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* Tree -> LayoutRow: the keys of a layout file, their types, the names in them. layout_check.c
  * knows what fits together. */
 #include "compiler/layout/layout_read.h"
-#include "compiler/front/resolve.h"
+#include "compiler/resolve/resolve.h"
 #include <math.h>
 #include <string.h>
 

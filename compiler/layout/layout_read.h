@@ -2,7 +2,7 @@
 #ifndef MATC_LAYOUT_READ_H
 #define MATC_LAYOUT_READ_H
 #include "compiler/layout/layout.h"
-#include "compiler/front/tree.h"
+#include "compiler/read/tree.h"
 
 /* The layout of a tree, in the arena; NULL: see the diagnostics. */
 const LayoutRow *layout_read(Session *session, const Tree *tree);

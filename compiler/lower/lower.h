@@ -313,7 +313,7 @@ Ref lower_phong_of_principled(Lower *l, const Node *material, Slot slot, const E
     Ref lower_##name(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */
 #define DECLARE_SWITCH(name)      const Node *lower_choose_##name(const Node *material, bool front);
-#define DECLARE_FOREIGN(name)     /* none is left: compiler/front/resolve_translation.c */
+#define DECLARE_FOREIGN(name)     /* none is left: compiler/resolve/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"

@@ -5,7 +5,7 @@
 #ifndef MATC_ORACLE_H
 #define MATC_ORACLE_H
 #include "compiler/base/session.h"
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "compiler/library/reference.h"
 
 enum { CHANNEL_ID_COUNT = LANES_OF_GROUP * GROUP_COUNT };

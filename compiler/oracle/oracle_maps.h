@@ -204,7 +204,7 @@ void oracle_as_principled(SlotValues *side); /* of a Phong's slots. oracle_princ
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */
 #define DECLARE_SWITCH(name) const Node *oracle_choose_##name(const Node *material, bool front);
 
-#define DECLARE_FOREIGN(name)     /* none is left: compiler/front/resolve_translation.c */
+#define DECLARE_FOREIGN(name)     /* none is left: compiler/resolve/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"

@@ -2,7 +2,7 @@
  * what is there. */
 #include "runtime/mesh_import/model_attributes.h"
 #include "compiler/base/root.h"
-#include "compiler/front/gltf_file.h"
+#include "compiler/read/gltf_file.h"
 #include "runtime/gl/message.h"
 #include "runtime/mesh_import/model.h"
 #include <math.h>

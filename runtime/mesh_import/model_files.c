@@ -3,7 +3,7 @@
  * address is taken as it is, %20 too, as assimp 5.2 takes it. */
 #include "compiler/base/file.h"
 #include "compiler/base/text.h"
-#include "compiler/front/gltf_chunks.h"
+#include "compiler/read/gltf_chunks.h"
 #include "runtime/mesh_import/model.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>

@@ -7,7 +7,7 @@
 #include "compiler/base/memory.h"
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
-#include "compiler/front/gltf_chunks.h"
+#include "compiler/read/gltf_chunks.h"
 #include <cjson/cJSON.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,7 +2,7 @@
 #ifndef MATC_SCENE_MATRIX_H
 #define MATC_SCENE_MATRIX_H
 #include "compiler/base/vec3.h"
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "runtime/scene/scene.h"
 
 SceneMatrix scene_matrix_identity(void);

@@ -1,5 +1,5 @@
 /* Meshes of files, each read once; of a file with materials, a mesh for each of them. */
-#include "compiler/front/hint.h"
+#include "compiler/hints/hint.h"
 #include "runtime/mesh_import/model.h"
 #include "runtime/scene_reader/scene_part.h"
 #include <stdlib.h>

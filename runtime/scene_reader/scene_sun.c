@@ -1,6 +1,6 @@
 /* The sun of a SunSkyLight, where the sky is a light: a directional one. */
 #include "compiler/document.h"
-#include "compiler/front/graph_sky.h"
+#include "compiler/graph/graph_sky.h"
 #include "runtime/scene_reader/scene_part.h"
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* Tree -> SceneThing, by the rows of scene.def. Every key that no row has is a fault. */
 #include "runtime/scene_reader/scene_thing.h"
-#include "compiler/front/scene_check.h"
+#include "compiler/resolve/scene_check.h"
 #include <string.h>
 
 static const SceneKindRow *row_of(const SceneThing *thing)

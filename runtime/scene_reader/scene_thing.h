@@ -4,7 +4,7 @@
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/base/names.h"
-#include "compiler/front/resolve.h"
+#include "compiler/resolve/resolve.h"
 #include "runtime/scene/scene.h"
 
 /* The meshes of a file lie side by side in scene->meshes. `why`: it cannot be read, and was tried

@@ -2,7 +2,7 @@
  * of the point. */
 #ifndef MATC_VALUE_DRAW_H
 #define MATC_VALUE_DRAW_H
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "compiler/matc.h"
 #include "tests/value/points.h"
 #include "runtime/draw/field.h"

@@ -1,6 +1,6 @@
 /* Writes the documents of growth.def, and compiles them with the clock of this thread. */
 #include "growth.h"
-#include "compiler/front/tree.h"
+#include "compiler/read/tree.h"
 #include "compiler/ir/ir.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"

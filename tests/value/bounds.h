@@ -2,7 +2,7 @@
  * value is made of. */
 #ifndef MATC_VALUE_BOUNDS_H
 #define MATC_VALUE_BOUNDS_H
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 
 /* A subject of the table is a kind, a wave, a slot or a word of words.def, or none of them. */
 enum {

@@ -2,7 +2,7 @@
  * for the oracle. */
 #ifndef MATC_VALUE_DOCUMENTS_H
 #define MATC_VALUE_DOCUMENTS_H
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "compiler/matc.h"
 #include "compiler/pipeline.h"
 

@@ -3,7 +3,7 @@
  * included. */
 #include "tests/test.h"
 #include "compiler/document.h"
-#include "compiler/front/graph.h"
+#include "compiler/graph/graph.h"
 #include "compiler/matc.h"
 #include "runtime/gl/png_write.h"
 #include "compiler/library/srgb.h"

@@ -3,7 +3,7 @@
  * palettes, and not from the tables. */
 #include "tests/test.h"
 #include "compiler/document.h"
-#include "compiler/front/resolve.h"
+#include "compiler/resolve/resolve.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>
 #include <string.h>

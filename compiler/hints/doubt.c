@@ -1,0 +1,415 @@
+/* Warnings about what shows nothing. Every node is asked for groups of channels by those above it,
+ * and asks those below it in turn; as inputs come before their users, one walk from the last node
+ * to the first knows what each is asked for.
+ *
+ *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
+ *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that
+ *     on: nobody sees its u and v. */
+#include "compiler/formula/formula.h"
+#include "compiler/hints/doubt.h"
+#include "grammar/lobe_table.h"
+#include <math.h>
+#include <string.h>
+
+static const double LEAST_FUZZ = .2; /* as surface_principled.glsl has it */
+/* a colour's greatest lane from which on whole lanes look like bytes */
+enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
+
+/* What a node is asked for. The first two begin as MOVES_xyz and MOVES_uv of tables.h. */
+typedef enum {
+    ASKED_xyz = MOVES_xyz,
+    ASKED_uv = MOVES_uv,
+    ASKED_color = 4,
+    ASKED_shininess = 8, /* red as a material reads it for an exponent */
+    ASKED_slope = 16,    /* by u and v */
+    ASKED_other = 32,    /* normal, index of refraction, position in the world */
+    ASKED_light = 64,    /* a colour that light is made of, of any strength */
+    ASKED_shape = 128,   /* also: where points move goes by it */
+    ASKED_shown = ASKED_color | ASKED_shininess,
+} Asked;
+
+typedef struct {
+    Session *session;
+    unsigned *asked;        /* by node's index: Asked */
+    const Node **reader;    /* by node's index: one of those that ask */
+    const unsigned *models; /* the graph's */
+    bool saying;            /* what all are asked for is known */
+} Doubts;
+
+/* Lanes of a number, or of a param's default. */
+static int lanes_of(const Value *value, const double **lanes)
+{
+    if (value->kind != VALUE_number && value->kind != VALUE_uniform)
+        return 0;
+    *lanes = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
+    return type_table[value->type].lanes;
+}
+
+static bool is_byte(double lane) { return lane >= 0 && lane <= BYTE && lane == trunc(lane); }
+
+/* The three lanes of a colour. */
+static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
+{
+    const double most = fmax(lanes[0], fmax(lanes[1], lanes[2]));
+    if (most < LOOKS_LIKE_BYTE || !is_byte(lanes[0]) || !is_byte(lanes[1]) || !is_byte(lanes[2]))
+        return;
+    Text hex = text_new(d->session->arena);
+    text_format(&hex, "#%02x%02x%02x", (unsigned)lanes[0], (unsigned)lanes[1], (unsigned)lanes[2]);
+    diag_add(d->session, span, DIAG_byte_color, hex.at);
+}
+
+/* `diffuse: 128` is a grey as bytes have it, unless it may be a light of that strength. `diffuse:
+ * 112233`: as many digits as a colour has. */
+static void doubt_single(const Doubts *d, const Value *value, double lane, bool light)
+{
+    const char *text = d->session->sources[value->span.file].text + value->span.start;
+    const size_t size = value->span.end - value->span.start;
+    if (value->kind == VALUE_number && strspn(text, "0123456789") == size &&
+        (size == 6 || size == 8)) {
+        Text hex = text_new(d->session->arena);
+        text_format(&hex, "#%.*s", (int)size, text);
+        diag_add(d->session, value->span, DIAG_byte_color, hex.at);
+    } else if (!light) {
+        doubt_bytes(d, value->span, (const double[3]){lane, lane, lane});
+    }
+}
+
+/* Parameters r, g and b of a colour or a material. */
+static void doubt_components(const Doubts *d, const Node *node)
+{
+    double rgb[3];
+    int found = 0;
+    Span span = node->span;
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = row->count - 1; i >= 0; i--) {
+        const double *lane;
+        const char *at = strchr("rgb", param_table[row->first + i].name[0]);
+        if (!at || param_table[row->first + i].name[1] || !lanes_of(&node->params[i], &lane))
+            continue;
+        rgb[at - "rgb"] = *lane;
+        found++;
+        if (*lane > 1)
+            span = node->params[i].span;
+    }
+    if (found == 3)
+        doubt_bytes(d, span, rgb);
+}
+
+static void doubt_constant(const Doubts *d, const Node *node, unsigned asked)
+{
+    const double *lanes = NULL;
+    const int count = lanes_of(&node->params[0], &lanes);
+    if (asked & ASKED_color && node->kind == KIND_Constant && count >= 3)
+        doubt_bytes(d, node->params[0].span, lanes);
+    else if (asked & ASKED_color && node->kind == KIND_Constant && count == 1)
+        doubt_single(d, &node->params[0], *lanes, asked & ASKED_light);
+    else if (asked & ASKED_color)
+        doubt_components(d, node);
+    if (asked & ASKED_shininess && count && *lanes > 1) {
+        Text is = text_new(d->session->arena), shininess = text_new(d->session->arena);
+        text_plain(&is, *lanes);
+        text_plain(&shininess, round(1e3 * (1 - sqrt(1 - exp(-2 / *lanes)))) / 1e3);
+        diag_add(d->session, node->params[0].span, DIAG_high_shininess, is.at, is.at, shininess.at);
+    }
+}
+
+static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
+{
+    if (!node || !asked)
+        return;
+    if (d->saying && section_of(node->kind) == SECTION_constant)
+        doubt_constant(d, node, asked);
+    d->asked[node->index] |= asked;
+    d->reader[node->index] = reader;
+}
+
+/* Of one with that parameter. */
+static unsigned asked_by_dimensions(const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    double number[4] = {0};
+    for (int i = 0; i < row->count; i++)
+        if (!strcmp(param_table[row->first + i].name, "dimensions"))
+            value_number(&node->params[i], TYPE_float, number);
+    return number[0] < 3 ? ASKED_uv : ASKED_xyz;
+}
+
+/* What a formula reads of a point. */
+static unsigned asked_of_point(const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    const unsigned groups = is->kind == VALUE_formula ? is->formula->groups : 0;
+    const unsigned coordinates =
+        (groups >> GROUP_X & 1 ? ASKED_xyz : 0) | (groups >> GROUP_U & 1 ? ASKED_uv : 0);
+    return coordinates | (groups & ~(1u << GROUP_X | 1u << GROUP_U) ? ASKED_other : 0);
+}
+
+/* Operands are colours of any strength, of slopes and coordinates numbers. */
+static unsigned asked_by_math(unsigned asked)
+{
+    if (asked & (ASKED_shown | ASKED_light))
+        return ASKED_color | ASKED_light;
+    return asked & ASKED_slope ? ASKED_slope : ASKED_other;
+}
+
+/* What a map asks its input for, being asked itself. */
+static unsigned asked_of_input(const Node *node, unsigned asked)
+{
+    const KindRow *row = &kind_table[node->kind];
+    const bool items = row->count > 1 && node->params[1].kind == VALUE_items;
+    switch (section_of(node->kind)) {
+    case SECTION_surface:
+        return ASKED_uv;
+    case SECTION_volume:
+        return ASKED_xyz;
+    case SECTION_dimensions:
+        return asked_by_dimensions(node);
+    case SECTION_expression:
+        return asked_of_point(node);
+    case SECTION_math:
+        return asked_by_math(asked);
+    case SECTION_blend:
+        return items ? ASKED_xyz : asked;
+    case SECTION_normal:
+        return asked | ASKED_uv | ASKED_other;
+    default:
+        return asked;
+    }
+}
+
+/* What a material or map asks the map of one of its own parameters for. */
+static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
+{
+    if (section_of(node->kind) == SECTION_normal)
+        return ASKED_slope;
+    if (section_of(node->kind) == SECTION_math)
+        return asked_by_math(asked);
+    if (section_of(node->kind) != SECTION_material)
+        return asked;
+    if (!strcmp(param->name, "displacement") || !strcmp(param->name, "displacementVector"))
+        return ASKED_color | ASKED_shape;
+    if (strstr(param->name, "hininess"))
+        return ASKED_shininess;
+    if ((node->kind == KIND_Principled || node->kind == KIND_Layer) &&
+        !param_is_colored((int)(param - param_table)))
+        return ASKED_color | ASKED_light; /* a number of any size */
+    return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
+}
+
+static void ask_below(Doubts *d, const Node *node, unsigned asked)
+{
+    const KindRow *row = &kind_table[node->kind];
+    const bool material = section_of(node->kind) == SECTION_material;
+    const unsigned shape = asked & ASKED_shape;
+    for (int i = 0; i < row->count && (material || asked); i++) {
+        const ParamRow *param = &param_table[row->first + i];
+        const Value *value = &node->params[i];
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            ask(d, node, value->items->item[k].input,
+                node->kind == KIND_Expression ? ASKED_other | shape : asked);
+        if (value->kind != VALUE_node || param->type != PARAM_Map)
+            continue;
+        const bool input = !strcmp(param->name, "input") || !strcmp(param->name, "coatNormal");
+        ask(d, node, value->node,
+            shape | (!input     ? asked_of_param(node, param, asked)
+                     : material ? ASKED_other
+                                : asked_of_input(node, asked)));
+    }
+}
+
+/* The map of its section that moves just these coordinates. */
+static const char *mover(unsigned moves)
+{
+    for (int kind = 0; kind < KIND_COUNT; kind++)
+        if (kind_table[kind].moves == moves)
+            return kind_table[kind].name;
+    return "";
+}
+
+/* A transformer, or a modifier of the normal. */
+static void doubt_use(const Doubts *d, const Node *node)
+{
+    const unsigned asked = d->asked[node->index], moves = kind_table[node->kind].moves;
+    const Value *input = &node->params[0];
+    const bool through = input->kind == VALUE_node;
+    const bool moved = asked & moves || (moves & MOVES_uv && asked & ASKED_slope);
+    const char *name = kind_table[node->kind].name;
+    if (asked & ASKED_shown && (!through || !(moved || asked & ASKED_other)))
+        diag_add(d->session, node->span, DIAG_no_color, name,
+                 through ? "its input's comes through as it is" : "it is black, with alpha 0");
+    else if (moves && !moved && asked & (ASKED_uv | ASKED_xyz))
+        diag_add(d->session, node->span, DIAG_unread_transform,
+                 kind_table[d->reader[node->index]->kind].name,
+                 asked & ASKED_xyz ? "x, y and z" : "u and v", name,
+                 mover(asked & (ASKED_uv | ASKED_xyz)));
+}
+
+/* A map that is asked for something, and lacks what it would show: its picture, its items. */
+static void doubt_lack(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    for (int i = 0; i < row->count && d->asked[node->index]; i++) {
+        const ParamRow *param = &param_table[row->first + i];
+        const Value *value = &node->params[i];
+        if (param->type == PARAM_Image && value->kind == VALUE_none)
+            diag_add(d->session, node->span, DIAG_no_picture, row->name, param->name);
+        if (param->type == PARAM_Formula && value->kind != VALUE_formula)
+            diag_add(d->session, node->span, DIAG_no_formula, row->name, param->name);
+        if (param->type == PARAM_List && (value->kind != VALUE_items || !value->items->count))
+            diag_add(d->session, node->span, DIAG_no_maps, row->name, param->name);
+        if (param->type == PARAM_Items && (value->kind != VALUE_items || !value->items->count))
+            diag_add(d->session, node->span, DIAG_no_items, row->name, param->name);
+    }
+}
+
+/* The material that displaces where this one shows its front: itself, or one within switches. NULL:
+ * none. */
+static const Node *displaced_front(const Node *material)
+{
+    while (material && !graph_displaces(material)) {
+        const Value *front = material->kind == KIND_SideSwitch
+                                 ? node_param(material, P_SideSwitch_frontShader)
+                                 : NULL;
+        material = front && front->kind == VALUE_node ? front->node : NULL;
+    }
+    return material;
+}
+
+static bool same_map(const Value *a, const Value *b)
+{
+    return a->kind == b->kind && (a->kind != VALUE_node || a->node == b->node);
+}
+
+static const Value *first_map(const Displacement *d)
+{
+    return d->volume->kind == VALUE_node   ? d->volume
+           : d->height->kind == VALUE_node ? d->height
+                                           : d->vector;
+}
+
+/* What a volume takes the place of, and what counts for volumes alone. */
+static void doubt_volume(const Doubts *d, const Node *node)
+{
+    const Displacement has = graph_displacement(node);
+    if (has.volume->kind != VALUE_node && has.threshold->kind != VALUE_none)
+        diag_add(d->session, has.threshold->span, DIAG_no_volume);
+    if (has.volume->kind != VALUE_node)
+        return;
+    if (has.height->kind == VALUE_node)
+        diag_add(d->session, has.height->span, DIAG_volume_displacement, "displacement");
+    if (has.vector->kind == VALUE_node)
+        diag_add(d->session, has.vector->span, DIAG_volume_displacement, "displacementVector");
+}
+
+/* A surface has one shape, which is not its back's, unless that is the same. */
+static void doubt_back(const Doubts *d, const Node *node)
+{
+    const Value *back = node_param(node, P_SideSwitch_backShader);
+    const Node *shape = displaced_front(node),
+               *other = back->kind == VALUE_node ? displaced_front(back->node) : NULL;
+    if (!other || other == shape)
+        return;
+    const Displacement has = graph_displacement(other);
+    const Value *height = first_map(&has);
+    const Displacement seen = shape ? graph_displacement(shape) : has;
+    if (!shape || !same_map(seen.height, has.height) || !same_map(seen.vector, has.vector) ||
+        !same_map(seen.volume, has.volume))
+        diag_add(d->session, height->span, DIAG_back_displacement);
+}
+
+/* A part of a Phong that the Principled which a Layer makes of it has no slot for. */
+static void doubt_layered(const Doubts *d, const Node *base)
+{
+    static const int lost[] = {P_Phong_ambient, P_Phong_diffuseTransparency};
+    for (size_t i = 0; base->kind == KIND_Phong && i < sizeof lost / sizeof *lost; i++) {
+        const Value *value = node_param(base, lost[i]);
+        if (!value_is_zero(value))
+            diag_add(d->session, value->span, DIAG_layered_loss, param_table[lost[i]].name);
+    }
+}
+
+/* Where there is fuzz, a number that the lobe does not go down to. */
+static void doubt_fuzz(const Doubts *d, const Node *node)
+{
+    const Value *rough =
+        node->kind == KIND_Principled ? node_param(node, P_Principled_fuzzRoughness) : NULL;
+    const double *lanes;
+    if (!rough || value_is_zero(node_param(node, P_Principled_fuzz)))
+        return;
+    const Span span = rough->span;
+    if (rough->kind == VALUE_node && rough->node->kind == KIND_Constant)
+        rough = &rough->node->params[0];
+    if (lanes_of(rough, &lanes) && lanes[0] < LEAST_FUZZ)
+        diag_add(d->session, span, DIAG_narrow_fuzz);
+}
+
+/* A Mix of materials one of which would move the surface; or one material of two whose slots mean
+ * other things. */
+static void doubt_mixed(const Doubts *d, const Node *node)
+{
+    const KindRow *row = &kind_table[node->kind];
+    const char *name = node->kind == KIND_MixMaterial ? "Mix" : node_written_name(node);
+    unsigned models = 0;
+    for (int i = 0; i < row->count; i++)
+        if (param_table[row->first + i].type == PARAM_Material &&
+            node->params[i].kind == VALUE_node)
+            models |= d->models[node->params[i].node->index];
+    if (node->kind == KIND_Layer && models & MODEL_LOBE(LOBE_coat))
+        diag_add(d->session, node->span, DIAG_two_coats);
+    const Value *base = node->kind == KIND_Layer ? node_param(node, P_Layer_base) : NULL;
+    if (base && base->kind == VALUE_node)
+        doubt_layered(d, base->node);
+    if (node->kind != KIND_AlgorithmSwitch && models >> MODEL_Phong & 1 &&
+        models >> MODEL_Principled & 1)
+        diag_add(d->session, node->span, DIAG_mixed_models, name);
+    for (int i = 0; i < row->count; i++) {
+        const Value *value = &node->params[i];
+        const bool one = node->kind == KIND_MixMaterial || node->kind == KIND_Layer;
+        if (one && param_table[row->first + i].type == PARAM_Material &&
+            value->kind == VALUE_node && graph_displaces(value->node))
+            diag_add(d->session, value->node->span, DIAG_mixed_displacement, name, name);
+    }
+}
+
+/* A formula in a displacement. */
+static void doubt_shape(const Doubts *d, const Node *node)
+{
+    const Value *is = node_param(node, P_Expression_is);
+    if (is->kind != VALUE_formula)
+        return;
+    if (is->formula->meshed)
+        diag_add(d->session, node->span, DIAG_displaced_attribute,
+                 "attributes of the mesh as their defaults");
+    if (is->formula->groups >> GROUP_O & 1)
+        diag_add(d->session, node->span, DIAG_displaced_attribute, "objectRandom as 0");
+}
+
+/* In the order of the document, inputs before their users. */
+static void say(Doubts *d, const Node *node)
+{
+    const Section section = section_of(node->kind);
+    if (section == SECTION_material)
+        doubt_components(d, node), doubt_mixed(d, node), doubt_lost(d->session, node),
+            doubt_fuzz(d, node), doubt_volume(d, node), doubt_normals(d->session, node);
+    if (node->kind == KIND_SideSwitch)
+        doubt_back(d, node);
+    if (section == SECTION_transform || section == SECTION_normal)
+        doubt_use(d, node);
+    if (node->kind == KIND_Expression && d->asked[node->index] & ASKED_shape)
+        doubt_shape(d, node);
+    doubt_units(d->session, node);
+    doubt_lack(d, node);
+}
+
+void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count)
+{
+    Doubts d = {session, ARENA_ARRAY(session->arena, unsigned, graph->node_count),
+                ARENA_ARRAY(session->arena, const Node *, graph->node_count), graph->models, false};
+    for (size_t i = count; i--;)
+        ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
+    d.saying = true;
+    for (size_t i = 0; i < count; i++) {
+        say(&d, nodes[i]);
+        ask_below(&d, nodes[i], d.asked[nodes[i]->index]);
+    }
+}

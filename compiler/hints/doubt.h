@@ -1,0 +1,19 @@
+/* Warnings about what is no fault, and shows nothing of what was meant. */
+#ifndef MATC_DOUBT_H
+#define MATC_DOUBT_H
+#include "compiler/base/session.h"
+#include "compiler/graph/graph.h"
+#include "grammar/unit_table.h"
+
+/* Of a graph without faults; `nodes` are its materials and maps that are no bare numbers, in the
+ * order of their indices. */
+void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count);
+/* A constant of an unusual size for what its numbers count; `unit` is NULL where nothing is said of
+ * that. doubt_number.c */
+void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value);
+void doubt_units(Session *session, const Node *node);
+/* Parameters of a material that want a normal or a direction, and have what gives none. */
+void doubt_normals(Session *session, const Node *material);
+/* Parts of a material that no G-buffer holds, or not as they are. */
+void doubt_lost(Session *session, const Node *material);
+#endif

@@ -1,0 +1,26 @@
+/* What the readers of all formats share. */
+#include "compiler/images/image_file.h"
+
+const char image_file_cut[] = "it ends too soon", image_file_too_large[] = "it is too large",
+           image_file_too_many[] = "the pictures of a document are too large together";
+
+const char *image_file_check_side(double width, double height)
+{
+    if (width < 1 || height < 1)
+        return "it has no texels";
+    return width > LIMIT_IMAGE_SIDE || height > LIMIT_IMAGE_SIDE ? image_file_too_large : NULL;
+}
+
+size_t image_file_size(const Image *image)
+{
+    return (size_t)image->width * (size_t)image->height * 4 * (size_t)(image->bits / 8);
+}
+
+const char *image_file_allocate(ImageFile *file)
+{
+    Image *image = file->image;
+    if (image_file_size(image) > file->room)
+        return image_file_too_many;
+    image->texels = arena_alloc(&file->memory, image_file_size(image));
+    return NULL;
+}

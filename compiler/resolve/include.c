@@ -1,0 +1,181 @@
+/* Files that documents include: beside the file that asks, in the folders of -I, among those that
+ * come with matc; the first that is there. */
+#include "compiler/hints/hint.h"
+#include "compiler/resolve/include.h"
+#include "compiler/read/read.h"
+#include "grammar/library_table.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* What stands before the names of files that come with matc: no file is called so
+ * (session_path_beside). */
+static const char SHIPPED[] = "<matc>/";
+enum { SHIPPED_SIZE = sizeof SHIPPED - 1 };
+
+static bool is_shipped(const char *path) { return !strncmp(path, SHIPPED, SHIPPED_SIZE); }
+
+static const LibraryFile *shipped(const char *name)
+{
+    for (int i = 0; i < library_count; i++)
+        if (!strcmp(library_table[i].name, name))
+            return &library_table[i];
+    return NULL;
+}
+
+static bool is_read(const Session *session, const char *path)
+{
+    for (size_t i = 0; i < session->source_count; i++)
+        if (!strcmp(session->sources[i].name, path))
+            return true;
+    return false;
+}
+
+/* Whether it may name one more file. */
+static bool may_include(Session *session, const Tree *name, int depth)
+{
+    if (name->kind != TREE_scalar)
+        diag_add(session, name->span, DIAG_wrong_type, "include", "a file name or a list of them",
+                 tree_describe(session, name));
+    else if (depth >= LIMIT_INCLUDE_DEPTH)
+        diag_add(session, name->span, DIAG_include_depth, LIMIT_INCLUDE_DEPTH);
+    return name->kind == TREE_scalar && depth < LIMIT_INCLUDE_DEPTH;
+}
+
+/* A file as it was found: nothing yet (`why` says so), read before, or text of it. */
+typedef struct {
+    const char *path, *text, *why;
+    size_t size;
+    bool before;
+} Found;
+
+static bool look_shipped(Session *session, const char *name, Found *found)
+{
+    const LibraryFile *file = shipped(name);
+    if (!file)
+        return false;
+    Text path = text_new(session->arena);
+    text_format(&path, "%s%s", SHIPPED, name);
+    *found = (Found){.path = path.at, .text = file->text, .size = strlen(file->text)};
+    found->before = is_read(session, path.at);
+    return true;
+}
+
+static bool look_at(Session *session, const char *path, Found *found)
+{
+    *found = (Found){.path = path, .why = "", .before = is_read(session, path)};
+    if (found->before)
+        return true;
+    char *text = session_read_file(session, path, &found->size, &found->why);
+    if (!text)
+        return false;
+    found->text = arena_string(session->arena, text, found->size);
+    free(text);
+    return true;
+}
+
+/* In the folders of -I. */
+static bool look_in_folders(Session *session, const char *name, Found *found)
+{
+    const MatcOptions *options = session->options;
+    for (int i = 0; name[0] != '/' && i < options->include_count; i++) {
+        Text from = text_new(session->arena);
+        text_format(&from, "%s/", options->include[i]);
+        if (look_at(session, session_path_beside(session, from.at, name), found))
+            return true;
+    }
+    return false;
+}
+
+/* Beside a file that comes with matc there are only such files. A file that asks for its own name
+ * means another: bricks.yaml may include matc's. */
+static bool find(Session *session, const char *from, const char *name, Found *found)
+{
+    if (is_shipped(from))
+        return look_shipped(session, name, found);
+    Found beside;
+    const bool there = look_at(session, session_path_beside(session, from, name), &beside);
+    *found = beside;
+    if (there && strcmp(beside.path, from) != 0)
+        return true;
+    if (look_in_folders(session, name, found) || look_shipped(session, name, found))
+        return true;
+    *found = beside;
+    return there;
+}
+
+static const char *shipped_file(const void *user, int i)
+{
+    (void)user;
+    return library_table[i].name;
+}
+
+/* "bricks" -> "bricks.yaml" */
+static const char *with_ending(Session *session, const char *name)
+{
+    Text text = text_new(session->arena);
+    text_format(&text, "%s%s", name, strrchr(name, '.') ? "" : ".yaml");
+    return text.at;
+}
+
+static void say_missing(Session *session, const Tree *name, const Found *found)
+{
+    const char *file = with_ending(session, name->text);
+    const LibraryName *defined = hint_library_name(name->text);
+    Text hint = text_new(session->arena);
+    text_put(&hint, "");
+    if (shipped(file))
+        text_format(&hint, "; the file is called '%s'", file);
+    else if (defined)
+        text_format(&hint, "; '%s' is in '%s'", name->text, defined->file);
+    else
+        text_put(&hint, diag_suggest(session, file, shipped_file, NULL, library_count));
+    session_depend_on(session, found->path);
+    if (!hint_backslash(session, name->span))
+        diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
+}
+
+/* Whether some key of a document's outermost level stands in a text. What is none, a password file
+ * for instance, is not read any further, so that no message quotes it. */
+static bool looks_like_document(const Found *found)
+{
+    static const char *const keys[] = {"defs", "include", "colors", "material", "materials", "ref"};
+    static const char before[] = "\n \t{,\"'";
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++)
+        for (const char *at = found->text; (at = strstr(at, keys[i])); at++) {
+            const char *end = at + strlen(keys[i]);
+            end += *end == '"' || *end == '\'';
+            if ((at == found->text || strchr(before, at[-1])) && end[strspn(end, " ")] == ':')
+                return true;
+        }
+    return false;
+}
+
+Tree *include_read(Session *session, const Tree *name, int depth, bool *fine)
+{
+    Found found = {.path = ""};
+    *fine = false;
+    if (!may_include(session, name, depth))
+        return NULL;
+    const bool there = find(session, session->sources[name->span.file].name, name->text, &found);
+    *fine = there && found.before;
+    if (*fine)
+        return NULL;
+    if (session->depends.count > LIMIT_INCLUDES)
+        return diag_add(session, name->span, DIAG_too_many_includes, LIMIT_INCLUDES);
+    if (!there) {
+        say_missing(session, name, &found);
+        return NULL;
+    }
+    if (!is_shipped(found.path))
+        session_depend_on(session, found.path);
+    if (!looks_like_document(&found))
+        return diag_add(session, name->span, DIAG_include_no_document, name->text);
+    const Source source = {.name = found.path, .text = found.text, .size = found.size};
+    ARENA_PUSH(session->arena, session->sources, session->source_count, session->source_room,
+               source);
+    Tree *tree = read_document(session, (uint32_t)session->source_count - 1);
+    if (tree && tree->kind != TREE_object)
+        return diag_add(session, tree->span, DIAG_include_not_object);
+    *fine = tree != NULL;
+    return tree;
+}

@@ -1,0 +1,158 @@
+/* Colours of a document: "#rgb" and its like, names, and whether they are linear light or sRGB.
+ * `colors:` says it for a file, srgb(...) and linear(...) for one colour. What a file says holds
+ * for what is written in that file, wherever it is used. */
+#include "compiler/hints/hint.h"
+#include "compiler/hints/mistake.h"
+#include "compiler/library/srgb.h"
+#include "compiler/base/text.h"
+#include "compiler/base/warnings.h"
+#include <string.h>
+
+enum { ADVISED_DIGITS = 3 }; /* decimals of the numbers in advice */
+
+static const char *const space_names[] = {"linear", "srgb"};
+
+static FileColors file_colors(const Resolver *r, uint32_t file)
+{
+    return file < r->file_color_room ? (FileColors)r->file_colors[file] : FILE_COLORS_undeclared;
+}
+
+bool resolve_is_srgb(const Resolver *r, uint32_t file)
+{
+    return file_colors(r, file) == FILE_COLORS_srgb;
+}
+
+bool resolve_color_space(Resolver *r, const Tree *document)
+{
+    const Member *colors = tree_find(document, "colors");
+    if (!colors || tree_is_null(colors->value))
+        return true;
+    const Tree *name = colors->value;
+    for (int srgb = 0; name->kind == TREE_scalar && srgb < 2; srgb++) {
+        if (strcmp(name->text, space_names[srgb]) != 0)
+            continue;
+        const uint32_t file = name->span.file;
+        r->file_colors = arena_reach(r->session->arena, r->file_colors, file, &r->file_color_room,
+                                     sizeof *r->file_colors);
+        r->file_colors[file] = (unsigned char)(srgb ? FILE_COLORS_srgb : FILE_COLORS_linear);
+        return true;
+    }
+    diag_add(r->session, name->span, DIAG_wrong_type, "colors", "linear or srgb",
+             tree_describe(r->session, name));
+    return false;
+}
+
+/* -- Advice about hex colors without `colors:` */
+
+/* All components are 0 or 1, which mean the same light in sRGB and linearly. */
+static bool is_pure(const double *lanes)
+{
+    bool pure = true;
+    for (int lane = 0; lane < 3; lane++)
+        pure &= lanes[lane] == 0 || lanes[lane] == 1;
+    return pure;
+}
+
+static bool is_advised(const Session *session, uint32_t file)
+{
+    for (size_t i = 0; i < session->diags.count; i++)
+        if (session->diags.at[i].kind == DIAG_linear_colors &&
+            session->diags.at[i].span.file == file)
+            return true;
+    return false;
+}
+
+/* "[0.91, 0.878, 0.8]" */
+static const char *three_lanes(Session *session, const double *lanes, bool srgb)
+{
+    Text list = text_new(session->arena);
+    for (int lane = 0; lane < 3; lane++) {
+        text_put(&list, lane ? ", " : "[");
+        text_rounded(&list, srgb ? srgb_decode(lanes[lane]) : lanes[lane], ADVISED_DIGITS);
+    }
+    text_put(&list, "]");
+    return list.at;
+}
+
+void resolve_advise_colors(Resolver *r, Span span, const char *hex, const double *lanes)
+{
+    Session *session = r->session;
+    const bool off =
+        warnings_severity(session_warnings(session), DIAG_linear_colors) == SEVERITY_none;
+    if (off || file_colors(r, span.file) != FILE_COLORS_undeclared || is_pure(lanes) ||
+        is_advised(session, span.file))
+        return;
+    diag_add(session, span, DIAG_linear_colors, hex, three_lanes(session, lanes, false),
+             three_lanes(session, lanes, true));
+}
+
+static const char *color_name(const void *user, int i)
+{
+    (void)user;
+    return color_table[i].name;
+}
+
+/* #rgb, #rrggbb, #rrggbbaa */
+static bool hex_color(const char *text, Value *value)
+{
+    size_t size = strlen(text + 1);
+    if (strspn(text + 1, "0123456789abcdefABCDEF") != size || (size != 3 && size != 6 && size != 8))
+        return false;
+    int lanes = size == 8 ? 4 : 3, digits = size == 3 ? 1 : 2;
+    for (int i = 0; i < lanes; i++) {
+        const char *at = text + 1 + i * digits;
+        value->number[i] = (text_hex_digit(at[0]) * 16 + text_hex_digit(at[digits - 1])) / 255.0;
+    }
+    value->type = lanes == 4 ? TYPE_vec4 : TYPE_vec3;
+    return true;
+}
+
+static bool named_color(Resolver *r, const Tree *tree, const char *text, Value *value)
+{
+    for (int i = 0; i < color_count; i++) {
+        if (strcmp(color_table[i].name, text) != 0)
+            continue;
+        for (int lane = 0; lane < 3; lane++)
+            value->number[lane] = color_table[i].rgb[lane] / 255.0;
+        value->type = TYPE_vec3;
+        return true;
+    }
+    if (mistake_hex(r, tree, text) || hint_color_name(r, tree, text))
+        return false;
+    const char *near = diag_suggest(r->session, text, color_name, NULL, color_count);
+    diag_add(r->session, tree->span, DIAG_unknown_color, text, near);
+    return false;
+}
+
+/* "srgb(orange)" -> "orange", and *srgb is set; a text of another form is itself. */
+static const char *within_space(Resolver *r, const char *text, bool *srgb)
+{
+    size_t size = strlen(text);
+    for (int space = 0; space < 2; space++) {
+        size_t before = strlen(space_names[space]);
+        if (strncmp(text, space_names[space], before) != 0 || text[before] != '(' ||
+            text[size - 1] != ')')
+            continue;
+        *srgb = space;
+        return arena_string(r->session->arena, text + before + 1, size - before - 2);
+    }
+    return text;
+}
+
+bool resolve_color(Resolver *r, const Tree *tree, Value *value)
+{
+    bool srgb = resolve_is_srgb(r, tree->span.file);
+    const char *text = within_space(r, tree->text, &srgb);
+    if (text[0] == '#' && !hex_color(text, value)) {
+        diag_add(r->session, tree->span, DIAG_bad_color, text);
+        return false;
+    }
+    if (text[0] != '#' && !named_color(r, tree, text, value))
+        return false;
+    if (text == tree->text && text[0] == '#')
+        resolve_advise_colors(r, tree->span, text, value->number);
+    for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a share, and no light */
+        value->number[lane] = srgb_decode(value->number[lane]);
+    value->color = true;
+    return true;
+}

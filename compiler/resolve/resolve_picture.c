@@ -1,0 +1,118 @@
+/* Which pictures are sRGB, where their maps do not say. In a file of `colors: srgb` it is those
+ * that feed a colour: there is a way from a colour of a material to them, by parameters whose map's
+ * colour is passed on (COLORED of maps.def). All others give numbers.
+ *
+ *     colors: srgb
+ *     material: Phong
+ *     diffuse: { map: Blend, blend: [{ input: { map: ImageMap, image: a.png } }], # a colour: sRGB
+ *                input: { map: ImageMap, image: b.png } } # a coordinate: linear
+ *     shininess: { map: ImageMap, image: c.png } # a number: linear
+ *
+ * A picture of floats is always linear. A map that feeds both is one map, with one value: sRGB.
+ *
+ * glTF defines its pictures: those of colours are sRGB whatever the file's `colors:` say, all
+ * others linear, and texels stand in the middle of their squares. So it is for a material `glTF` of
+ * a document, as of a .gltf (read_gltf.c), where the maps do not say otherwise. UsdPreview's
+ * textures and MaterialX's images, which StandardSurface reads, span the square from 0, 0 to 1, 1
+ * by their edges, too: texels stand in the middle of theirs. What their bytes mean is no matter of
+ * the material there, but of the texture's sourceColorSpace and the file's colorspace: here, of the
+ * map's and the document's. */
+#include "compiler/resolve/resolve.h"
+
+void resolve_picture(Resolver *r, const Node *node, Value *params)
+{
+    Value *space = &params[P_ImageMap_colorspace - kind_table[KIND_ImageMap].first];
+    const Value *image = &params[P_ImageMap_image - kind_table[KIND_ImageMap].first];
+    const bool floats = image->kind == VALUE_image && image->image->bits == 32;
+    if (floats && space->kind == VALUE_number && space->number[0] == WORD_ColorSpace_srgb)
+        diag_add(r->session, space->span, DIAG_float_srgb);
+    Value *texels = &params[P_ImageMap_texels - kind_table[KIND_ImageMap].first];
+    const bool decided = space->kind != VALUE_none;
+    if (!decided)
+        *space =
+            (Value){.kind = VALUE_number, .type = TYPE_int, .number = {WORD_ColorSpace_linear}};
+    const UndecidedPicture picture = {node, decided || floats ? NULL : space,
+                                      texels->given ? NULL : texels};
+    if (picture.colorspace || picture.texels)
+        ARENA_PUSH(r->session->arena, r->undecided, r->undecided_count, r->undecided_room, picture);
+}
+
+/* Nodes that some reach, by ways of colours alone or by all, and those of them whose own inputs are
+ * still to be looked at. */
+typedef struct {
+    bool any_way, *met; /* by index */
+    const Node **open;
+    int count;
+} Reach;
+
+static void reach(Reach *reach, const Node *node)
+{
+    if (!node || reach->met[node->index])
+        return;
+    reach->met[node->index] = true;
+    reach->open[reach->count++] = node;
+}
+
+static void reach_inputs(Reach *all, const Node *node)
+{
+    const int first = kind_table[node->kind].first;
+    /* a Blend without items is its input */
+    const bool passes =
+        node->kind == KIND_Blend && node_param(node, P_Blend_blend)->kind != VALUE_items;
+    for (int i = 0; i < kind_table[node->kind].count; i++) {
+        const Value *value = &node->params[i];
+        if (!all->any_way && !param_is_colored(first + i) &&
+            !(passes && first + i == P_Blend_input))
+            continue;
+        if (value->kind == VALUE_node)
+            reach(all, value->node);
+        for (int k = 0; value->kind == VALUE_items && k < value->items->count; k++)
+            reach(all, value->items->item[k].numbers && !all->any_way
+                           ? NULL
+                           : value->items->item[k].input);
+    }
+}
+
+static bool is_gltf(Kind written) { return written == KIND_glTF; }
+
+/* What hangs below the materials of the document that the author wrote as such. */
+static const bool *reached_of(const Resolver *r, bool (*such)(Kind written), bool any_way)
+{
+    Reach all = {.any_way = any_way,
+                 .met = ARENA_ARRAY(r->session->arena, bool, r->node_count),
+                 .open = ARENA_ARRAY(r->session->arena, const Node *, r->node_count)};
+    for (size_t i = 0; i < r->named_count; i++)
+        reach(&all, such(r->nodes[i]->written) ? r->nodes[i] : NULL);
+    while (all.count)
+        reach_inputs(&all, all.open[--all.count]);
+    return all.met;
+}
+
+static const bool *reached_of_colours(const Resolver *r, const NamedMaterial *materials, int count)
+{
+    Reach all = {.met = ARENA_ARRAY(r->session->arena, bool, r->node_count),
+                 .open = ARENA_ARRAY(r->session->arena, const Node *, r->node_count)};
+    for (int i = 0; i < count; i++)
+        reach(&all, materials[i].node);
+    while (all.count)
+        reach_inputs(&all, all.open[--all.count]);
+    return all.met;
+}
+
+void resolve_picture_spaces(Resolver *r, const NamedMaterial *materials, int count)
+{
+    if (!r->undecided_count)
+        return;
+    const bool *colored = reached_of_colours(r, materials, count),
+               *below = reached_of(r, resolve_is_foreign, true),
+               *tinting = reached_of(r, is_gltf, false);
+    for (size_t i = 0; i < r->undecided_count; i++) {
+        const UndecidedPicture *picture = &r->undecided[i];
+        const int node = picture->node->index;
+        if (picture->colorspace &&
+            (tinting[node] || (colored[node] && resolve_is_srgb(r, picture->node->span.file))))
+            picture->colorspace->number[0] = WORD_ColorSpace_srgb;
+        if (picture->texels && below[node])
+            picture->texels->number[0] = WORD_Texels_centre;
+    }
+}
