@@ -7,7 +7,8 @@
 /* The distance of half floats around a number. */
 static inline double half_step(double v)
 {
-    return ldexp(1, fmax(ilogb(fmax(fabs(v), 1e-30)), -14) - 10);
+    const int exponent = ilogb(fmax(fabs(v), 1e-30));
+    return ldexp(1, (exponent > -14 ? exponent : -14) - 10);
 }
 /* Zero, or within the normal numbers: no infinity, no NaN, no denormal. */
 static inline bool half_is_plain(double v)

@@ -61,9 +61,9 @@ static void numbers_are_short_and_read_back(void **state)
     (void)state;
     Arena arena = {0};
     static const double special[] = {
-        0,    -0.,     1,        0.1,      1e6,     999999.9,    9.9999999,       0.001,
-        1e-3, 8.5e-4,  16777216, 16777217, FLT_MAX, FLT_MIN,     FLT_TRUE_MIN,    1e15,
-        1e21, 0.00125, 1 / 3.,   2 / 3.,   1e5 / 3, 123456.7891, 9007199254740993};
+        0,    -0.,     1,        0.1,      1e6,     999999.9,    9.9999999,        0.001,
+        1e-3, 8.5e-4,  16777216, 16777217, FLT_MAX, FLT_MIN,     FLT_TRUE_MIN,     1e15,
+        1e21, 0.00125, 1 / 3.,   2 / 3.,   1e5 / 3, 123456.7891, 9007199254740993.};
     for (size_t i = 0; i < sizeof special / sizeof *special; i++)
         for (int sign = -1; sign < 2; sign += 2) {
             check(&arena, (float)(sign * special[i]), true);
