@@ -40,10 +40,7 @@ target_link_libraries(failing_malloc PRIVATE matc_flags)
 target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers locale exports format test_affine test_bounded test_convert test_defaults test_exact
-  test_exact_material test_filtered_pass test_ir_check test_json
-  test_json_write test_key test_ktx test_layout_cases test_layout_file test_merge test_names test_narrow test_oracle test_oracle_material
-  test_oracle_space test_pack test_picture test_png test_range test_rules test_rules_group test_rules_range test_scene_defaults test_sheet test_tables test_thesis)
+set(QUICK golden abi embed_example functions layers locale exports format)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
 # A test passes properties to ctest by a comment line, /* ctest: WORD... */. The words are:
@@ -56,8 +53,9 @@ file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test
 #   unoptimized  Without optimizations of Mesa's shader compiler, which takes most of the time of the
 #                test. It then takes two thirds of the time and draws the same bits.
 #   small-pages  Without large pages, since the test measures memory or stack.
+#   quick        In ctest -L quick, too.
 #   seconds=N    Usual time from 10 seconds on: a first run starts the longest tests first.
-set(WORDS unsanitized alone unoptimized small-pages)
+set(WORDS unsanitized alone unoptimized small-pages quick)
 foreach(file ${TESTS})
   get_filename_component(name ${file} NAME_WE)
   file(STRINGS ${file} line REGEX "^/[*] ctest: .* [*]/$")
@@ -73,6 +71,7 @@ foreach(file ${TESTS})
     endif()
   endforeach()
 endforeach()
+list(APPEND QUICK ${WITH_quick})
 # A program of tests, and what some of them need beside
 function(matc_test_program program)
   add_executable(${program} ${ARGN})

@@ -1,5 +1,6 @@
 /* When programs have equal keys and shapes, what their places are, and how places become members of
  * a buffer. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/matc.h"
 #include "tests/stress/generate.h"

@@ -1,4 +1,5 @@
 /* The contact sheet: its size, where its pictures lie, and that its names can be read. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "runtime/view/font.h"
 #include "runtime/view/sheet.h"

@@ -1,5 +1,6 @@
 /* Strict JSON: what is refused, and at which byte; what is accepted, and as which values. cJSON
  * gives a second opinion of every text. The whole of JSONTestSuite is in suites/. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "tests/read_text.h"
 #include "compiler/tool/batch_state.h"

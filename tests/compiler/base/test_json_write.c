@@ -1,5 +1,6 @@
 /* Strings of JSON: whatever the bytes are, cJSON reads what was meant, and no control character is
  * left. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"

@@ -1,5 +1,6 @@
 /* Names, strings and keys, each once and numbered as they came (names.c, sets.c): many more than a
  * first table holds, every one is found again under its number, and nothing else is. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/names.h"
 #include "compiler/base/sets.h"

@@ -1,6 +1,7 @@
 /* What a document means where it says nothing: every parameter's default, the presets, the named
  * colours, and the rows of --precision, each written down here from semantics.md and the published
  * palettes, and not from the tables. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/document.h"
 #include "compiler/resolve/resolve.h"

@@ -1,6 +1,7 @@
 /* The tables of grammar/: their rows are sound, and every parameter of every kind is tried at its
  * default, at both ends of its range, beyond them, and with a value of another type. Adding a row
  * adds its cases. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "grammar/foreign_table.h"
 #include "grammar/key_table.h"

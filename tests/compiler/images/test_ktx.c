@@ -1,4 +1,5 @@
 /* Textures as files: KTX 1 as Khronos specifies it, byte by byte, rows of every length. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/base/output.h"
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* Pictures: files that are written here byte by byte, by the PNG specification and with nothing of
  * the product's, so that their texels are known; what the reader makes of them, and what the
  * reference answers for them. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "tests/picture.h"
 #include <math.h>

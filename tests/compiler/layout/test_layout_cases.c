@@ -1,5 +1,6 @@
 /* --layout=auto: which sets of slots are kept of many materials, and how they are divided into
  * cases. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/layout/auto_layout.h"
 #include "compiler/layout/custom.h"

@@ -1,5 +1,6 @@
 /* Layouts from files: what matc writes of a layout reads back to it, and what one's own layouts
  * promise they keep. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/layout/layout_read.h"
 #include "compiler/layout/custom.h"

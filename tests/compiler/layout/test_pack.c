@@ -1,6 +1,7 @@
 /* What is packed into half floats survives a real RGBA16F target: every code of packPair, and
  * normals through the spheremap. The GLSL is the library's own, drawn; the reading side is a second
  * program that samples the target. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "tests/draw/canvas.h"
 #include "tests/value/half.h"

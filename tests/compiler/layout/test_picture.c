@@ -1,4 +1,5 @@
 /* Pictures: the same material through every layout. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "grammar/layout_tables.h"
 #include "tests/preview.h"

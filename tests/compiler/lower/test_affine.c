@@ -1,6 +1,7 @@
 /* --coordinates=long: what constants made of a coordinate, by sums, products, matrices, lanes and
  * signs in any order, comes out whole and fraction far from the origin. The truth is a matrix and
  * an offset in long double that the test carries along. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/fold.h"
 #include "compiler/lower/footprint.h"

@@ -1,5 +1,6 @@
 /* --trigonometry=bounded leaves nothing to the driver's sines: neither a function of the library
  * nor a whole program calls one. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/emit/chunks.h"
 #include "tests/value/documents.h"

@@ -1,5 +1,6 @@
 /* --aa in the passes plane and sky, where footprints come from the view ray: drawn by matc's own
  * vertex programs from cameras, against means of the map over each pixel's rays. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "tests/draw/scene.h"
 #include "tests/draw/rig.h"

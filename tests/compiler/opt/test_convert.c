@@ -1,4 +1,5 @@
 /* Numbers and vectors of one type as those of another. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/fold.h"

@@ -1,4 +1,5 @@
 /* ir_check refuses an IR that breaks any of its invariants, and says which. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/ir.h"
 #include <string.h>

@@ -1,4 +1,5 @@
 /* opt_merge: the value of a pattern that is its gradient's fourth lane is not computed again. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

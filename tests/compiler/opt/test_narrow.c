@@ -1,5 +1,6 @@
 /* opt_function: of functions whose calls are not asked for all lanes, those that are have the
  * values that they had. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

@@ -1,6 +1,7 @@
 /* Intervals, held against values: an operation's result lies within what is claimed of it, for any
  * intervals of its operands, ends included, and what is claimed is no wider than it has to be.
  * Neither goldens nor the optimiser take part. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/range.h"

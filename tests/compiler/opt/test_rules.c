@@ -1,5 +1,6 @@
 /* Every local rule of the optimiser, where it applies and where it must not: on the border of its
  * guard, and beside it. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

@@ -1,5 +1,6 @@
 /* Constants of sums and products are brought together, each sign and each side of it; and where
  * they must not be. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

@@ -1,4 +1,5 @@
 /* The optimiser's rules that go by intervals, on this side of the border and on that. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"

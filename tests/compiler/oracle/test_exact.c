@@ -1,6 +1,6 @@
 /* The oracle's functions against 200 bits: waves, exponents, rotations, the sky; formulas from
  * semantics.md alone. */
-/* ctest: alone */
+/* ctest: quick alone */
 #include "tests/exact.h"
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* Whole materials against 200 bits: each a document and its formulas, written from semantics.md and
  * not from the oracle. */
-/* ctest: alone */
+/* ctest: quick alone */
 #include "tests/exact.h"
 
 /* The point that is shaded, as exact numbers. */

@@ -1,5 +1,6 @@
 /* The oracle against closed forms worked out by hand from reference/semantics.md: delegation and
  * the maps. */
+/* ctest: quick */
 #include "tests/oracle_fixture.h"
 
 static void test_surface(void **state)

@@ -1,4 +1,5 @@
 /* The oracle against closed forms: the noise maps' check values, and the rules of the materials. */
+/* ctest: quick */
 #include "tests/oracle_fixture.h"
 
 /* the check values of semantics.md have six digits after the point */

@@ -1,5 +1,6 @@
 /* The oracle against closed forms: coordinate transformers, normal modifiers, filters, and
  * textures. */
+/* ctest: quick */
 #include "tests/oracle_fixture.h"
 #include "tests/value/documents.h"
 #include <stdio.h>

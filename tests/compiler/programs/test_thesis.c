@@ -1,5 +1,6 @@
 /* The thesis' own program, its listing 4.2, beside what matc writes for the same tree: the same
  * four render targets. */
+/* ctest: quick */
 #include "tests/test.h"
 #include "tests/value/documents.h"
 #include "tests/draw/draw.h"

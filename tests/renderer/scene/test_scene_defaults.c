@@ -1,5 +1,6 @@
 /* Defaults, ranges, units and presets of scenes, each written down in scene_defaults.def. A key
  * of scene.def that has no row there fails, as does a row that scene.def lacks. */
+/* ctest: quick */
 #include "grammar/scene_tables.h"
 #include "tests/test.h"
 #include <math.h>
