@@ -9,7 +9,7 @@ install(TARGETS matc EXPORT matcTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BIND
 set_target_properties(matc PROPERTIES EXPORT_NAME compiler)
 install(TARGETS matview RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES compiler/matc.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES docs/matc.1 docs/matview.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES docs/reference/matc.1 docs/reference/matview.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(EXPORT matcTargets NAMESPACE matc:: DESTINATION ${package})
 foreach(kind ${MATC_KINDS})
   install(TARGETS matc_${kind} EXPORT matc-${kind} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
@@ -21,7 +21,7 @@ install(TARGETS matc_render_shared EXPORT matc-render INCLUDES DESTINATION ${CMA
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT matc-render NAMESPACE matc:: DESTINATION ${package})
 install(FILES runtime/render/matc_render.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-# What lights a Surface that the unpacking text gives: docs/layouts.md
+# What lights a Surface that the unpacking text gives: docs/reference/layouts.md
 install(FILES runtime/surface/surface_phong.glsl runtime/surface/surface_facets.glsl runtime/surface/surface_principled.glsl runtime/surface/surface_principled_light.glsl
   runtime/surface/surface_anisotropic.glsl runtime/surface/surface_through.glsl
   DESTINATION ${MATC_SURFACE})

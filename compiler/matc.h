@@ -103,7 +103,7 @@ typedef struct {
     const char *normals; /* of a G-buffer: "eye" (default), "world" */
     /* "glsl450", passes that draw triangles: one call draws many objects, of any material that
      * shares the program. Matrices and numbers come from storage buffers, by the attribute
-     * matc_instance (docs/renderer.md); no MATC_REFLECT then */
+     * matc_instance (docs/reference/renderer.md); no MATC_REFLECT then */
     bool instances;
     /* meshes are displaced already, as matc_move does it: the vertex program moves nothing. Its
      * attribute `basePosition` (location 10) has where a point was, by which maps go */
@@ -206,7 +206,8 @@ typedef enum {
      * GLSL from 3.30 on */
     MATC_GEOMETRY = 32768,
     /* GLSL of a compute program that reads vertices from a buffer, and writes where they are
-     * displaced to, and the normals there. Targets of GLSL 4.5 alone (docs/displacement.md) */
+     * displaced to, and the normals there. Targets of GLSL 4.5 alone
+     * (docs/design/displacement.md) */
     MATC_COMPUTE = 65536,
     /* table of stages and optimiser passes; the choices, and what settled each */
     MATC_STATS = 128,
@@ -382,8 +383,8 @@ MATC_API const char *matc_diagnostics(MatcDocument *document, MatcForm form);
 MATC_API const char *matc_program_diagnostics(MatcProgram *program, MatcForm form);
 MATC_API int matc_error_count(const MatcDocument *document);
 
-/* A layout from a file in YAML or JSON; docs/layouts.md has its keys. Never NULL. Not ok: see its
- * diagnostics. */
+/* A layout from a file in YAML or JSON; docs/reference/layouts.md has its keys. Never NULL. Not ok:
+ * see its diagnostics. */
 MATC_API MatcLayout *matc_layout_read(const char *name, const char *text, size_t size,
                                       const MatcOptions *options);
 MATC_API bool matc_layout_ok(const MatcLayout *layout);

@@ -78,7 +78,7 @@ void *arena_extend(Arena *arena, void *old, size_t size, size_t kept, size_t wan
         return old;
     }
     void *moved = arena_alloc(arena, wanted);
-    if (kept)
+    if (old && kept)
         memcpy(moved, old, kept);
     return moved;
 }

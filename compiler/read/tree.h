@@ -21,8 +21,8 @@ typedef struct {
     uint32_t size; /* bytes of the key */
 } Member;
 
-/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of docs/stability.md,
- * Memory. */
+/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of
+ * docs/reference/stability.md, Memory. */
 struct Tree {
     uint8_t kind; /* TreeKind */
     uint8_t made; /* Made: which of the last pointers is set; MADE_nothing: the name may be */

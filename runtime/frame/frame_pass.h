@@ -1,6 +1,6 @@
 /* A pass of the frame graph is a row of functions, defined beside the pass's code.
- * runtime/render/frame.c lists the rows in the order of a frame; docs/add-a-pass.md shows how to
- * add one. */
+ * runtime/render/frame.c lists the rows in the order of a frame; docs/design/add-a-pass.md shows
+ * how to add one. */
 #ifndef MATC_FRAME_FRAME_PASS_H
 #define MATC_FRAME_FRAME_PASS_H
 #include "runtime/frame/frame.h"

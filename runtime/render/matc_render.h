@@ -35,9 +35,9 @@ extern "C" {
 typedef struct MatcScene MatcScene;
 typedef struct MatcRender MatcRender;
 
-/* Reads a document that is a scene; docs/language.md has its keys. NULL: it has faults, or no keys
- * of a scene; *document then says which. The document is the caller's, and goes after the scene.
- * `options`: NULL is the defaults. */
+/* Reads a document that is a scene; docs/reference/language.md has its keys. NULL: it has faults,
+ * or no keys of a scene; *document then says which. The document is the caller's, and goes after
+ * the scene. `options`: NULL is the defaults. */
 MATC_API MatcScene *matc_scene_read(const char *name, const char *text, size_t size,
                                     const MatcOptions *options, MatcDocument **document);
 /* After every renderer that draws it. NULL is nothing. */

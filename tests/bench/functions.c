@@ -1,6 +1,6 @@
 /* matbench functions: what a driver makes of functions of which GLSL promises little or nothing,
  * and of waves that are made of them, drawn at a grid of floats and compared with the C library in
- * double: the worst error seen, beside what docs/stability.md states of Mesa. */
+ * double: the worst error seen, beside what docs/reference/stability.md states of Mesa. */
 #include "matbench.h"
 #include "tests/draw/canvas.h"
 #include <math.h>

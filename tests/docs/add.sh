@@ -1,10 +1,10 @@
 #!/bin/sh
-# Adds the map, the rule, the target, the pass and the light of docs/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
+# Adds the map, the rule, the target, the pass and the light of docs/design/add-a-*.md to a copy of the project, from the blocks of these pages, and touches no
 # other file than they name; builds it, and runs the tests that must then be green. Run from the project's root.
 # usage: tests/docs/add.sh [build folder]   whose objects stand in for those of the copy that the rows cannot change
 set -eu
 build=${1:-}
-pages="docs/add-a-map.md docs/add-a-rule.md docs/add-a-target.md docs/add-a-pass.md docs/add-a-light.md"
+pages="docs/design/add-a-map.md docs/design/add-a-rule.md docs/design/add-a-target.md docs/design/add-a-pass.md docs/design/add-a-light.md"
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 copy=$work/source
@@ -144,7 +144,7 @@ diff -rq . "$copy" | grep -vE '^Only in \.: (\.git|build.*)$' |
     LC_ALL=C sort >"$work/changed"
 {
     cat "$work/files"
-    printf '%s\n' tests/golden/onion.frag tests/golden/onion.ir tests/golden/onion.json README.md compiler/matc.h docs/matc.1
+    printf '%s\n' tests/golden/onion.frag tests/golden/onion.ir tests/golden/onion.json README.md compiler/matc.h docs/reference/matc.1
 } | LC_ALL=C sort -u >"$work/expected"
 expect "only what the pages name is touched" diff "$work/expected" "$work/changed"
 exit "$failed"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The targets that README.md, docs/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them,
+# The targets that README.md, docs/reference/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them,
 # and the warnings that the first two name are those of grammar/diags.def, as matc --explain warnings has them,
-# and the modes in which docs/stability.md runs the stress test those of tests/stress/modes.def:
+# and the modes in which docs/reference/stability.md runs the stress test those of tests/stress/modes.def:
 # lists.sh MATC; with --update behind it, these files are written anew. Run from the project's root.
 set -eu
 matc=$1
@@ -60,9 +60,9 @@ stale=0
 echo "| targets | $(quoted '`' '') |" | holds README.md '| targets |' '|' || stale=1
 echo "    const char *target; /* $(quoted '"' ' (default)') */" |
     holds compiler/matc.h '    const char *target;' '    /* ' || stale=1
-{ printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
+{ printf '%s\n' '.It Fl \-target Ns = Ns Ar target'; in_man; } | holds docs/reference/matc.1 '.It Fl \-target ' '.It Fl' || stale=1
 
-forms | holds docs/from-other-tools.md '<!-- matc --list=foreign: forms -->' '<!-- end of forms -->' || stale=1
+forms | holds docs/reference/from-other-tools.md '<!-- matc --list=foreign: forms -->' '<!-- end of forms -->' || stale=1
 
 warnings=$("$matc" --explain warnings | sed -n 's/^  \([a-z_]*\)  .*/\1/p')
 [ -n "$warnings" ]
@@ -73,9 +73,9 @@ warnings=$("$matc" --explain warnings | sed -n 's/^  \([a-z_]*\)  .*/\1/p')
     echo ".Fl \-explain Cm warnings"
     echo "tells what each is about:"
     echo "$warnings" | sed 's/^/.Cm /; $!s/$/ ,/; $s/$/ ./'
-} | holds docs/matc.1 '.It Fl W ' '.It Fl' || stale=1
+} | holds docs/reference/matc.1 '.It Fl W ' '.It Fl' || stale=1
 echo "| warnings | $(echo "$warnings" | sed 's/.*/`&`/' | paste -sd , | sed 's/,/, /g'); \`-Wno-NAME\`, \`-Werror\`, \`-Werror=NAME\` |" |
     holds README.md '| warnings |' '|' || stale=1
 modes=$(sed -n 's/^MODE(\([a-zA-Z]*\),.*/\1/p' tests/stress/modes.def | paste -sd ' ')
-echo "for mode in $modes; do" | holds docs/stability.md 'for mode in ' '    build/matbench stress --mode' || stale=1
+echo "for mode in $modes; do" | holds docs/reference/stability.md 'for mode in ' '    build/matbench stress --mode' || stale=1
 exit "$stale"

@@ -53,13 +53,13 @@ mkdir "$work/use" && cd "$work/use" || exit 1
 printf 'material: Phong\ndiffuse:\n  map: Cheker\n' >rock.yaml
 "$matc" rock.yaml 2>said
 sed '/^rock.yaml/!d; N; N' "$root/README.md" >fault
-sed '/^rock.yaml/!d; N; N' "$root/docs/language.md" >fault_of_language
+sed '/^rock.yaml/!d; N; N' "$root/docs/reference/language.md" >fault_of_language
 check "its fault is what matc says" cmp fault said
 check "and so is that of language.md" cmp fault_of_language said
 printf 'material: Phong\ndiffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }\n' >grain.yaml
 "$matc" grain.yaml -o grain.frag 2>said
-sed '/^grain.yaml/!d; N; N' "$root/docs/language.md" >fault_of_language
-check "a warning, in docs/language.md" cmp -s said fault_of_language
+sed '/^grain.yaml/!d; N; N' "$root/docs/reference/language.md" >fault_of_language
+check "a warning, in docs/reference/language.md" cmp -s said fault_of_language
 cp "$root/examples/checker.yaml" rock.yaml
 echo rock.yaml >materials.txt
 mkdir bin && ln -s "$matc" bin/matc && ln -s "$matview" bin/matview
@@ -71,39 +71,39 @@ while read -r line; do
 done <commands
 cd "$root" || exit 1
 
-# docs/language.md
+# docs/reference/language.md
 mkdir "$work/images" && cp examples/tiles.png "$work/images/color.png" && cp examples/tiles.png "$work/images/packed.png" && cp examples/tiles.png "$work/images/label.png" && cp examples/tiles.png "$work/images/height.png"
 for name in bark barkRough barkNormal; do cp examples/tiles.png "$work/$name.png"; done
 number=0
-while [ "$number" -lt "$(blocks docs/language.md yaml)" ]; do
+while [ "$number" -lt "$(blocks docs/reference/language.md yaml)" ]; do
     number=$((number + 1))
-    block docs/language.md yaml "$number" >"$work/document$number.yaml"
+    block docs/reference/language.md yaml "$number" >"$work/document$number.yaml"
     check "language.md's document $number compiles without a warning" "$matc" -Werror -d "$work/language" "$work/document$number.yaml"
 done
 check "language.md has documents" test "$number" -ge 7
 
-# docs/layouts.md
-check "its layout is the example" same_document docs/layouts.md 1 examples/layouts/lambert.yaml
+# docs/reference/layouts.md
+check "its layout is the example" same_document docs/reference/layouts.md 1 examples/layouts/lambert.yaml
 for set in lambert mixed; do
     "$matc" --no-validate --layout=auto --stats -d "$work/$set" "tests/layouts/$set.yaml" 2>"$work/$set.report"
 done
-check "its first report" shows docs/layouts.md "" 1 "$work/lambert.report"
-check "its second" shows docs/layouts.md "" 2 "$work/mixed.report"
+check "its first report" shows docs/reference/layouts.md "" 1 "$work/lambert.report"
+check "its second" shows docs/reference/layouts.md "" 2 "$work/mixed.report"
 "$matc" --no-validate --layout=auto --stats -d "$work/all" examples/materials/*.yaml examples/materials/*.json 2>"$work/all.report"
 check "what examples/materials/ take" grep -q '^28 bytes a pixel' "$work/all.report"
 
-# docs/architecture.md
-check "its layers are the table's" test "$(block docs/architecture.md "" 2)" = "$(grep -v -e '^#' -e '^circle' -e '^$' tests/sources/layers.txt)"
+# docs/design/architecture.md
+check "its layers are the table's" test "$(block docs/design/architecture.md "" 2)" = "$(grep -v -e '^#' -e '^circle' -e '^$' tests/sources/layers.txt)"
 "$matc" --emit=tree examples/checker.yaml >"$work/tree"
-check "its tree" test "$(block docs/architecture.md yaml 1)" = "$(cat "$work/tree")"
+check "its tree" test "$(block docs/design/architecture.md yaml 1)" = "$(cat "$work/tree")"
 "$matc" --eval "u=0.3 v=0.4" examples/checker.yaml >"$work/values"
-check "its values" shows docs/architecture.md "" 3 "$work/values"
+check "its values" shows docs/design/architecture.md "" 3 "$work/values"
 "$matc" -O0 --aa=none --emit=ir --pass=value examples/checker.yaml >"$work/ir0"
-check "its IR as it is made" shows docs/architecture.md "" 4 "$work/ir0"
+check "its IR as it is made" shows docs/design/architecture.md "" 4 "$work/ir0"
 "$matc" --aa=none --emit=ir --pass=value examples/checker.yaml >"$work/ir2"
-check "and as it is emitted" test "$(block docs/architecture.md "" 5)" = "$(cat "$work/ir2")"
-check "their nodes" grep -q "$(grep -c '^%' "$work/ir0") nodes are $(grep -c '^%' "$work/ir2")\." docs/architecture.md
-check "its program" test "$(block docs/architecture.md glsl 1)" = "$("$matc" --aa=none --pass=value examples/checker.yaml | sed -n '/^void main/,$p')"
+check "and as it is emitted" test "$(block docs/design/architecture.md "" 5)" = "$(cat "$work/ir2")"
+check "their nodes" grep -q "$(grep -c '^%' "$work/ir0") nodes are $(grep -c '^%' "$work/ir2")\." docs/design/architecture.md
+check "its program" test "$(block docs/design/architecture.md glsl 1)" = "$("$matc" --aa=none --pass=value examples/checker.yaml | sed -n '/^void main/,$p')"
 
 echo "$passed passed, $failed failed"
 [ "$failed" = 0 ]

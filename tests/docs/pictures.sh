@@ -1,5 +1,5 @@
 #!/bin/sh
-# What docs/materials.md, docs/gallery.md, docs/from-other-tools.md and docs/language.md show: every document compiles without a warning, and is not the same everywhere;
+# What docs/reference/materials.md, docs/guide/gallery.md, docs/reference/from-other-tools.md and docs/reference/language.md show: every document compiles without a warning, and is not the same everywhere;
 # every picture is there: pictures.sh MATC MATVIEW [--update]. --update draws the pictures anew. Run from the project's root.
 set -u
 matc=$(realpath "$1")
@@ -9,7 +9,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 : >"$work/stderr"
 . tests/check.sh
-ten=$(sed -n "s/^matview --contact=materials.png //p" docs/materials.md)
+ten=$(sed -n "s/^matview --contact=materials.png //p" docs/reference/materials.md)
 
 # The documents of the pages below a picture, each named after it; NAME.options has what the page says to matview, NAME.picture where it is
 cp examples/tiles.png "$work" && mkdir "$work/images" && cp examples/tiles.png "$work/images/height.png"
@@ -17,9 +17,9 @@ awk -v work="$work" '
     /^<!-- matview / { options = $0; gsub(/^<!-- matview | -->$/, "", options) }
     /^!\[/ {
         name = picture = $0; gsub(/^!\[|\].*/, "", name); gsub(/.*\(|\).*/, "", picture)
-        print name; print options >(work "/" name ".options"); print "docs/" picture >(work "/" name ".picture"); options = "" }
+        print name; print options >(work "/" name ".options"); sub(/^..\//, "docs/", picture); print picture >(work "/" name ".picture"); options = "" }
     /^```/ { if (open) name = ""; open = $0 == "```yaml"; next }
-    open && name { print >(work "/" name ".yaml") }' docs/from-other-tools.md docs/language.md >"$work/names"
+    open && name { print >(work "/" name ".yaml") }' docs/reference/from-other-tools.md docs/reference/language.md >"$work/names"
 check "twenty documents, four of relief, and a Mix" test "$(wc -l <"$work/names")" = 25 -a "$(find "$work" -name '*.yaml' | wc -l)" = 25
 check "of as many names" test "$(sort -u "$work/names" | wc -l)" = 25
 check "ten materials" test "$(echo "$ten" | wc -w)" = 10
@@ -59,63 +59,63 @@ for document in $ten; do
     check "and so does its picture" sh -c "! cmp -s '$work/ten/${document%.yaml}.png' '$work/plain.png'"
 done
 # shellcheck disable=SC2086
-[ -z "$update" ] || "$matview" --contact=../../docs/materials.png $ten
+[ -z "$update" ] || "$matview" --contact=../../docs/pictures/materials.png $ten
 # README.md's: every map's example, and every material but the sky
 # shellcheck disable=SC2010,SC2046
-[ -z "$update" ] || (cd .. && "$matview" --contact=../docs/examples.png --size=120 *.yaml $(ls materials/*.yaml | grep -v -e sunSky -e palette))
+[ -z "$update" ] || (cd .. && "$matview" --contact=../docs/pictures/examples.png --size=120 *.yaml $(ls materials/*.yaml | grep -v -e sunSky -e palette))
 cd ../.. || exit 1
-check "their picture is in docs" test -s docs/materials.png
+check "their picture is in docs" test -s docs/pictures/materials.png
 
-[ -z "$update" ] || "$matview" docs/shadows.yaml --compare=shadows -o docs/shadows.png
-check "shadows by all methods are drawn" "$matview" docs/shadows.yaml --compare=shadows -o "$work/shadows.png"
-check "and are in docs" test -s docs/shadows.png
-[ -z "$update" ] || "$matview" docs/indirect.yaml --compare=indirect -o docs/indirect.png
-check "indirect light by all methods is drawn" "$matview" docs/indirect.yaml --compare=indirect -o "$work/indirect.png"
-check "and is in docs" test -s docs/indirect.png
-sed 's/directional: true/directional: false/' docs/directional.yaml > "$work/undirected.yaml"
-[ -z "$update" ] || "$matview" docs/directional.yaml -o docs/directional.png
-[ -z "$update" ] || "$matview" "$work/undirected.yaml" -o docs/undirected.png
+[ -z "$update" ] || "$matview" docs/pictures/shadows.yaml --compare=shadows -o docs/pictures/shadows.png
+check "shadows by all methods are drawn" "$matview" docs/pictures/shadows.yaml --compare=shadows -o "$work/shadows.png"
+check "and are in docs" test -s docs/pictures/shadows.png
+[ -z "$update" ] || "$matview" docs/pictures/indirect.yaml --compare=indirect -o docs/pictures/indirect.png
+check "indirect light by all methods is drawn" "$matview" docs/pictures/indirect.yaml --compare=indirect -o "$work/indirect.png"
+check "and is in docs" test -s docs/pictures/indirect.png
+sed 's/directional: true/directional: false/' docs/pictures/directional.yaml > "$work/undirected.yaml"
+[ -z "$update" ] || "$matview" docs/pictures/directional.yaml -o docs/pictures/directional.png
+[ -z "$update" ] || "$matview" "$work/undirected.yaml" -o docs/pictures/undirected.png
 check "light of a sky is drawn" "$matview" "$work/undirected.yaml" -o "$work/undirected.png"
-check "and is in docs" test -s docs/directional.png
-check "and the one by openness" test -s docs/undirected.png
-[ -z "$update" ] || "$matview" tests/reference/cycles/bounced.yaml -o docs/bounced.png
-check "what a path tracer drew, too, is in docs" test -s docs/bounced.png
-[ -z "$update" ] || "$matview" tests/reference/cycles/displaced.yaml -o docs/displaced-here.png
-[ -z "$update" ] || "$matview" tests/reference/cycles/principled.yaml -o docs/principled-here.png
-check "and balls of gloss" test -s docs/principled-here.png -a -s docs/principled-cycles.png
-check "and what it displaced" test -s docs/displaced-here.png -a -s docs/displaced-cycles.png
-check "beside that tracer's picture" test -s docs/cycles.png
-[ -z "$update" ] || "$matview" docs/indirect.yaml --view=positions -o docs/positions.png
-check "what its picture knows is drawn" "$matview" docs/indirect.yaml --view=positions -o "$work/positions.png"
-check "and is in docs" test -s docs/positions.png
+check "and is in docs" test -s docs/pictures/directional.png
+check "and the one by openness" test -s docs/pictures/undirected.png
+[ -z "$update" ] || "$matview" tests/reference/cycles/bounced.yaml -o docs/pictures/bounced.png
+check "what a path tracer drew, too, is in docs" test -s docs/pictures/bounced.png
+[ -z "$update" ] || "$matview" tests/reference/cycles/displaced.yaml -o docs/pictures/displaced-here.png
+[ -z "$update" ] || "$matview" tests/reference/cycles/principled.yaml -o docs/pictures/principled-here.png
+check "and balls of gloss" test -s docs/pictures/principled-here.png -a -s docs/pictures/principled-cycles.png
+check "and what it displaced" test -s docs/pictures/displaced-here.png -a -s docs/pictures/displaced-cycles.png
+check "beside that tracer's picture" test -s docs/pictures/cycles.png
+[ -z "$update" ] || "$matview" docs/pictures/indirect.yaml --view=positions -o docs/pictures/positions.png
+check "what its picture knows is drawn" "$matview" docs/pictures/indirect.yaml --view=positions -o "$work/positions.png"
+check "and is in docs" test -s docs/pictures/positions.png
 for view in volume:volume volumeWireframeAlone:volume-lines; do
     drawn=${view#*:}.png
-    [ -z "$update" ] || "$matview" docs/volume.yaml --view="${view%:*}" -o "docs/$drawn"
-    check "the view ${view%:*} is drawn" "$matview" docs/volume.yaml --view="${view%:*}" -o "$work/$drawn"
-    check "and is in docs" test -s "docs/$drawn"
+    [ -z "$update" ] || "$matview" docs/pictures/volume.yaml --view="${view%:*}" -o "docs/pictures/$drawn"
+    check "the view ${view%:*} is drawn" "$matview" docs/pictures/volume.yaml --view="${view%:*}" -o "$work/$drawn"
+    check "and is in docs" test -s "docs/pictures/$drawn"
 done
 
 for rounded in hard push:0.42 bulge:0.75; do
     drawn=${rounded%:*}
-    sed "s/method: bisection/&$(test $drawn = hard || echo ", $drawn: ${rounded#*:}")/" docs/hard.yaml >"$work/$drawn.yaml"
-    [ -z "$update" ] || "$matview" "$work/$drawn.yaml" -o "docs/$drawn.png"
+    sed "s/method: bisection/&$(test $drawn = hard || echo ", $drawn: ${rounded#*:}")/" docs/pictures/hard.yaml >"$work/$drawn.yaml"
+    [ -z "$update" ] || "$matview" "$work/$drawn.yaml" -o "docs/pictures/$drawn.png"
     check "hard bodies are drawn: $drawn" "$matview" --size=64 "$work/$drawn.yaml" -o "$work/$drawn.png"
-    check "and are in docs" test -s "docs/$drawn.png"
+    check "and are in docs" test -s "docs/pictures/$drawn.png"
 done
 
 for scene in examples/scenes/*.yaml; do
     shown=$(basename "$scene" .yaml)
-    [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/gallery/$shown.png"
-    check "$shown is in the gallery" grep -q "!\[$shown\](gallery/$shown.png).*scenes/$shown.yaml" docs/gallery.md
-    check "and so is its picture" test -s "docs/gallery/$shown.png"
+    [ -z "$update" ] || "$matview" --size=560 "$scene" -o "docs/pictures/gallery/$shown.png"
+    check "$shown is in the gallery" grep -q "!\[$shown\](../pictures/gallery/$shown.png).*scenes/$shown.yaml" docs/guide/gallery.md
+    check "and so is its picture" test -s "docs/pictures/gallery/$shown.png"
     check "its materials compile" status 0 "$matview" --emit=frame "$scene"
     check "without a warning" test ! -s "$work/stderr"
 done
 for frame in 9 18 27; do
     shown=$(printf 'carpaint-%02d' $frame)
-    [ -z "$update" ] || "$matview" --size=280 --frame=$frame examples/scenes/carpaint.yaml -o "docs/gallery/$shown.png"
-    check "$shown is in the gallery" grep -q "(gallery/$shown.png)" docs/gallery.md
-    check "and so is its picture" test -s "docs/gallery/$shown.png"
+    [ -z "$update" ] || "$matview" --size=280 --frame=$frame examples/scenes/carpaint.yaml -o "docs/pictures/gallery/$shown.png"
+    check "$shown is in the gallery" grep -q "(../pictures/gallery/$shown.png)" docs/guide/gallery.md
+    check "and so is its picture" test -s "docs/pictures/gallery/$shown.png"
 done
 
 echo "$passed passed, $failed failed"

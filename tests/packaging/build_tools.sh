@@ -1,12 +1,12 @@
 #!/bin/sh
-# What docs/build.md has for another build tool, followed to the letter with the installed package: build_tools.sh BUILD_FOLDER
+# What docs/guide/build.md has for another build tool, followed to the letter with the installed package: build_tools.sh BUILD_FOLDER
 # ninja|make|meson. Built twice, the second time nothing is done. Run from the project's root. Status 77: skipped.
 set -u
 build=$1
 tool=$2
 source=$(pwd)
 command -v "$tool" >/dev/null || {
-    echo "SKIPPED: $tool is not installed (./setup installs it), so what docs/build.md says of it was not tried"
+    echo "SKIPPED: $tool is not installed (./setup installs it), so what docs/guide/build.md says of it was not tried"
     exit 77
 }
 work=$(mktemp -d)

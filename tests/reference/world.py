@@ -1,5 +1,5 @@
 """A scene's document as lists: objects with matrices and materials, lights, a camera. Written from the lines of `matc --list=scenes` and
-docs/semantics.md, and shares nothing with the C code. It takes what the scenes of this folder have, and stops at anything else."""
+docs/reference/semantics.md, and shares nothing with the C code. It takes what the scenes of this folder have, and stops at anything else."""
 import math
 import os
 

@@ -119,13 +119,13 @@ done
 # -- the manual page has the options that --help has, and the words of each
 
 "$matview" --help | grep -oE -- '--[a-z]+' | grep -vx -- --list | sort -u >"$work/help.txt"
-sed -n 's/^\.It//p' docs/matview.1 | grep -oE '\\-[a-z]+' | sed 's/^../--/' | sort -u >"$work/manual.txt"
-check "docs/matview.1 has all options" diff "$work/help.txt" "$work/manual.txt"
+sed -n 's/^\.It//p' docs/reference/matview.1 | grep -oE '\\-[a-z]+' | sed 's/^../--/' | sort -u >"$work/manual.txt"
+check "docs/reference/matview.1 has all options" diff "$work/help.txt" "$work/manual.txt"
 # words OPTION: those behind it, up to the next space that follows no comma; (default) and what is explained left out
 words() { "$matview" --help | sed -n "s/^  $1=[A-Z]*  *//p" | grep -oE '^([a-z]+( \(default\))?, )*[a-z]+' | tr -d ' ' | sed 's/(default)//g' | tr , '\n'; }
 for option in --shape --shadows --indirect --transparency --lights --format --pass --gl --view; do
     for word in $(words "$option"); do
-        check "docs/matview.1 has $option=$word" eval "sed -n '/^.It Fl .-${option#--} /,/^.[IE][tl]/p' docs/matview.1 | grep -qwE '$word'"
+        check "docs/reference/matview.1 has $option=$word" eval "sed -n '/^.It Fl .-${option#--} /,/^.[IE][tl]/p' docs/reference/matview.1 | grep -qwE '$word'"
     done
 done
 

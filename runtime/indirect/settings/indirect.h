@@ -1,5 +1,5 @@
 /* Indirect light: settings, resolved from the scene and the driver, and what is accumulated over
- * frames. docs/indirect.md explains the passes. */
+ * frames. docs/design/indirect.md explains the passes. */
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
 #include "runtime/indirect/settings/indirect_state.h"

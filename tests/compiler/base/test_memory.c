@@ -1,6 +1,6 @@
 /* Memory that documents take: matc reads some of every kind, and its greatest resident size, less
  * that for a document of one line, is held against a multiple of the text's size
- * (docs/stability.md, Memory). */
+ * (docs/reference/stability.md, Memory). */
 /* ctest: unsanitized small-pages seconds=15 */
 #include "tests/test.h"
 #include "compiler/base/text.h"

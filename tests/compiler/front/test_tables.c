@@ -364,7 +364,7 @@ static void units_hold_defaults(void **state)
     assert_true(fabs(unit_table[UNIT_radians].high - 2 * acos(-1)) < 1e-12);
 }
 
-/* The line of the table of docs/semantics.md that begins so has the parameter. */
+/* The line of the table of docs/reference/semantics.md that begins so has the parameter. */
 static bool tells(const char *page, const char *head, const char *param)
 {
     char quoted[64];
@@ -381,7 +381,7 @@ static void plain_numbers_have_a_reason(void **state)
     (void)state;
     enum { LONGEST_PAGE = 1 << 20 };
     static char page[LONGEST_PAGE];
-    FILE *file = fopen("docs/semantics.md", "rb");
+    FILE *file = fopen("docs/reference/semantics.md", "rb");
     assert_non_null(file);
     page[fread(page, 1, LONGEST_PAGE - 1, file)] = 0;
     fclose(file);
@@ -398,7 +398,7 @@ static void plain_numbers_have_a_reason(void **state)
             continue;
         if (!tells(page, head, row->name) &&
             !tells(page, wave ? "\n| every volume map" : "\n| every material |", row->name))
-            fail_msg("%s.%s is a number, and docs/semantics.md does not say why",
+            fail_msg("%s.%s is a number, and docs/reference/semantics.md does not say why",
                      kind_table[row->kind].name, row->name);
     }
     assert_true(plain > 50);

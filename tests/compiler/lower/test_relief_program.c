@@ -131,7 +131,7 @@ static void steps_are_as_wide_far_from_the_origin(void **state)
 
 /* GLSL 1.10 fetches no texels beside mipmaps, so the step of a picture that the sampler averages
  * stays beside its coordinate, whose last bits it takes: W |u| 2^-24 of the steepest slope for W
- * texels, as docs/stability.md says. Other targets lose nothing. */
+ * texels, as docs/reference/stability.md says. Other targets lose nothing. */
 static void steps_of_the_sampler_are_as_wide_as_floats_tell(void **state)
 {
     (void)state;

@@ -15,7 +15,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16, SHARES = 3 };
+enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16, SHARES = 6 };
 
 /* Documents that once had a fault, in every mode, with every pixel. */
 static void mended_documents_hold(void **state)

@@ -1,6 +1,6 @@
 /* What matc writes beside a fragment program is whole by itself: the code that reads a layout back
  * and the vertex program of every pass, each parsed by glslang with nothing in front of it but what
- * docs/layouts.md says, for every target. */
+ * docs/reference/layouts.md says, for every target. */
 #include "tests/test.h"
 #include "compiler/layout/custom.h"
 #include "compiler/emit/emit.h"

@@ -22,7 +22,7 @@
 #define SOURCE_FOLDER "."
 #endif
 
-enum { MODULES_MOST = 1 << 14, SKIPPED = 77, SHARES = 3 };
+enum { MODULES_MOST = 1 << 14, SKIPPED = 77, SHARES = 6 };
 
 typedef struct {
     DocumentList documents;

@@ -266,7 +266,7 @@ static void patch_slots(const Rig *rig, const SceneMaterial *material, const dou
 /* -- Light in double --------------------------------------------------------------------------- */
 
 /* The lobe for an Area and a Sky: EVEN and BEHIND become Lambertian with their albedo, which is how
- * the renderer treats fuzz and a rough base in these lights (docs/renderer.md). */
+ * the renderer treats fuzz and a rough base in these lights (docs/reference/renderer.md). */
 static void even_lobe(const LitReference *lit, const double l[3], double parts[LIT_PARTS][3])
 {
     double albedos[LIT_PARTS][3];

@@ -133,7 +133,7 @@ static int faces_at(const float p[3], double half)
 /* Faces of a hard body move along their own normals. Outward they leave each other, and triangles
  * along edges close what is between. Inward they cross: each ends beyond the other, nearly where it
  * ended before, and those triangles lead back, turned inside out. That is the dark notch in
- * docs/hard.png, where heights are below 0. */
+ * docs/pictures/hard.png, where heights are below 0. */
 static void hard_faces_cross_where_they_move_inward(void **state)
 {
     (void)state;
