@@ -1,6 +1,7 @@
 /* Kinds of lights. A light is data, SceneLight. Its kind is a row, LightKind, which says where its
  * light comes from, reads its own parameters, and has its GLSL. Only the files of a kind and the
- * list light_kinds.def name a kind; all other code asks the row. docs/design/add-a-light.md adds one.
+ * list light_kinds.def name a kind; all other code asks the row. docs/design/add-a-light.md adds
+ * one.
  *
  * Lengths are in the world's units and axes, positions relative to Scene.origin. */
 #ifndef MATC_LIGHT_KIND_H
