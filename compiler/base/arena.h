@@ -29,7 +29,7 @@ void *arena_reach(Arena *arena, void *array, size_t index, size_t *room, size_t 
 /* Gives everything back but keeps the newest block for what comes next. */
 void arena_reset(Arena *arena);
 void arena_free(Arena *arena);
-/* What another arena holds lives as long as this one; the other one is empty then. */
+/* Moves all memory of `other` into `arena`, which frees it; `other` is empty afterwards. */
 void arena_adopt(Arena *arena, Arena *other);
 
 /* For a process that compiles again and again: what arenas give back stays with it, up to

@@ -59,8 +59,9 @@ void diag_message(Text *out, DiagKind kind, va_list args);
 void diag_sort(DiagList *diags);
 /* gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
-/* What a program says of a file or an option: "matc: error: what: why", or an array of one object
- * whose kind is "run" and whose subject is `what`. NULL: it is about nothing that has a name. */
+/* A message of a program about a file or an option: "matc: error: what: why", or an array of one
+ * object whose kind is "run" and whose subject is `what`. NULL for `what`: the message is about
+ * nothing that has a name. */
 void diag_complain(Text *out, MatcForm form, Severity severity, const char *what, const char *why);
 /* One JSON object. */
 void diag_print_json(Text *out, const Diag *diag, const Source *sources);

@@ -7,7 +7,7 @@
  * larger than LIMIT_DOCUMENT_MIB, too. Pipes, devices and folders are refused at once: they may
  * have no end, and another each time. */
 char *file_read(const char *path, size_t *size, const char **why);
-/* The same of a path that the user named: it can be a pipe such as <(command) or /dev/stdin, or a
+/* Reads a path that the user named: it can be a pipe such as <(command) or /dev/stdin, or a
  * terminal. */
 char *file_read_named(const char *path, size_t *size, const char **why);
 /* A document of a command line: the same, and "-" is standard input; diagnostics call that

@@ -59,7 +59,7 @@ static inline bool hash_probe_next(HashProbe *probe)
     return false;
 }
 
-/* Of an address, whose lowest bits are alike. */
+/* Hash of an address, whose lowest bits are always zero. */
 static inline uint32_t hash_pointer(const void *pointer)
 {
     return (uint32_t)((uintptr_t)pointer * 0x9E3779B97F4A7C15u >> 32);

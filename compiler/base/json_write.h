@@ -13,6 +13,6 @@ void json_bytes(Text *out, const char *bytes, size_t size);
 void json_key(Text *out, const char *key);
 /* "key": "value" */
 void json_member(Text *out, const char *key, const char *value);
-/* The same behind another member, with a comma. */
+/* A further member, with a comma before it. */
 void json_next(Text *out, const char *key, const char *value);
 #endif

@@ -12,7 +12,7 @@ typedef struct {
 
 /* The name's index, or -1. */
 int names_find(const Names *names, const char *name);
-/* The same; a name that is not there comes last. The text is not copied. */
+/* Number of the name; an unknown one is appended. The text is not copied. */
 int names_add(Arena *arena, Names *names, const char *name);
 
 /* Names that are given out, each to one. */

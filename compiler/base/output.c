@@ -102,8 +102,8 @@ const char *output_write(const char *path, const void *bytes, size_t size)
 
 enum { KTX_IDENTIFIER = 12, KTX_WORDS = 13, KTX_HEADER = KTX_IDENTIFIER + 4 * KTX_WORDS };
 
-/* What KTX 1.1 says of a texture: endianness; type, its size, format, internal format, base format;
- * width, height, depth; elements, faces, levels; bytes of keys. */
+/* Header of KTX 1.1: endianness; type, its size, format, internal format, base format; width,
+ * height, depth; elements, faces, levels; bytes of keys. */
 static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADER])
 {
     enum {

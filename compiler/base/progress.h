@@ -4,9 +4,9 @@
 #define MATC_PROGRESS_H
 #include "compiler/base/text.h"
 
-/* What is to be written for it at `now`, in seconds: "" where the last one is younger than a tenth
- * of a second; *last is its time, 0 before the first. */
+/* Text to write at `now`, in seconds; "" if the last one is younger than a tenth of a second.
+ * `last` is the time of the last one, 0 before the first. */
 const char *progress_line(Text *out, const char *what, double now, double *last);
-/* What takes the line away; "" where none was written. */
+/* Text that erases the line; "" if none was written. */
 const char *progress_erase(double *last);
 #endif

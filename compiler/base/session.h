@@ -1,5 +1,5 @@
-/* What every stage shares: options, memory, sources, diagnostics, the files that were read. Each
- * gets it as its first argument. A session knows no material. */
+/* State that every stage shares: options, memory, sources, diagnostics, the files that were read.
+ * It is the first argument of every stage. A session knows no material. */
 #ifndef MATC_SESSION_H
 #define MATC_SESSION_H
 #include "compiler/base/arena.h"
@@ -83,8 +83,8 @@ bool diag_full(const Session *session);
 /* "; did you mean 'x'?" as suggest() has it, "" where no further diagnostic is said. */
 const char *diag_suggest(const Session *session, const char *name, SuggestName *names,
                          const void *user, int count);
-/* The same, or, where none is near, what there is, behind `before`; NULL: there is too much to
- * list. */
+/* Proposes a near name; if none is near, lists all names behind `before`. NULL: the list would be
+ * too long. */
 const char *diag_suggest_or_list(const Session *session, const char *name, const NameChoice *names,
                                  const char *before);
 /* All diagnostics so far, as text or as a JSON array; in the arena. */

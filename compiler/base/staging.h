@@ -25,14 +25,14 @@ Staging *staging_open(const char *folder, unsigned how, const char **why);
 bool staging_same(const Staging *a, const Staging *b);
 /* Keeps a file for the folder. Any thread; a name once. NULL, or why not. */
 const char *staging_put(Staging *staging, const char *name, const void *bytes, size_t size);
-/* The same; it says what lies in the folder, and is not there while that changes. One of a
- * folder. */
+/* Stages the index, which describes the folder's content: it is removed while the content changes.
+ * At most one for each folder. */
 const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
 /* Forgets a file again. */
 void staging_drop(Staging *staging, const char *name);
 /* The file is to be moved into the folder. */
 bool staging_holds(const Staging *staging, const char *name);
-/* What the folder will have of this run, by name; from malloc. */
+/* Files of this run that the folder will have, sorted by name; from malloc. */
 StagingFile *staging_list(const Staging *staging, int *count);
 /* A file of the folder that an earlier run wrote, with that hash, and this one does not: it will
  * go, unless it is another file by now: then *stays. NULL, or why it cannot be known. */

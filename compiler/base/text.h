@@ -67,7 +67,7 @@ void text_plain(Text *out, double value);
 /* An address without its %20: RFC 3986. "a%20b.png" -> "a b.png". */
 const char *text_decoded(Arena *arena, const char *uri);
 
-/* What the system says of an errno, in English. */
+/* Message of the system for an errno, in English. */
 const char *text_error(int error);
 
 /* Of ASCII. */

@@ -1,6 +1,6 @@
-/* What has changed is decided by looking at the files; the system's notices (inotify, of the files'
- * folders, since editors rename over files) only say when to look, and that a file was written
- * which looks as before. Every second all are looked at anyway: notices do not come over networks,
+/* Decides what has changed by looking at the files. The system's notices (inotify on the folders,
+ * since editors rename over files) only say when to look, and that a file was written even if it
+ * looks as before. All files are looked at every second anyway: notices do not come over networks,
  * through links, or when a folder further up is moved. */
 #include "compiler/base/watch.h"
 #include "compiler/base/memory.h"
@@ -29,7 +29,7 @@ enum {
     NOTICES = 1 << 14 /* bytes read at once */
 };
 
-/* What a file looks like from outside. */
+/* A file's state, as stat() reports it. */
 typedef struct {
     bool exists;
     mode_t mode;

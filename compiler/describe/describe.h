@@ -33,7 +33,7 @@ void describe_foreign(Text *out, const char *name);
 /* Lists: all names of other tools; all definitions of the library. describe_foreign.c */
 void describe_foreign_list(Text *out);
 void describe_library_list(Text *out);
-/* What a document writes in a parameter's place: "map", "number", ... */
+/* The kind of value that a document writes for a parameter: "map", "number", ... */
 const char *describe_type(const ParamRow *param);
 /* "0.5", "[1, 0, 0]", "true", "none". With a preset, its default. */
 void describe_default(Text *out, const ParamRow *param, const char *preset);
@@ -41,22 +41,22 @@ void describe_default(Text *out, const ParamRow *param, const char *preset);
 void describe_range(Text *out, const ParamRow *param);
 /* A smallest document: the kind (by that name of it) with its defaults written out. */
 void describe_example(Text *out, Kind kind, const char *name);
-/* Of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "0.00196". */
+/* Pieces of a layout: "normal", "emissive.r, emissive.g"; "0.xy" or "0.r 8-15"; "0.00196". */
 void describe_piece(Text *out, const Piece *piece);
 void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece);
 void describe_error(Text *out, const FieldRow *field);
-/* What formulas are made of, a line each; the page of a function, a Term; the schema of a formula
- * and what goes with it. describe_expression.c */
+/* Functions of formulas, one a line; the page of one function, a Term; the schema of a formula and
+ * of its `with:`. describe_expression.c */
 void describe_functions(Text *out);
 void describe_function(Text *out, int term);
 void describe_formula_schema(Text *out);
-/* What translations.def makes of such a material, a line for each parameter of Principled, then
- * what is lost. describe_translation.c */
+/* The parameters of Principled that translations.def computes for a material, one a line, then what
+ * is lost. describe_translation.c */
 void describe_translations(Text *out, Kind kind, const char *indent);
 /* The page of a layout. describe_layout.c */
 void describe_layout(Text *out, const LayoutRow *layout);
-/* What a parameter's value must be, as members of a JSON object of the schema of documents; the
- * definition of a list of words.def there. describe_value.c */
+/* The schema of a parameter's value, as members of a JSON object; its definition of a list of
+ * words.def. describe_value.c */
 void describe_value(Text *out, const ParamRow *param);
 /* "name": { "description": what keys.def says, and the definition goes on. describe_value.c */
 void describe_open_key(Text *out, const char *name, DocumentKey key);

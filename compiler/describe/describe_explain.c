@@ -189,7 +189,7 @@ static void explain_colors(const Query *q)
     }
 }
 
-/* What is said of colours themselves. */
+/* The page on color spaces. */
 static void explain_color_spaces(const Query *q)
 {
     if (begins(q, "srgb"))

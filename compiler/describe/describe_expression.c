@@ -90,7 +90,7 @@ void describe_function(Text *out, int term)
                 row->example);
 }
 
-/* What stands before the " = " of an example. */
+/* The part of an example before " = ". */
 static void put_example(Text *out, const char *example)
 {
     const char *end = example, *next = strstr(example, " = ");

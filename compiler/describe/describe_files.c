@@ -101,7 +101,7 @@ static void put_slot_constants(Text *out)
     text_put(out, "\n        }");
 }
 
-/* What a value must be, as members of a JSON object. */
+/* The schema of a value, as members of a JSON object. */
 static void put_type(Text *out, const FileRow *row)
 {
     static const char *const plain[] = {

@@ -1,4 +1,4 @@
-/* What scenes are made of, in every form: lists, pages, definitions of the schema of documents. */
+/* Describes scenes in every form: lists, pages, definitions of the schema of documents. */
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include <string.h>
@@ -73,7 +73,7 @@ void describe_scene_sort(Text *out, SceneSort sort)
                         scene_kind_table[kind].doc);
 }
 
-/* What a value must be, without the braces around it. */
+/* The schema of a value, without the braces around it. */
 static void put_value(Text *out, const SceneParamRow *row)
 {
     const char *sort = scene_sort_table[row->of].name;

@@ -46,13 +46,13 @@ static const char any_ref[] = "      \"type\": \"object\", \"required\": [\"ref\
                               "a parameter of the definition.\"}\n"
                               "    },\n";
 
-/* What may stand beside a material at the outermost level. */
+/* Members that may accompany a material at the outermost level. */
 #define BESIDE                                                                                     \
     "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"                                            \
     "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"                                      \
     "        \"colors\": {\"$ref\": \"#/$defs/colors\"}"
 
-/* The same as the outermost level. */
+/* A document that is one use of a definition, at the outermost level. */
 static const char any_ref_document[] =
     "{\n"
     "      \"description\": \"A material of `defs:`, the document's own or of a file that it "

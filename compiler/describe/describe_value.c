@@ -1,4 +1,4 @@
-/* What the value of a parameter must be, in the schema of documents. */
+/* The schema of parameters' values in documents. */
 #include "compiler/base/json_write.h"
 #include "compiler/describe/describe.h"
 #include <math.h>

@@ -7,8 +7,8 @@
 
 /* Behind those that all programs have in common; the i-th of a document is so many beyond. */
 enum { ATTRIBUTE_FIRST_LOCATION = 11 };
-/* Of its varying, in GLSL where these have locations: behind all others, and what instances have
- * there. */
+/* Location of its varying in GLSL that has locations, behind all others; and of the attribute of
+ * instances. */
 int attribute_location(int attribute);
 /* "float attribute_wetness" */
 const char *attribute_declaration(const Ir *ir, int attribute);

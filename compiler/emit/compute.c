@@ -32,7 +32,7 @@ enum {
     LOCAL_SIZE = 64
 };
 
-/* What the normal is computed with. */
+/* Inputs that the normal is computed from. */
 typedef struct {
     Input input;
     const char *attribute, *expression;

@@ -74,7 +74,8 @@ static Ref tail_of(const Scope *e, Ref region, int side)
     return ref == region && within == tail ? tail : 0;
 }
 
-/* What needs no statement of its own in a side: the tail, or what is computed in an assignment. */
+/* Leaves to a side the values that need no statement of their own there: the tail, or operands
+ * within an assignment. */
 static void leave_to_side(Scope *e, Ref region, int side, Ref tail)
 {
     Ref ref = region;

@@ -5,7 +5,7 @@
 #include "compiler/emit/chunks.h"
 #include "compiler/graph/graph_sky.h"
 
-/* What the fragment program declares; the vertex program and the reflection go by it. */
+/* Declarations of the fragment program; the vertex program and the reflection follow them. */
 typedef struct {
     bool inputs[INPUT_COUNT];
     bool attributes[LIMIT_ATTRIBUTES]; /* of the mesh, by index in the graph */
@@ -27,7 +27,7 @@ typedef struct {
     Chunks fragment_chunks; /* the same of `chunks` */
 } Interface;
 
-/* What the vertex stages have for a material that displaces its surface, all but attributes and
+/* Text of the vertex stages for a material that displaces its surface, without attributes and
  * main(). */
 typedef struct VertexMove {
     bool inputs[INPUT_COUNT]; /* that main() sets: those of the source `vertex` */
@@ -86,7 +86,7 @@ const char *emit_reflection(Session *session, const Ir *ir, const Job *job,
 
 /* Names in the shader. */
 const char *emit_texture_name(Session *session, const Ir *ir, int texture);
-/* Of a varying's location, the same in both programs. */
+/* Location of a varying, equal in both programs. */
 int emit_input_location(Input input);
 /* "version" and, for ES, precisions. */
 void emit_version(Text *out, Target target);

@@ -3,8 +3,7 @@
 #define MATC_EMIT_DECLARE_H
 #include "compiler/emit/emit.h"
 
-/* What a stage declares, and what all do together: blocks, and numbers of bindings, are those of
- * all. */
+/* Declarations of one stage, and of all stages together, which share blocks and binding points. */
 typedef struct {
     const Interface *own, *all;
 } Declared;
@@ -21,16 +20,16 @@ enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_
 enum { INSTANCE_BUFFER = 0, NUMBER_BUFFER = 1 };
 /* The block of numbers that tell materials of one program apart (constants.h). */
 #define CONSTANT_BLOCK_NAME "Constants"
-/* Of the program's texture of that number. */
+/* Binding point of the program's texture of that number. */
 int emit_texture_binding(int index);
-/* Of a table of the library's, which comes behind the document's textures; -1: the program has none
+/* Binding point of a table of the library, behind the document's textures; -1: the program has none
  * of that name. */
 int emit_table_binding(const Ir *ir, const Interface *interface, const char *name);
 /* The vertex program's attributes and uniforms, as members of a JSON object. vertex.c */
 void emit_describe_vertex(Text *out, const Job *job, const Interface *interface);
 /* An input that is a uniform, of this program. */
 bool emit_is_uniform(const Interface *interface, Input input);
-/* Of the random number that an instance has. */
+/* Location of an instance's random number. */
 int emit_object_location(void);
 /* A varying, on either side: `word` is "in" or "out". */
 void emit_varying(Text *out, Target target, Input input, const char *word);

@@ -49,7 +49,7 @@ const char *emit_function_name(Session *session, const Ir *ir, int function)
     return name.at;
 }
 
-/* What stands under WRITE in ops.def: leaves first. */
+/* Functions that the WRITE lines of ops.def name; leaves first. */
 static void put_const(Scope *e, Text *out, Ref ref) { emit_constant(out, e->ir, ref); }
 
 /* A change needs what changes. */

@@ -72,7 +72,7 @@ static void put_function(Scope *e, Text *out, int number)
     put_result(e, out, function->result);
 }
 
-/* What fragments write. */
+/* Roots of the fragment program: the values that it writes. */
 static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
 {
     int count = 0;
@@ -82,8 +82,8 @@ static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
     return count;
 }
 
-/* What some values need, with what the functions need that they run, and these in turn: who runs a
- * function comes behind it. `run` has them. */
+/* Nodes that the given values need, including those of the functions that they run, transitively; a
+ * function's caller comes behind it. `run` marks the functions. */
 static IrReach needed_by(const Ir *ir, const Ref *roots, int count, bool *run, Arena *scratch)
 {
     IrReach reach = ir_reach_new(ir, scratch);
@@ -216,7 +216,7 @@ static Interface new_interface(Session *session, const Ir *ir)
                        .textures = ARENA_ARRAY(session->arena, bool, ir->texture_count)};
 }
 
-/* What a stage declares, as well as what another does; of inputs those that are uniforms. */
+/* Declarations of two stages together; of inputs only those that are uniforms. */
 static Interface joined(Session *session, const Ir *ir, const Interface *a, const Interface *b)
 {
     Interface all = new_interface(session, ir);

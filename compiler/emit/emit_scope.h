@@ -4,7 +4,7 @@
 #include "compiler/emit/emit.h"
 #include "compiler/emit/schedule.h"
 
-/* What the temporaries of an origin are called in a scope. */
+/* Names of an origin's temporaries in a scope. */
 typedef struct {
     int scope; /* in which that is known: Scope.number */
     /* scope that computes the value, which then is called so; else the first step is */

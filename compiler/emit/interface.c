@@ -1,4 +1,4 @@
-/* What a program declares, per target: version, inputs, uniforms, textures, outputs. */
+/* Declarations of a program for each target: version, inputs, uniforms, textures, outputs. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/attribute.h"

@@ -2,9 +2,9 @@
  * matc_displacement(). */
 #include "compiler/emit/move.h"
 
-/* What a vertex that is displaced is, before it is: by attributes of its own, which are the same
- * for all vertices of one position, whatever they have to shade with: at a hard edge, at a seam of
- * texture coordinates. */
+/* A vertex before it is displaced, by attributes of its own. They are equal for all vertices at one
+ * position, even where shading attributes differ: at hard edges, at seams of texture coordinates.
+ * */
 typedef struct {
     Input input;
     int attribute; /* of move_attributes; -1: the position */

@@ -1,4 +1,4 @@
-/* What a program needs and gives, as JSON. */
+/* The reflection of a program as JSON: its inputs and outputs. */
 #include "compiler/ir/constants.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
@@ -234,7 +234,7 @@ static void put_vector(Text *out, const char *name, const double v[3])
     text_char(out, ']');
 }
 
-/* What a renderer needs to light a scene with a SunSkyLight. */
+/* Data that a renderer needs to light a scene with a SunSkyLight. */
 static void put_sky(Text *out, const GraphSky *sky)
 {
     text_format(out, ",\n  \"sky\": {\"disableLight\": %s, \"disableSun\": %s",

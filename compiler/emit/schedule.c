@@ -19,7 +19,7 @@
 
 enum { BRANCH_COST = 40 }; /* scalar operations in an arm from which on a branch pays */
 
-/* What is by one condition. */
+/* All branches on one condition. */
 typedef struct Condition {
     uint32_t branches;
     uint32_t stage; /* the greatest that one of them has to have */

@@ -7,7 +7,8 @@
 
 static const double GREATEST_HALF = 65504;
 enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RANDOM_COUNT = 512 };
-/* What OpenGL 4.6 promises; a driver takes no more samples than a footprint is long. */
+/* The anisotropy that OpenGL 4.6 guarantees; a driver takes no more samples than a footprint is
+ * long. */
 enum { SAMPLER_ANISOTROPY = 16 };
 
 typedef struct {
@@ -145,7 +146,7 @@ static const unsigned short *decoded_words(Session *session, const IrTexture *te
     return words;
 }
 
-/* What is beyond the greatest half is the greatest half. */
+/* Clamps texels to the greatest half float. */
 static const float *decoded_floats(Session *session, const IrTexture *texture)
 {
     const double most = texture->texels == TEXELS_RGBA16F ? GREATEST_HALF : INFINITY;

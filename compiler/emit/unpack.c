@@ -17,7 +17,7 @@ static bool comes_back(const Job *job, Slot slot)
     return false;
 }
 
-/* Of the cases that are taken, the last, which needs no question. */
+/* The last of the cases that occur; it needs no comparison. */
 static int last_taken(const Job *job)
 {
     int last = job->layout->case_count - 1;
@@ -66,8 +66,8 @@ static const char *in_space(const Job *job)
     return job->normals == NORMALS_world ? "in the world" : "in eye space";
 }
 
-/* What a light pass can ask for: SURFACE_HAS_<slot> stands for each member, SURFACE_NORMALS_<space>
- * for where the normal is. */
+/* Declares what a light pass can query: SURFACE_HAS_<slot> for each member, SURFACE_NORMALS_<space>
+ * for the space of normals. */
 static void put_struct(Text *out, const Job *job)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -93,7 +93,7 @@ static void put_lanes(Text *out, int from, int count)
         text_char(out, "xyzw"[from + i]);
 }
 
-/* What the piece takes of its target: lanes, or bits: "target0.x >> 8 & 255u". */
+/* Extracts a piece from its target, components or bits: "target0.x >> 8 & 255u". */
 static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
 {
     const FormatRow *format = &format_table[layout->formats[piece->target]];

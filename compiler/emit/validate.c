@@ -7,7 +7,7 @@
 #include <pthread.h>
 #include <string.h>
 
-/* Of Debian's libglslang-default-resource-limits, which has no C header of its own. */
+/* From Debian's libglslang-default-resource-limits, which has no C header. */
 extern const glslang_resource_t *glslang_default_resource(void);
 
 static pthread_once_t initialised = PTHREAD_ONCE_INIT;

@@ -13,7 +13,7 @@ typedef struct {
 /* Parses both programs and links them. Where MatcLinked knows the declarations beside this vertex
  * program, the fragment program is parsed and linked alone. False: *log tells why. */
 bool validate(Session *session, Target target, const ProgramTexts *texts, const char **log);
-/* The same of programs of any stages. */
+/* Validates programs of any stages. */
 typedef enum {
     VALIDATE_vertex,
     VALIDATE_control,

@@ -34,7 +34,7 @@ static const Feed feeds[] = {
 };
 enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
 
-/* The same of a mesh that was displaced already: maps go by where a point was. */
+/* Attribute of a mesh that was displaced before: maps read the position before displacement. */
 static const char base_attribute[] = "vec3 basePosition";
 enum { BASE_LOCATION = ATTRIBUTE_FIRST_LOCATION - 1 };
 static const Feed base_feeds[] = {

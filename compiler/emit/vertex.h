@@ -10,7 +10,7 @@ typedef struct {
     int location;
 } VertexAttribute;
 enum { VERTEX_ATTRIBUTES = 10 + LIMIT_ATTRIBUTES };
-/* What it reads from the mesh; how many. */
+/* Attributes that it reads from the mesh. Returns how many. */
 int emit_vertex_attributes(const Job *job, const Interface *interface,
                            VertexAttribute list[VERTEX_ATTRIBUTES]);
 /* "vec3 position": position. */
@@ -21,7 +21,7 @@ void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttr
                          const char *form);
 /* Uniforms, varyings, and the functions that displace, ended by an empty line. */
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface);
-/* What main() does with attributes of these names, and its end. */
+/* The body of main() for attributes of these names, and its end. */
 void emit_vertex_body(Text *out, const Job *job, const Interface *interface);
 /* Matrices from the object's space to the world: of points, and of normals. */
 void emit_place_uniforms(Text *out, Target target, bool normal);

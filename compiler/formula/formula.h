@@ -61,7 +61,7 @@ typedef struct {
     uint32_t start, end; /* bytes of the text: the name, with its quotes */
 } FormulaAttribute;
 
-/* What a name beyond the built-in ones stands for: which input, or one of these. */
+/* Meaning of a name that is not built in: the number of an input, or one of these. */
 enum { FORMULA_UNKNOWN = -1, FORMULA_SAID = -2 };
 typedef struct {
     Session *session;
@@ -88,7 +88,7 @@ Formula *formula_read(const FormulaSource *source);
 /* Names and widths; false and diagnostics, which propose locals, too. formula_check.c */
 bool formula_check(const FormulaSource *source, Formula *formula, const Names *locals);
 
-/* What a formula reads, and where its values go: so many doubles for each step. formula_value.c */
+/* Inputs of a formula, and room for its values: so many doubles for each step. formula_value.c */
 typedef struct {
     double quantity[QUANTITY_COUNT][4]; /* constants are not looked at */
     const double (*inputs)[4];

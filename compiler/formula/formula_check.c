@@ -32,7 +32,7 @@ static const char *width_text(int width)
     return width < 0 ? "something" : words[width];
 }
 
-/* What has so many lanes. */
+/* Name of a value with that many components. */
 static const char *holder_text(int width)
 {
     static const char *const words[] = {"a condition", "a number", "a value of two lanes",
@@ -303,7 +303,7 @@ static bool jumps(const Formula *f, const FormulaStep *step)
     return !exponent || exponent->kind != FORMULA_number || exponent->number < 1;
 }
 
-/* What goes up with the steps: whether it varies, jumps, reads the mesh. */
+/* Propagates along the steps whether a value varies, jumps, or reads the mesh. */
 static void measure(Check *c, uint32_t number)
 {
     const FormulaStep *step = &c->f->steps[number];

@@ -1,5 +1,4 @@
-/* What authors of other languages write, and what it is here: names of foreign.def, and of
- * colours. */
+/* Names of other languages in formulas, and their names here: rows of foreign.def, and colors. */
 #include "compiler/base/diag.h"
 #include "compiler/base/text.h"
 #include "compiler/formula/formula_lex.h"

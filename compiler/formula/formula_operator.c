@@ -173,7 +173,7 @@ static bool is_power_of_others(const FormulaReader *r)
     return r->token.kind == TOKEN_other && formula_begins(r->s, r->token.start, "**");
 }
 
-/* What stands where an operator should, and is none here. */
+/* Reports a token that stands where an operator should. */
 static void say_no_operator(FormulaReader *r)
 {
     const char *word = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "", *hint = "";

@@ -1,5 +1,5 @@
-/* What other languages write where a formula has something else: told once, with what to write, and
- * passed over as a whole. */
+/* Constructs of other languages that formulas lack: each is reported once, with the text to write
+ * instead, and skipped as a whole. */
 #include "compiler/formula/formula_reader.h"
 #include "compiler/base/text.h"
 #include <string.h>
@@ -59,7 +59,7 @@ static IfParts find_parts(const FormulaReader *r)
     }
 }
 
-/* The same as a formula has it. */
+/* The construct in the syntax of formulas. */
 static const char *choice_text(const FormulaReader *r, const IfParts *c)
 {
     const uint32_t start = c->condition.start;

@@ -1,12 +1,12 @@
-/* What the parts of the reader of formulas share: the operands and the operators that wait for
- * them. */
+/* State that the parts of the parser of formulas share: operands, and operators that wait for them.
+ * */
 #ifndef MATC_FORMULA_READER_H
 #define MATC_FORMULA_READER_H
 #include "compiler/formula/formula_lex.h"
 
 enum { FORMULA_MOST_FAULTS = 8, FORMULA_MOST_LANES = 4 };
 
-/* What waits for operands: an operator, an open bracket, or half of a choice. */
+/* An entry of the operator stack: an operator, an open bracket, or half of a conditional. */
 typedef enum {
     WAIT_infix,
     WAIT_prefix,
@@ -59,8 +59,7 @@ static inline const char *formula_word(const FormulaReader *r, Token token)
 }
 /* Says a fault of the token. */
 void formula_say(FormulaReader *r, DiagKind kind);
-/* The same of a character that no formula has, or of a number that no float holds.
- * formula_other.c */
+/* Reports a character that no formula has, or a number that no float holds. formula_other.c */
 void formula_say_other(FormulaReader *r);
 static inline bool formula_is_large(const FormulaReader *r)
 {
@@ -94,7 +93,8 @@ static inline bool formula_is_open(const FormulaWait *wait) { return wait->kind 
 void formula_apply(FormulaReader *r, FormulaStep step, size_t count);
 /* The operator on top is applied. */
 void formula_reduce(FormulaReader *r);
-/* What binds tighter than the level is applied; from the left also what binds as tightly. */
+/* Applies stacked operators that bind tighter than the level; with `from_left` also those that bind
+ * equally. */
 void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left);
 /* Reads where a value is wanted. False: one is still. formula_operand.c */
 bool formula_operand(FormulaReader *r);

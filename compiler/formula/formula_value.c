@@ -9,7 +9,7 @@
 
 static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 1e37;
 
-/* What a term that does not work lane by lane is computed from. */
+/* Arguments of a term that does not work per component. */
 typedef struct {
     const double *a, *b, *c, *d;
     int lanes; /* of the widest of the arguments of any width */
@@ -99,8 +99,8 @@ static void turned_by(const Whole *w, double *result)
     result[1] = s * w->a[0] + c * w->a[1];
 }
 
-/* Of a hue in turns: red is full within a sixth of 0, and 0 beyond a third; green and blue lie a
- * third and two thirds on. */
+/* RGB of a hue in turns: red is 1 within a sixth of 0, and 0 beyond a third; green and blue are
+ * shifted by a third and two thirds. */
 static void rgb_of(const Whole *w, double *result)
 {
     for (int i = 0; i < 3; i++) {
@@ -225,7 +225,7 @@ static double lane_value(Term term, const double *x)
     }
 }
 
-/* Of a whole exponent, by squaring; 0 to the power 0 is 1. */
+/* Power with a whole exponent, by squaring; 0 to the power 0 is 1. */
 static double whole_power(double a, int n)
 {
     double product = 1, square = a;

@@ -93,7 +93,7 @@ static inline Refs build_held(Ir *ir, size_t count)
 #define build_join(ir, a, b)     build_join_of(ir, REFS(ir, a, b))
 #define build_clamp(ir, a, b, c) build_clamp_of(ir, REFS(ir, a, b, c))
 #define build_mix(ir, a, b, c)   build_mix_of(ir, REFS(ir, a, b, c))
-/* Of an operation that is not known here. */
+/* Node of an operation that is known at run time only. */
 Ref build_unary(Ir *ir, Op op, Ref a);
 #define build_binary(ir, which, a, b) ir_make(ir, (IrNode){.op = which, .count = 2}, REFS(ir, a, b))
 

@@ -9,8 +9,8 @@
  * ones stay in the program. */
 enum { MOST_CONSTANTS = 1024 };
 
-/* What is computed from such numbers and constants alone becomes such a number: it is computed
- * once, here. Runs last but for opt_dead. */
+/* Turns values that depend only on such numbers and constants into such numbers, computed once on
+ * the host. Runs last, before opt_dead. */
 void constants_hoist(Ir *ir);
 
 /* A place where a program says a number: an operand of a node, or an output (user 0). */

@@ -9,8 +9,8 @@ typedef struct {
     double numbers[4];
 } FoldArg;
 
-/* What the node's operation makes of operands; false where ops.def has no FOLD: of a leaf, and of
- * what runs a function of the program. */
+/* Folds a node's operation over operand values; false where ops.def has no FOLD: leaves, and nodes
+ * that run a function of the program. */
 bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args,
                 double *result);
 
@@ -19,8 +19,8 @@ bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldA
  * lanes of output i. ir_eval.c. */
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
              double result[MOST_OUTPUTS][4]);
-/* What becomes of every lane of every node's value: as a machine with fewer digits has it, or one
- * that errs otherwise. */
+/* Hooks that change each component of each node's value: rounding of a machine with fewer digits,
+ * or other errors. */
 typedef struct {
     double (*round)(void *user, const IrNode *node, const FoldArg *args, double value);
     void *user;

@@ -14,12 +14,12 @@ typedef struct {
 
 static const Interval everything = {-INFINITY, INFINITY};
 
-/* What drivers may err by where GLSL lets them: more than a rounding. */
+/* Error that GLSL allows drivers beyond rounding. */
 static const double SLACK = 1e-5;
 
 static inline Interval between(double low, double high) { return (Interval){low, high}; }
 
-/* Of numbers: bounds are none that is not, and fmin, which asks, is a call. */
+/* For numbers only: bounds are never NaN, and fmin, which handles NaN, is a call. */
 static inline double least(double a, double b) { return a < b ? a : b; }
 static inline double most(double a, double b) { return a > b ? a : b; }
 

@@ -351,7 +351,7 @@ int ir_cost(const Ir *ir, Ref ref)
     }
 }
 
-/* What the function that a node runs costs, by the costs of single runs. */
+/* Cost of the function that a node runs, by the costs of single runs. */
 static double applied_cost(const Ir *ir, Ref ref, const double *cost)
 {
     if (!ir_applies(ir, ref))

@@ -26,7 +26,7 @@ typedef struct {
 extern const OpRow op_table[]; /* OP_COUNT rows; no object but ir.c's needs to know how many */
 const char *op_text(Op op);    /* in the text of the IR */
 
-/* What a node of an operation has beside its operands, in `payload`. */
+/* Meaning of a node's `payload`, by operation. */
 typedef enum {
     /* but of a select, 1: it is a guard, whose last operand nobody reads; build_guard */
     PAYLOAD_none,
@@ -43,7 +43,7 @@ typedef enum {
 } Payload;
 extern const uint8_t op_payload[]; /* Payload, of each operation */
 
-/* Of an attribute: itself, and its change to the next pixel. */
+/* Parts of an attribute: its value, and its change to the next pixel. */
 typedef enum { ATTRIBUTE_value, ATTRIBUTE_by_x, ATTRIBUTE_by_y, ATTRIBUTE_PARTS } AttributePart;
 static inline uint32_t attribute_of(uint32_t payload) { return payload / ATTRIBUTE_PARTS; }
 static inline AttributePart attribute_part(uint32_t payload)
@@ -51,14 +51,14 @@ static inline AttributePart attribute_part(uint32_t payload)
     return (AttributePart)(payload % ATTRIBUTE_PARTS);
 }
 
-/* What a node is made for: the surface point that a pass starts from, a slot, or a map, by its
- * number in Ir.maps. Names and comments go by it, and nothing else: equal nodes are one node, which
- * keeps the origin that it was made with. */
+/* Origin of a node: the surface point that a pass starts from, a slot, or a map, by its number in
+ * Ir.maps. Only names and comments depend on it: equal nodes are one node, which keeps its first
+ * origin. */
 enum { ORIGIN_SURFACE, ORIGIN_SLOTS, ORIGIN_MAPS = ORIGIN_SLOTS + SLOT_COUNT };
 
 typedef uint32_t Ref; /* number of a node; 0 is none */
 
-/* What is known of a node. Equal nodes are one whatever is known of them. */
+/* Flags of a node. Equal nodes are one node whatever their flags are. */
 enum {
     /* it is the value of its origin's map or slot, not a step on the way; for names only */
     NODE_head = 1,
@@ -124,13 +124,13 @@ typedef struct {
     int offset;       /* in the std140 block, in bytes */
 } IrConstant;
 
-/* What lowering alone knows of the transparency. */
+/* Transparency as lowering alone can decide it. */
 typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
 
 enum { MOST_OUTPUTS = 32 }; /* render targets, or all slots, with discard and depth */
 _Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
-/* What stands for a node that was just made, or the node itself. */
+/* Returns the node that replaces a new one, or the node itself. */
 struct Ir;
 typedef Ref Simplify(struct Ir *ir, Ref ref);
 typedef struct Ir {
@@ -181,7 +181,7 @@ typedef struct Ir {
     size_t map_count, map_room;
     HashIndex map_index;
     uint32_t origin; /* given to new nodes */
-    /* What stands for a node that was just made; NULL leaves it as written. */
+    /* Simplifies each new node; NULL leaves nodes as written. */
     Simplify *simplify;
 } Ir;
 
@@ -256,7 +256,7 @@ enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
 void ir_rehash(Ir *ir);
 /* Marks the nodes that the outputs reach, through functions too: live[ref]. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);
-/* The same, kept until an output or a node changes. */
+/* Live nodes, cached until an output or a node changes. */
 const uint8_t *ir_live_kept(Ir *ir);
 /* Marks what marked ones reach, of which `last` is the last. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last);
@@ -264,11 +264,11 @@ void ir_live_below(const Ir *ir, uint8_t *live, Ref last);
  * `rewrite`, which returns what stands for it, or the node itself. Whether anything changed. */
 typedef Ref IrRewrite(Ir *ir, Ref ref, const void *user);
 bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user);
-/* The same, where nodes with the flag NODE_ need not be given to `rewrite`: it would leave them. 0:
- * all are. */
+/* Sweeps as ir_sweep does, but leaves out nodes with the flag `settled`, which `rewrite` would not
+ * change. 0: none are left out. */
 bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void *user);
-/* What some roots need, functions that are run left out: users before operands. One is used for
- * many roots in turn. */
+/* Nodes that some roots reach, without the functions that are run: users before operands. One
+ * object is reused for many roots. */
 typedef struct {
     Arena *arena;
     Ref *at;

@@ -159,7 +159,7 @@ static const char *check_node(const Ir *ir, Ref ref)
     }
 }
 
-/* What a function reads of arguments are its own. */
+/* A function reads no arguments other than its own. */
 static const char *check_function(const Ir *ir, const IrFunction *function, IrReach *reach)
 {
     ir_reach(ir, &function->result, 1, reach);

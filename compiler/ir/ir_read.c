@@ -77,7 +77,7 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
     return true;
 }
 
-/* Whose set and its number in it, as a payload; -1: out of bounds. */
+/* Payload of an argument: its set, and its number in the set; -1: out of bounds. */
 static int argument_payload(int set, int number)
 {
     return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;

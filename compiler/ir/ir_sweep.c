@@ -1,7 +1,7 @@
 /* The sweep that most passes are. */
 #include "compiler/ir/ir.h"
 
-/* What stands for old nodes and functions during a sweep. */
+/* Replacements of nodes and functions during a sweep. */
 typedef struct {
     bool any;
     Ref *node;
@@ -59,7 +59,7 @@ static void move_functions(Ir *ir, Moves *moves, Ref old, Ref result)
     }
 }
 
-/* What stands for it is the head of its map where it is. */
+/* The replacement of a map's head node becomes the head. */
 static void pass_head(Ir *ir, Ref old, Ref better)
 {
     if (ir_is_head(ir, old) && ir->nodes[better].origin == ir->nodes[old].origin)

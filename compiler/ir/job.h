@@ -1,4 +1,4 @@
-/* What a program is written for. */
+/* A job: the target, pass, options and layout that a program is written for. */
 #ifndef MATC_JOB_H
 #define MATC_JOB_H
 #include "compiler/base/text.h"

@@ -52,7 +52,7 @@ static void put_fixed(Walk *w, double number)
     put(w, halves[1]);
 }
 
-/* What the walk has numbered, or a constant. */
+/* Puts a value's number in the walk, or a constant. */
 static void put_value(Walk *w, Ref value, bool placed)
 {
     const uint32_t constant = 0x80000000u; /* no number of the walk */
@@ -82,7 +82,7 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
     put_value(w, value, placed);
 }
 
-/* What a program wants of a texture; which picture it is changes nothing. */
+/* Puts a texture's format and sampler; which picture it is does not matter. */
 static void put_texture(Walk *w, const IrTexture *texture)
 {
     put(w, (uint32_t)texture->kind << 3 | (uint32_t)texture->floats << 2 |

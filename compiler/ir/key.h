@@ -1,5 +1,4 @@
-/* What a program is, whatever its material is called: a hash of all that its text depends on but
- * for names and comments. */
+/* Key of a program: a hash of everything that its text depends on, except names and comments. */
 #ifndef MATC_KEY_H
 #define MATC_KEY_H
 #include "compiler/ir/constants.h"

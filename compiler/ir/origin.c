@@ -1,4 +1,4 @@
-/* What temporaries and members of a buffer are called: by the words of the author.
+/* Names temporaries and members of a buffer after the author's words.
  *
  *     defs: { clay: { map: Blend, input: { map: Granite } } }    clay, and below it clay_granite
  *     diffuse: { map: Blend }                                    diffuse_blend

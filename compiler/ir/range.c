@@ -24,7 +24,7 @@ typedef struct Guards {
     int depth;    /* of nodes that are being looked at again */
 } Guards;
 
-/* What was found of a node's lane while a set of guards held. */
+/* Interval of one component of a node while a set of guards holds. */
 typedef struct {
     uint32_t set;
     Ref ref;
@@ -61,7 +61,8 @@ static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
 /* Number of intervals of a node: one for each component, and one for a sampler, which has none. */
 static int lanes_of(const Ir *ir, Ref ref) { return ir_lanes(ir, ref) ? ir_lanes(ir, ref) : 1; }
 
-/* Of a node that is made of guarded ones, as its operands are where the guards hold. */
+/* Interval of a node that depends on guarded ones, with operands as they are where the guards hold.
+ * */
 static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Guards *guards = r->guards;
@@ -179,7 +180,7 @@ void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *f
 
 /* -- Operations */
 
-/* Of all lanes of an operand. */
+/* Interval of all components of an operand. */
 static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
 {
     Interval all = range_of(r, ir, ref, 0);
@@ -349,7 +350,7 @@ static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return times(apply_range(r, ir, ref, lane), between(KERNEL_POINTS, KERNEL_POINTS));
 }
 
-/* What is no operand may be anything. */
+/* Interval of an operand; unbounded if there is no such operand. */
 static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i,
                                      int lane)
 {
@@ -357,7 +358,7 @@ static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode
                            : everything;
 }
 
-/* Of an operation that works lane by lane: the RANGE lines of ops.def. */
+/* Interval of an operation that works per component, by the RANGE lines of ops.def. */
 static Interval lane_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const IrNode *node = ir_at(ir, ref);

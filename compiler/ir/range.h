@@ -25,22 +25,22 @@ typedef struct Ranges {
     uint64_t *marks;
 } Ranges;
 
-/* Of all nodes, in the arena, where they are to be found. Arithmetic that rounds may pass a bound
- * by a rounding's worth: 1e-5 of it. */
+/* Finds intervals of all nodes, in the arena. Arithmetic that rounds may exceed a bound by 1e-5 of
+ * it. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
-/* Of live nodes; any other may be anything. What was found before, in the same arena, is not found
- * again: all but `lanes` is zero if nothing was. */
+/* Finds intervals of live nodes; other nodes are unbounded. Intervals found before in the same
+ * arena are reused. Zero all members but `lanes` before the first call. */
 void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
 /* Something was found of it. */
 static inline bool range_is_found(const Ranges *r, Ref ref)
 {
     return ref < r->count && r->place[ref].first;
 }
-/* Of what some values are made of. */
+/* Finds intervals of the nodes that some roots reach. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
 /* The interval of such a node holds to the last bit. */
 bool range_is_exact(Op op);
-/* What is known of a lane everywhere; and where the guards hold that are under way. */
+/* Stored interval of a component: everywhere, and where the current guards hold. */
 static inline Interval range_kept(const Ranges *r, Ref ref, int lane)
 {
     const RangePlace place = ref < r->count ? r->place[ref] : (RangePlace){0};
@@ -62,6 +62,6 @@ struct Seen *range_seen_new(Arena *arena);
 /* Intervals of the `lanes` components of a select. They share its guards, so all are found
  * together. */
 void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found);
-/* That which follows from the operands' by the node's operation. */
+/* Interval that follows from the operands' intervals by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane);
 #endif

@@ -55,7 +55,7 @@ static void compute(Ranges *r, const Ir *ir, Arena *arena, Ref ref)
     r->place[ref] = place;
 }
 
-/* Of nodes below `count`: of those that are live; NULL: of all. */
+/* Finds intervals of nodes below `count`: of live ones, or of all if `live` is NULL. */
 static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
     r->count = count;

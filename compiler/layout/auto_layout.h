@@ -6,14 +6,14 @@
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
 
-/* What the slots of one material can be, by its optimised IR of the pass value with all slots. */
+/* Ranges of one material's slots, by its optimized IR of the pass value with all slots. */
 void auto_ranges(const Ir *ir, MatcRanges *one);
 /* The layout of the materials that `ranges` were joined of; `error` is the colours', 0: that of
  * classes.def. NULL: no layout has so many words. The report tells of every slot what became of
  * it. */
 const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double error, Text *report);
 
-/* What becomes of a slot. */
+/* How a slot is kept. */
 typedef enum {
     FATE_field,    /* it is stored */
     FATE_fixed,    /* all materials have the same of it */
@@ -49,9 +49,9 @@ void auto_choose_formats(LayoutRow *row, int words);
 /* Adds the slots of a material, or of several. What `other` has. auto_sets.c */
 void auto_sets_add(MatcRanges *ranges, MatcSlotSet set);
 void auto_sets_join(MatcRanges *ranges, const MatcRanges *other);
-/* Of all groups of a field. auto_plan.c */
+/* Bits of all groups of a field. auto_plan.c */
 int auto_field_bits(const FieldRow *field);
-/* What is to be done with a slot, at `scale` times the errors of classes.def. auto_plan.c */
+/* Plans a slot at `scale` times the errors of classes.def. auto_plan.c */
 Plan auto_plan_slot(Slot slot, const MatcSlotRange *range, double scale);
 /* A table of the slots and their fates. auto_report.c */
 void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,

@@ -13,7 +13,7 @@ typedef struct {
 
 static double displayed(double value) { return sqrt(fmin(fmax(value, 0), 1)); }
 
-/* What a field's error is, in the unit of the slot's class. */
+/* Error of a field in the unit of the slot's class. */
 static double class_error(const Plan *plan, const FieldRow *field)
 {
     const double step = field_error(field);
@@ -113,7 +113,7 @@ static bool is_constant(const MatcSlotRange *range, int lanes)
     return true;
 }
 
-/* What some materials answer and whoever draws tells the others can be anything. */
+/* Range of a slot that some materials give and the draw call gives for the others: unbounded. */
 static MatcSlotRange with_drawn(Slot slot, MatcSlotRange range)
 {
     for (int lane = 0; lane < FIELD_LANES && range.counted && range.drawn; lane++) {

@@ -1,4 +1,4 @@
-/* What a set of materials can be: the intervals of every slot, by the optimised IR. */
+/* Ranges of a set of materials: the intervals of every slot, by the optimized IR. */
 #include "compiler/layout/auto_layout.h"
 #include "compiler/ir/range.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What is taken of every target lane, in bits: fields only ever go behind one another. */
+/* Bits of each target component that are taken; fields are only appended. */
 typedef struct {
     int taken[LAYOUT_TARGETS][FIELD_LANES];
     bool marked; /* the highest bit of the last word is, too */

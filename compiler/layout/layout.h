@@ -33,7 +33,7 @@ typedef struct {
     int bits, few, more_bits;
 } Further;
 Further layout_further(const LayoutRow *row);
-/* What of a word is known of a case: its number, and the highest bit of the last word. */
+/* Code of a case in a word: its number, and the highest bit of the last word. */
 double layout_case_code(const LayoutRow *row, int number, int target, int lane);
 /* The case that words were packed by, of the first target's first lane and of the last's last. */
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
@@ -41,7 +41,7 @@ int layout_targets(const LayoutRow *row);
 int layout_bytes(const LayoutRow *row); /* of a pixel */
 /* A target of it holds words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
-/* What all materials of a case have the same of; NULL: it is stored, or absent. */
+/* Constant value of a slot in all materials of a case; NULL: the slot is stored, or absent. */
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
 /* Slots that unpacking the layout yields, a bit each: some case stores them, or they are fixed. */
 unsigned layout_slots(const LayoutRow *row);

@@ -23,7 +23,7 @@ static const char *encoding_name(const void *user, int i)
 static const char *slot_name(const void *user, int i) { return (void)user, slot_table[i].name; }
 static const char *key_name(const void *user, int i) { return ((const char *const *)user)[i]; }
 
-/* What a name may be, and what is said of one that it is not. */
+/* Names that a value can have, and the diagnostic for others. */
 typedef struct {
     const char *(*name)(const void *user, int i);
     int count;

@@ -10,6 +10,6 @@ const LayoutRow *layout_read(Session *session, const Tree *tree);
  * field k of case i stands. */
 bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
                   Tree *const *const *trees);
-/* The same layout as a file; it reads back to an equal row. */
+/* Writes the layout as a file, which reads back to an equal row. */
 void layout_write(Text *out, const LayoutRow *row);
 #endif

@@ -41,9 +41,8 @@ static void note_use(Ir *ir, Guards *g, Ref value)
 /* nodes that are looked at for one condition, beside the values of its guards */
 enum { ROOM = 256 };
 
-/* What is the guards' alone, as far as needed: until it is worth a branch and has all their values,
- * or there is no more. False: it is not worth one. Lanes and vectors of what is looked at cost
- * nothing. */
+/* Collects the nodes that only the guards need, until they are worth a branch or none is left.
+ * False: they are not worth one. Swizzles and vectors cost nothing. */
 static bool pays(Ir *ir, Guards *g, Ref first)
 {
     size_t i = 0, values = 0;
@@ -61,8 +60,7 @@ static bool pays(Ir *ir, Guards *g, Ref first)
     return cost >= WORTH_A_BRANCH;
 }
 
-/* Of the guards of a condition those go that spare nothing: all, or those whose value others need,
- * too. */
+/* Removes guards of a condition that save nothing: all, or those whose value others need, too. */
 static void judge(Ir *ir, Guards *g, Ref first)
 {
     const bool paid = pays(ir, g, first);

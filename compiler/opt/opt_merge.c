@@ -23,9 +23,9 @@ static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
     return true;
 }
 
-/* Of what both have: the row, and the arguments that it names by digits. They stand in that order
- * in a call of the gradient, `shared` being the call's, and at the digits' places in one of the
- * value. */
+/* Hash of the parts that value and gradient share: the row, and the arguments that it names by
+ * digits. They come in that order in a call of the gradient (`shared` of it), and at the digits'
+ * places in a call of the value. */
 static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_value)
 {
     uint32_t hash = (uint32_t)row->by;

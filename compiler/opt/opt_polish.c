@@ -55,7 +55,7 @@ Ref opt_simplify(Ir *ir, Ref ref)
     return ir_at(ir, ref)->flags & NODE_final ? ref : apply_rules(ir, ref, &unknown);
 }
 
-/* Of a simple node that is not final, the rule that goes by uses is asked, before the others. */
+/* Tries the rule that depends on uses first, on a simple node that is not final. */
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
     const Ref grouped = opt_may_group(ir, ref) ? opt_rewrite_group(ir, ref, user) : ref;

@@ -10,7 +10,7 @@
 
 enum { MOST_LANES = 4 };
 
-/* What the sweep goes by. */
+/* State of the sweep. */
 typedef struct {
     const Ranges *ranges;
     const bool **
@@ -46,7 +46,7 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define truth(x)               build_truth(ir, x)
 #define spread(x)              build_splat(ir, x, (Type)node.type)
 
-/* Of a node and its operands, the most. */
+/* The most components of a node and its operands. */
 static int lanes_at(const Ir *ir, Ref ref)
 {
     int lanes = ir_lanes(ir, ref);
