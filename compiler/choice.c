@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* What settled an axis. */
+/* How an axis was decided. */
 typedef enum {
     CHOSEN_default,
     CHOSEN_by_name,

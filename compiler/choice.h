@@ -1,5 +1,4 @@
-/* What a program is written with: the choices of a job as text. choice.c also has choice_job
- * (pipeline.h). */
+/* Choices of a job as text. choice.c also has choice_job (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
 #include "compiler/base/session.h"
@@ -14,7 +13,7 @@
 const TargetRow *choice_target(const MatcOptions *options);
 /* The values that an option has by name ("aa": auto, none, ...); false: there is no such option. */
 bool choice_values(const char *option, NameChoice *values);
-/* What an option was given, NULL: nothing. */
+/* Value that an option was given; NULL: none. */
 const char *choice_value(const MatcOptions *options, const char *option);
 /* As matc_options_set, but any value: what is told apart later, such as "gbuffer,shadow" and the
  * path of a layout. */

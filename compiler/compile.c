@@ -9,7 +9,7 @@
 #include "grammar/layout_tables.h"
 #include <math.h>
 
-/* What rounding may add to a bound that intervals prove: range.h. */
+/* Rounding that a bound proved by intervals may be exceeded by: range.h. */
 #define DISPLACEMENT_SLACK 1e-5
 
 Graph *compile_front(Session *session, uint32_t source, Tree **tree)
@@ -78,7 +78,7 @@ double compile_displacement_bound(const Ir *ir)
     return size * (1 + DISPLACEMENT_SLACK);
 }
 
-/* Who draws it has to know what it may reach. */
+/* The host culls by this bound: warns when it is infinite. */
 static void doubt_bound(Session *session, const Ir *ir)
 {
     if (!ir->displaced || isfinite(compile_displacement_bound(ir)))

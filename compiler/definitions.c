@@ -63,7 +63,7 @@ static const char *range_of(Arena *arena, const Parameter *p)
     return out.size ? out.at : "";
 }
 
-/* What stands there itself, or of what kind it is. */
+/* Default of a parameter: its text, or its kind. */
 static const char *default_of(const Parameter *p)
 {
     const Member *kind = p->init && p->init->kind == TREE_object ? tree_find(p->init, "map") : NULL;

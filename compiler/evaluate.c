@@ -43,7 +43,7 @@ static const char *read_point(const Graph *graph, Surface *surface, const char *
     return NULL;
 }
 
-/* What a point may set: channels of a surface, and its side. */
+/* Names that a point can set: channels of a surface, and its side. */
 static const char *point_name(const void *user, int i)
 {
     Surface surface;

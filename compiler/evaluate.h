@@ -15,7 +15,7 @@ typedef struct {
  * LIMIT_WORK_POINTS times that; then none is known. */
 bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options,
                        SurfacePoints points, SlotValues *values);
-/* What is wrong with a point as matc_eval takes it, in words of the command line, in the arena;
- * NULL: nothing. */
+/* Fault of a point as matc_eval takes it, in the words of the command line, in the arena; NULL:
+ * none. */
 const char *evaluate_point_fault(Arena *arena, const char *point);
 #endif

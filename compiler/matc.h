@@ -47,9 +47,9 @@ MATC_API const char *matc_version(void);
 
 typedef struct MatcDocument MatcDocument;
 typedef struct MatcProgram MatcProgram;
-/* What glslang has linked already, for a program that compiles many materials: a vertex program is
- * then parsed once for all fragment programs that declare the same, and not for each of them. Any
- * number of threads may share it. */
+/* Vertex programs that glslang has linked, for a host that compiles many materials: a vertex
+ * program is parsed once for all fragment programs that declare the same inputs, instead of once
+ * for each of them. Any number of threads may share it. */
 typedef struct MatcLinked MatcLinked;
 typedef struct MatcLayout MatcLayout;
 
@@ -239,8 +239,8 @@ MATC_API const char *matc_opacity(MatcProgram *program);
  * matc proves of the maps. 0: it moves none, INFINITY: neither is known. */
 MATC_API double matc_displacement_bound(const MatcProgram *program);
 
-/* What a displaced vertex is a function of: none, the material moves no point; attributes and
- * matrices up to a motion of the whole; or where in the world it is, too. */
+/* Inputs that a displacement depends on: none, the material moves no point; attributes and matrices
+ * up to a rigid motion of the whole; or also the position in the world. */
 typedef enum { MATC_MOVES_none, MATC_MOVES_local, MATC_MOVES_world } MatcMoves;
 MATC_API MatcMoves matc_moves(const MatcDocument *document, int material,
                               const MatcOptions *options);
@@ -259,8 +259,8 @@ MATC_API bool matc_move(const MatcDocument *document, int material, const MatcOp
 
 /* The material puts a volume in its surface's place (`displacementVolume`). */
 MATC_API bool matc_has_volume(const MatcDocument *document, int material);
-/* What of that is solid along the unit normal of a point, in units of the world: from heights[0] to
- * [1] and from [2] to [3]; nothing where the second is no more. */
+/* The solid intervals along the unit normal of a point, in units of the world: from heights[0] to
+ * [1] and from [2] to [3]; an interval is empty if its second bound is not the larger one. */
 typedef struct {
     MatcPoint at;
     double heights[4];
@@ -280,7 +280,7 @@ MATC_API bool matc_set_default(MatcDocument *document, const char *param, const 
  * depends on but for names of materials and of temporaries. Numbers that come from a buffer do not
  * count. */
 MATC_API const char *matc_key(MatcProgram *program);
-/* The same with all places left out: programs of one shape differ in their numbers only. */
+/* Key of the program without its constants: programs of one shape differ in constants only. */
 MATC_API const char *matc_shape(MatcProgram *program);
 
 /* A number or vector of a program: a member of its block `Constants` (std140; plain uniforms in
@@ -347,8 +347,9 @@ typedef struct {
 MATC_API int matc_uniform_count(const MatcProgram *program);
 MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
 
-/* What the program reads of the mesh beside position, normal, texture coordinate and tangents;
- * owned by the program, but its names by the document, which must still be there. */
+/* Attributes that the program reads from the mesh beside position, normal, texture coordinate and
+ * tangents. The list is owned by the program, its names by the document, which must still be there.
+ * */
 typedef struct {
     const char *name;      /* in the document: "color", "wetness" */
     const char *attribute; /* in the vertex program */
@@ -367,7 +368,7 @@ MATC_API const MatcAttribute *matc_attribute(const MatcProgram *program, int ind
  * from malloc. */
 MATC_API char *matc_eval(const MatcDocument *document, int material, const char *point,
                          const MatcOptions *options, const char **fault);
-/* The same of one slot, that of the options (NULL: "diffuse"), as numbers. */
+/* Value of one slot, that of the options (NULL: "diffuse"), as numbers. */
 typedef struct {
     int lanes; /* of the slot, 1 to 4; 0: see fault */
     double lane[4];
@@ -398,8 +399,9 @@ MATC_API const char *matc_layout_text(const MatcLayout *layout);
 MATC_API const char *matc_layout_report(const MatcLayout *layout);
 MATC_API void matc_layout_free(MatcLayout *layout);
 
-/* What a set of materials can be, for the smallest layout that holds it. Plain data: copy it, keep
- * it as long as the library is of the same number; with another one it may have another size. */
+/* Ranges of the slots of a set of materials, for the smallest layout that holds it. Plain data:
+ * copy it, keep it as long as the library is of the same number; with another one it may have
+ * another size. */
 enum { MATC_SLOTS = 30, MATC_SETS = 256 };
 typedef struct {
     double low[4], high[4]; /* of each lane, over those that count */
@@ -433,8 +435,9 @@ MATC_API void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other);
 MATC_API MatcLayout *matc_layout_for(const MatcRanges *ranges, double error,
                                      const MatcOptions *options);
 
-/* What matc knows, made from its tables; from malloc. JSON Schema of "document" (or NULL),
- * "layout", "manifest" or "reflection"; NULL of others. The list of kinds. The page of one name. */
+/* Descriptions made from the tables of matc; from malloc. JSON Schema of "document" (or NULL),
+ * "layout", "manifest" or "reflection"; NULL for others. The list of kinds. The page of one name.
+ * */
 MATC_API char *matc_schema(const char *of);
 MATC_API char *matc_list(void);
 /* One of its parts, "maps", "slots", "noise", ...; NULL of others. */

@@ -1,4 +1,4 @@
-/* What is written of a program. */
+/* Files that are written of a program. */
 #include "compiler/program.h"
 #include "compiler/choice.h"
 #include "compiler/layout/layout_read.h"

@@ -1,4 +1,4 @@
-/* What is known of the surface that a program is of. */
+/* Properties of the surface that a program describes. */
 #include "compiler/program.h"
 
 const Node *program_material(const MatcProgram *p)

@@ -4,7 +4,7 @@
 #include "tables.h"
 #include <stddef.h>
 
-/* What a formula computes with: an operator or a function. */
+/* A term of formulas: an operator or a function. */
 typedef enum {
 #define OPERATOR(name, ...) TERM_##name,
 #define FUNCTION(name, ...) TERM_##name,
@@ -92,7 +92,7 @@ extern const int vector_count;
 /* The lanes of what the function makes; 0: none of that name. */
 int vector_named(const char *name, size_t size);
 
-/* What is called like a function, but takes words. */
+/* Terms that are called like functions, but take words. */
 typedef enum {
 #define SPECIAL(name, form, doc) SPECIAL_##name,
 #include "expression.def"

@@ -34,7 +34,7 @@ enum {
 _Static_assert((int)ENCODING_LINES == 4 * (int)ENCODING_COUNT,
                "encodings.def has every line below every encoding");
 
-/* What depends on a field's bits: columns of encodings.def. */
+/* Sizes by a field's bits: columns of encodings.def. */
 int field_size(const FieldRow *field)
 {
     const int n = field->count, b = field->bits;
@@ -108,7 +108,8 @@ double field_high(const FieldRow *field)
     return field_has_range(field) ? field->high : encoding_high(field->encoding, field->bits);
 }
 
-/* Of a range: as much of it, and what floats lose on the way to [0, 1] and back. */
+/* Error of a range: the encoding's error scaled to it, and the rounding of floats on the way to [0,
+ * 1] and back. */
 double field_error(const FieldRow *field)
 {
     const double rounding = 0x1p-22;
@@ -168,7 +169,7 @@ enum {
 #include "layouts.def"
 };
 
-/* The same of what cases have fixed; behind all there is one of none. */
+/* Constant slots of all cases; the last row ends the table. */
 static const FixedRow given_table[] = {
 #define GIVEN(layout, slot, value) {SLOT_##slot, {value, value, value, value}},
 #include "layouts.def"

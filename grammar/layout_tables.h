@@ -50,7 +50,7 @@ typedef struct {
     /* what is stored, where the encoding takes a range; both 0: as the encoding has it */
     double low, high;
 } FieldRow;
-/* What depends on a field's bits and range. */
+/* Properties of a field, by its bits and range. */
 int field_size(const FieldRow *field);     /* of a group: lanes of a float target, or bits */
 double field_error(const FieldRow *field); /* in the encoding's unit */
 double field_low(const FieldRow *field);

@@ -1,4 +1,4 @@
-/* What scenes are made of: sorts, their kinds, and what each kind has. */
+/* Tables of scenes: sorts, their kinds, and the parameters of each kind. */
 #ifndef MATC_SCENE_TABLES_H
 #define MATC_SCENE_TABLES_H
 #include "tables.h"
@@ -44,7 +44,7 @@ typedef struct {
     ParamRow param; /* name, default, range, line; its kind is KIND_COUNT */
     const char *unit;
 } SceneParamRow;
-/* What a plain parameter is by a word of its kind's parameter `preset`. */
+/* Value of a parameter by a word of its kind's parameter `preset`. */
 typedef struct {
     SceneKind kind;
     Word word;

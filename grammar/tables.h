@@ -23,7 +23,7 @@ typedef enum {
     GROUP_COUNT
 } Group;
 
-/* What is the same for all that is drawn, whatever maps are asked. */
+/* Groups that are equal for everything that is drawn, whatever maps are queried. */
 static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 
 enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + lane */
@@ -134,13 +134,13 @@ extern const ParamRow param_table[PARAM_COUNT];
 bool param_is_colored(int param), param_is_number(int param);
 /* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
-/* What becomes of it where a weight is not 0, by the PARTED lines; NULL: no such line. */
+/* Effect on the parameter where a weight is not 0, by the PARTED lines; NULL: no such line. */
 const char *param_parted(int param, int *weight);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 
-/* What --aa makes of a volume map; what samples give way to where a pixel has many cells. */
+/* How --aa treats a volume map; what replaces its samples where a pixel has many cells. */
 typedef enum { FILTER_samples, FILTER_point, FILTER_box, FILTER_octaves } FilterKind;
 typedef enum { FAR_unknown, FAR_number, FAR_point } Far;
 

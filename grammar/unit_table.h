@@ -15,6 +15,6 @@ typedef struct {
     double factor;     /* from that to this */
 } UnitRow;
 extern const UnitRow unit_table[UNIT_COUNT];
-/* What numbers of that row of param_table count; NULL: nothing is said of it. */
+/* Unit of a parameter by its row of param_table; NULL: it has none. */
 const UnitRow *unit_of(int param);
 #endif

@@ -1,4 +1,4 @@
-/* What reference.md says of formulas and of definitions that come with matc. */
+/* Pages of reference.md on formulas, and on the definitions that come with matc. */
 #ifndef MATC_DOCS_FORMULAS_H
 #define MATC_DOCS_FORMULAS_H
 #include "compiler/base/text.h"

@@ -53,7 +53,7 @@ static const char functions[] = "EmitVertex EndPrimitive abs acos acosh all any 
                                 "unpackDouble2x32 unpackHalf2x16 unpackSnorm2x16 unpackSnorm4x8 "
                                 "unpackUnorm2x16 unpackUnorm4x8 usubBorrow";
 
-/* What matc declares, and what glslang defines for Vulkan. */
+/* Names that matc declares, and that glslang defines for Vulkan. */
 static const char own[] = "Constants Draw Levels Material Surface VULKAN carpenter fragment0 "
                           "fragment1 fragment2 fragment3 "
                           "fragment4 fragment5 fragment6 fragment7 main matc normal p position st "

@@ -39,7 +39,7 @@ static uint32_t residue_of(double cell)
     return cube((block * (rest + 3) + rest) % PRIME);
 }
 
-/* What is random of a cell: a place in [0, 1]^3, and a number in [0, 1). */
+/* Random values of a cell: a point in [0, 1]^3, and a number in [0, 1). */
 typedef struct {
     double place[3], number;
 } Chance;

@@ -12,7 +12,7 @@ static const ReferenceTexture *texture_of(const void *context, double index)
     return &((const ReferenceContext *)context)->textures[(int)index];
 }
 
-/* The same to a function that fetches texels. */
+/* The texture as a function that fetches texels sees it. */
 static ReferenceTexture fetched_of(const void *context, double index)
 {
     ReferenceTexture texture = *texture_of(context, index);

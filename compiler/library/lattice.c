@@ -84,7 +84,7 @@ static Corner integer_corner(const uint32_t c[3], int outputs)
     return corner;
 }
 
-/* Of a simplex: numbers are the top bits of products of its hash. There is no value. */
+/* Corner of a simplex: its numbers are the top bits of products of its hash. It has no value. */
 static Corner simplex_corner(const uint32_t c[3], int outputs)
 {
     static const uint32_t factor[NUMBERS] = {0, 0xCAF4BCE3u, 0xCF612DE7u, 0x6BA88D47u};
@@ -164,7 +164,7 @@ typedef struct {
     double value, slope[3];
 } Weight;
 
-/* Of the first so many outputs. */
+/* Sums over corners, for the first `outputs` outputs. */
 typedef struct {
     int outputs;
     double value[OUTPUTS], slope[OUTPUTS][3];

@@ -79,7 +79,7 @@ static double stripes_along(const double *args, int lanes)
     return sum;
 }
 
-/* Of the four boxes, one of whose factors changes. */
+/* Derivative of the four boxes, one of whose factors changes. */
 static void stripes_along_rate(const double *args, int lanes, double *result)
 {
     for (int by = 0; by < lanes; by++)

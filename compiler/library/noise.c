@@ -5,7 +5,7 @@
 
 enum { GRANITE_OCTAVES = 6 };
 
-/* What an octave is replaced with where it is finer than the square; measured, the same numbers as
+/* Statistics that replace an octave finer than the square; measured, the numbers of
  * noiseStatistics.glsl. */
 typedef struct {
     double mean, variance, magnitude, grain;
@@ -44,8 +44,8 @@ static double noise_at(const void *context, const double p[3], const double rest
     return clamp(value, -1, 1);
 }
 
-/* What is lost, a (1 - 1 / (1 + b w^2 + c w^4)) until that is all: no difference of ones for a
- * narrow width. */
+/* The part that is lost: a (1 - 1 / (1 + b w^2 + c w^4)), written without a difference of ones for
+ * a narrow width. */
 static double lost(const void *context, double width, const double factor[3])
 {
     double w = width * statistics(context).grain, bend = w * w * (factor[1] + factor[2] * w * w);

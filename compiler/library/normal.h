@@ -4,7 +4,7 @@
 #ifndef MATC_LIB_NORMAL_H
 #define MATC_LIB_NORMAL_H
 
-/* What an octahedral code of b bits counts. */
+/* Levels of an octahedral code of b bits. */
 static inline int octahedral_levels(int bits) { return (1 << bits) - 1; }
 
 /* The octahedral map to [-1, 1]^2 and back; (0, 0, 0) is +z. */

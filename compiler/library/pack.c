@@ -1,4 +1,4 @@
-/* What layouts pack: pairs in a half float, and words of bits. */
+/* Functions that layouts pack with: pairs in a half float, and words of bits. */
 #include "compiler/library/pack.h"
 #include "compiler/library/reference.h"
 

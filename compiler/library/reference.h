@@ -15,8 +15,8 @@
 #define M_LN10 2.30258509299404568402
 #endif
 
-/* What stands beyond the edges of a texture: itself again; itself mirrored, then again; the texel
- * at the edge; 0 in all lanes. */
+/* Texels beyond the edges of a texture: repeated; mirrored, then repeated; the texel at the edge; 0
+ * in all components. */
 typedef enum {
     REFERENCE_REPEAT,
     REFERENCE_MIRROR,

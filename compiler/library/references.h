@@ -2,7 +2,8 @@
 #ifndef MATC_REFERENCES_H
 #define MATC_REFERENCES_H
 
-/* Of all arguments' lanes in a row, in double; the context is a ReferenceContext (reference.h). */
+/* Arguments are all components in a row, in double; the context is a ReferenceContext
+ * (reference.h). */
 typedef void (*Reference)(const void *context, const double *args, double *result);
 /* By a Function or FN_FIRST_MAP + Kind (grammar/tables.h). NULL: it has none. */
 Reference reference_of(int function);

@@ -151,7 +151,7 @@ static double dot(const double a[3], const double b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* Of vectors that may be long or short; (0, 0, 1) for none. */
+/* Unit vector of a vector of any length; (0, 0, 1) for zero. */
 static void unit(const double v[3], double result[3])
 {
     double greatest = fmax(fmax(fabs(v[0]), fabs(v[1])), fabs(v[2]));
@@ -239,7 +239,7 @@ static void make_rows(const double sun[3], double t, double out[SKY_ROWS][3])
         out[ZENITH][lane] /= perez(out, lane, 1, angle);
 }
 
-/* What sky and sun are times, so that they give the horizontal plane MATERIAL_IRRADIANCE. */
+/* Scale of sky and sun that gives the horizontal plane MATERIAL_IRRADIANCE. */
 static double scale_of(double rows[SKY_ROWS][3], const double sun_rgb[3])
 {
     const double total = sky_irradiance(rows) + mean(sun_rgb) * fmax(rows[SUN][2], 0);

@@ -1,4 +1,4 @@
-/* What skyRadiance needs to know of a sky. */
+/* Coefficients of skyRadiance. */
 #ifndef MATC_SKY_H
 #define MATC_SKY_H
 
@@ -9,8 +9,8 @@
 void sky_coefficients(const double sun[3], double turbidity, double radiance_factor,
                       double out[7][3]);
 
-/* What the sun's disc gives a surface that faces it, as linear red, green and blue, on the scale of
- * the coefficients: the horizontal plane has 10 times radiance_factor of the sky and of this, times
- * the sun's z, together, on the mean of the lanes. 0 below the horizon. */
+/* Irradiance by the sun's disc on a surface that faces it, as linear red, green and blue, on the
+ * scale of the coefficients: on the horizontal plane, sky and this times the sun's z together give
+ * 10 times radiance_factor, on the mean of the components. 0 below the horizon. */
 void sky_sun(const double sun[3], double turbidity, double radiance_factor, double irradiance[3]);
 #endif

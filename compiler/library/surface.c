@@ -1,4 +1,4 @@
-/* What a surface's slots go through: exponents, unit vectors, frames. */
+/* Functions of slots: exponents, unit vectors, frames. */
 #include "compiler/library/reference.h"
 #include <string.h>
 

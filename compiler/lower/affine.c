@@ -1,6 +1,6 @@
-/* What rounding takes from a coordinate: affine chains of constants are followed back, in double,
- * to the value they start from, and GLSL computes M root + offset as a whole number and a fraction,
- * each good to the last bit.
+/* Keeps coordinates exact far from the origin. Affine chains of constants are followed back, in
+ * double, to the value they start from, and GLSL computes M root + offset as a whole number and a
+ * fraction, each good to the last bit.
  *
  *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x -
  *                                         492.7
@@ -46,7 +46,7 @@ static Line scaled(Line line, double factor)
     return line;
 }
 
-/* What is kept of a lane; a number stands for all lanes of a vector. */
+/* The affine form of one component; a scalar stands for all components of a vector. */
 static Line line_of(const Lower *l, Ref ref, int lane)
 {
     if (ir_lanes(l->ir, ref) == 1)

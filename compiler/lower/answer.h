@@ -24,11 +24,11 @@ Answer answer_dot(Lower *l, Answer a, Ref factors);
 /* The alpha that a colour has wherever it is asked, a number; 0: it varies, or the colour has none,
  * or -O0 leaves it as written. */
 Ref answer_alpha(Lower *l, Ref color);
-/* Of two that vary independently. */
+/* Sum of two values that vary independently. */
 Answer answer_sum(Lower *l, Answer a, Answer b);
 /* As much of the pixel as `by` says has a's value, the rest b's; or `by` is a bool, and all of it
  * has a's or all b's. Both are widened to the type that holds both. */
 Answer answer_either(Lower *l, Ref by, Answer a, Answer b);
-/* Of values that were made of a split's: their mean by its share. */
+/* Mean of values computed from both sides of a split, by its share. */
 Ref answer_mean(Lower *l, Ref by, Ref a, Ref b);
 #endif

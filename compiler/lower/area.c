@@ -108,8 +108,8 @@ static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
-/* Of cells finer than a pixel four samples know less than what all have in the mean: they give way
- * to it from 1.5 cells on, and at 3.5 are nothing. */
+/* Four samples of cells finer than a pixel know less than the mean of all cells: they fade into it
+ * from 1.5 cells a pixel on, and are gone at 3.5. */
 static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
 {
     Ir *ir = l->ir;
@@ -313,9 +313,9 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     return with_border(l, p, value, (Ref[]){point, wide});
 }
 
-/* Of a picture whose sampler does all beyond the edges. With the neighbours' footprint it is read
- * outside of every branch, which is faster than to tell it one within: on an H100 3 reads of it
- * take 0.2 ns a pixel, 3 that are told 0.8. */
+/* Slope of a picture whose sampler does all addressing. With the neighbors' footprint it is read
+ * outside of every branch, which is faster than passing a footprint within one: on an H100 three
+ * reads take 0.2 ns a pixel, with passed footprints 0.8. */
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
 {
     Ir *ir = l->ir;

@@ -122,7 +122,7 @@ static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
     return above && below ? build_and(ir, above, below) : above ? above : below;
 }
 
-/* The same of all items that answer what item i does; i is the first of them. */
+/* Where any of the items applies that have the value of item i; i is the first of them. */
 static Ref where_result(Lower *l, Ref t, Run s, bool closed)
 {
     const Ref result = s.stops[s.first].result;
@@ -188,8 +188,8 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* Of every item, how much of the box has come to it, or of the point: all to the first, and none
- * beyond the last. */
+/* For each item, the share of the box, or of the point, that has reached it: all for the first,
+ * none beyond the last. */
 static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
@@ -200,7 +200,7 @@ static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return share;
 }
 
-/* Of every item, how much of the box it is: exactly 0 where that does not reach it. */
+/* For each item, its weight in the box: exactly 0 where the box does not reach it. */
 static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *weight = shares(l, t, edge, stops, count);
@@ -217,8 +217,8 @@ static bool has_costly(const Ir *ir, const Stop *stops, int count)
     return false;
 }
 
-/* What the items that answer what item i does weigh together, item i being the first of them; 0: it
- * is not. Neighbours are one, so that those that are everywhere weigh 1. */
+/* Weight of all items that have the value of item i, if i is the first of them; otherwise 0.
+ * Adjacent items are one run, so that those that cover everything weigh 1. */
 static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int count, int i)
 {
     const Ref result = stops[i].result;
@@ -265,7 +265,7 @@ Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* Of a sum by weights, whichever form the sum has; `edge` may be none. */
+/* Variance of a weighted sum, in any of its forms; `edge` is optional. */
 Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;

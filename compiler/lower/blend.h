@@ -1,5 +1,5 @@
-/* What Blends are made of: their items, the sums of them by weights, and their slopes. blend.c,
- * blend_slope.c; the map itself is lower_blend.c. */
+/* Blends: their items, weighted sums of them, and their slopes. blend.c, blend_slope.c; the map
+ * itself is lower_blend.c. */
 #ifndef MATC_BLEND_H
 #define MATC_BLEND_H
 #include "compiler/lower/lower.h"
@@ -36,7 +36,7 @@ bool blend_alike(const Ir *ir, const Stop *stops, int count);
 Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
 /* The mean over a box of t of that edge. A costly item is computed where its weight is not 0. */
 Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
-/* Of such a sum, whichever form it has; `edge` may be none. 0: nothing was left out. */
+/* Variance of such a sum, in any of its forms; `edge` is optional. 0: nothing was left out. */
 Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
 
 /* A sum of ascending items, by their shares at a point of t. */

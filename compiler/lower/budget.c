@@ -163,7 +163,7 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     return best;
 }
 
-/* What may be spent beside a program of points. */
+/* Operations that means may add to a program without means. */
 static double most_beside(const LowerRequest *what, int plain)
 {
     const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;

@@ -7,7 +7,7 @@
 #include "compiler/lower/cells.h"
 #include "compiler/lower/area.h"
 
-/* What stands for F1 and its like, with jitter 0, 1/2 and 1, and how it fades: a row of
+/* Statistics of F1 and similar values, with jitter 0, 1/2 and 1, and how they fade: a row of
  * cells.def. */
 typedef struct {
     double mean[3], variance[3], slope[3], narrow, wide;
@@ -70,8 +70,8 @@ static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
                  : cells_at(l, cells, middle, 0);
 }
 
-/* What the mean over a square of that edge keeps of a value's distance from the mean, and what it
- * leaves out of the variance, besides what its slope shows. */
+/* For a mean over a square of that edge: the share that is left of a value's distance from the
+ * mean, and the variance that is left out beside its slope. */
 typedef struct {
     Ref share, variance;
 } Fading;

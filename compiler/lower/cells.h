@@ -24,7 +24,7 @@ typedef struct {
 Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside);
 /* The mean over the pixel, a box or several. The centre's mean is the place itself. */
 Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q);
-/* The same of distances to the points around a position, F1 or `edge`, as formulas have them. */
+/* Statistics of distances to the points around a position, F1 or `edge`, as formulas have them. */
 Ref cells_of(Lower *l, Ref p, bool edge);
 /* The mean and the variance over many cells of a map of MaterialX's, by its arguments: for a number
  * none count but the last, `dimensions`; for a point `jitter`, `style`, `dimensions`. False: it is

@@ -1,5 +1,5 @@
-/* What a pixel covers of a value, for --aa: how wide it is, where to sample it, and how much a mean
- * has left out. */
+/* The footprint of a pixel in a value, for --aa: its width, where to sample it, and the variance
+ * that a mean has left out. */
 #ifndef MATC_FOOTPRINT_H
 #define MATC_FOOTPRINT_H
 #include "compiler/lower/answer.h"

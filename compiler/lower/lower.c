@@ -100,7 +100,7 @@ static Memo *memo_find(Lower *l, uint64_t key)
     return &l->memo[at];
 }
 
-/* What a vector has in all of its lanes, or the value itself. */
+/* The component that all components of a vector equal, or the value itself. */
 static Ref repeated(const Ir *ir, Ref value)
 {
     const IrNode *node = ir_at(ir, value);
@@ -122,7 +122,7 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
     ir_set_head(ir, value, true);
 }
 
-/* What the draw says is an input where it is asked for, and nothing before. */
+/* Values of the draw call become inputs when they are first queried. */
 static Ref root_of(Lower *l, Group group, const Env *env)
 {
     Ir *ir = l->ir;

@@ -4,7 +4,7 @@
 #define MATC_LOWER_H
 #include "compiler/lower/affine.h"
 
-/* What the root of the delegation answers. Filters evaluate their input in an environment of their
+/* Values of the surface, where queries end. Filters evaluate their input in an environment of their
  * own. */
 typedef struct {
     Ref root[GROUP_COUNT];
@@ -23,10 +23,10 @@ typedef struct {
  * and v. */
 typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTION_COUNT } Direction;
 
-/* What a map answers: a value, with --aa its mean over the pixel, and what is known of how it
- * varies there. That goes by the maps that were asked, never by nodes of the IR: where the builder
- * finds two values to be one node, each answer keeps its own, and programs of all levels of -O
- * antialias alike. answer.h */
+/* A map's value: with --aa its mean over the pixel, and what is known of its variation there. This
+ * depends on the maps that were queried, never on nodes of the IR: where the builder merges two
+ * values into one node, each keeps its own, and programs of all levels of -O antialias alike.
+ * answer.h */
 typedef struct {
     Ref value;
     /* within the pixel, by lane, that the mean's slope does not show; of the value's type; 0 for
@@ -59,8 +59,7 @@ typedef struct {
     Ref u, v;
 } Slopes;
 
-/* What a chain of UVTransforms makes of slopes: those of one are turned by it, those of several by
- * the product of all. */
+/* Transform of slopes by a chain of UVTransforms: the product of all. */
 typedef struct {
     bool known;
     int count;             /* of transforms */
@@ -137,11 +136,11 @@ typedef struct {
 
 /* The point of a rasterised surface. lower_pass.c */
 Env lower_surface_env(Lower *l);
-/* What a job's program computes of a material. NULL: see the diagnostics. */
+/* Lowers a material to the IR of a job's program. NULL: see the diagnostics. */
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job,
           Simplify *simplify);
 
-/* What lower() is given. */
+/* Arguments of lower(). */
 typedef struct {
     Session *session;
     const Graph *graph;
@@ -149,8 +148,8 @@ typedef struct {
     const Job *job;
     Simplify *simplify;
 } LowerRequest;
-/* The same where --aa=auto averages the maps below an index alone; those that it could average, if
- * wanted. lower_pass.c */
+/* Lowers with means for the maps below an index only, as --aa=auto does; optionally counts the maps
+ * that could have one. lower_pass.c */
 Ir *lower_averaging(Lower *l, const LowerRequest *what, int below);
 /* Operations of the program without means, after `l` has lowered the program with means: values
  * that no mean is part of are reused. `l` cannot lower anything afterwards. Negative: failure.
@@ -192,9 +191,8 @@ Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The material whose parameters displace a surface: itself, or through its switches that which
  * stands for it, of a SideSwitch in front; NULL: none. lower_material.c */
 const Node *lower_displaced(const Node *material);
-/* What that moves a point by (lower_displacement.c): a float along the normal, or a vec3 along
- * dP/du, dP/dv and the normal; or, of a volume, a vec4, from where to where it is solid along the
- * normal, twice. */
+/* Displacement of a point (lower_displacement.c): a float along the normal, or a vec3 along dP/du,
+ * dP/dv and the normal; for a volume a vec4, the two intervals along the normal that are solid. */
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env);
 /* The surface after it was displaced: its normal and tangents, by the slopes of what displaces it;
  * the rest of `env` as it was. */
@@ -231,12 +229,12 @@ typedef struct {
 Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const Env *env);
 /* Its normal, a direction, where its weight is above 0; nothing where it has that of the base. */
 Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env);
-/* What lies below it: how rough it looks, what it reflects along the normal, an index of refraction
- * against air given, and what it sends. */
+/* The surface below a coat: its apparent roughness, its reflectance along the normal, its index of
+ * refraction relative to that of air, and its emission. */
 Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
 Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env);
-/* What of a film's index of refraction is left where that lies above, in its slot's range. */
+/* Index of refraction of a film below a coat, in its slot's range. */
 Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_film_ior(Ir *ir, Ref ior);
 /* A slot of a lobe, absent where its weight is not above 0. */
@@ -286,8 +284,8 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 Ref lower_value_slot(Lower *l, const Node *material, bool principled, Slot slot, const Env *env);
 /* The surface model of a material. */
 bool lower_is_principled(const Lower *l, const Node *material);
-/* What a Phong answers that a Principled is made of: the slot itself, the specular colour (vec3)
- * and its exponent. */
+/* Values of a Phong that a Principled is made of: the slot itself, the specular color (vec3) and
+ * its exponent. */
 typedef struct {
     Ref own, specular, exponent;
 } PhongSlots;
@@ -308,7 +306,7 @@ Ref lower_phong_of_principled(Lower *l, const Node *material, Slot slot, const E
 #define MAP(name, function, lowering, cost, doc)                                                   \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
-/* What a material answers for a slot; for the normal, not of unit length and on no side yet. */
+/* Value of a material's slot; a normal is not of unit length and not yet flipped to a side. */
 #define DECLARE_SHADER(name)                                                                       \
     Ref lower_##name(Lower *l, const Node *material, Slot slot, const Env *env);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */

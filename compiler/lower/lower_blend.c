@@ -29,7 +29,7 @@ typedef struct {
     int count, first, last;
 } Segments;
 
-/* What holds below item i's value and not below that of the one before. */
+/* Condition: t is below item i's value and not below the previous item's. */
 static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
 {
     if (i == 0)
@@ -73,7 +73,7 @@ static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
-/* The same by halving, for values known to ascend. */
+/* Binary search, for values known to ascend. */
 static Ref blend_search(Lower *l, Ref t, Segments s)
 {
     Ir *ir = l->ir;
@@ -86,8 +86,8 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
                         blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }
 
-/* The same without branches, for values known to ascend: each item is mixed over what the ones
- * before it made. Where t has passed a segment its weight is 1, where it has not come to it 0. */
+/* Without branches, for values known to ascend: each item is mixed over the result of the items
+ * before it. The weight is 1 where t has passed a segment, 0 where it has not reached it. */
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -128,8 +128,8 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
     return blend_walk(l, t, stops, count);
 }
 
-/* The same, each costly item behind a guard, which wants no branch around it; 0: where none is
- * costly, and where a search follows, which has branches already. */
+/* Mixes with each costly item behind a guard, which needs no branch around it; 0: none is costly,
+ * or a binary search follows, which has branches already. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
     if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))

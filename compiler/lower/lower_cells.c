@@ -11,8 +11,8 @@ static Ref find_jitter(Lower *l, const Node *node, int param)
     return build_clamp(l->ir, jitter, build_float(l->ir, 0), build_float(l->ir, 1));
 }
 
-/* What jumps has differences over a step of its own coordinate for its slope. The step is added to
- * the rest, so that it is not lost far out. */
+/* A value that jumps takes its slope from differences over a step of its own coordinate. The step
+ * is added to the rest, so that it is not lost far from the origin. */
 static void note_steps(Lower *l, const Cells *cells, Ref value, Ref q)
 {
     Ir *ir = l->ir;

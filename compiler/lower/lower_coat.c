@@ -166,7 +166,7 @@ static Ref ior_of(Ir *ir, Ref reflectance)
                      build_max(ir, build_sub(ir, one, root), build_float(ir, LEAST)));
 }
 
-/* What a Layer changes of its base, where it has a coat. */
+/* A slot of a Layer's base below its coat. */
 static Ref below(Lower *l, const Coat *coat, Slot slot, Ref base, const Env *env)
 {
     switch (slot) {

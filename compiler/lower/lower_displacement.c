@@ -60,7 +60,7 @@ static Ref within(Lower *l, Ref value, double bound)
         ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
 }
 
-/* What of a volume begins below is empty: it ends where it begins. */
+/* Empties a volume that begins below the threshold: it ends where it begins. */
 static Ref above(Lower *l, Ref heights, double threshold)
 {
     Ir *ir = l->ir;
@@ -172,7 +172,8 @@ static Ref turn_of(Lower *l, Ref normal, Direction direction)
     return change ? lower_unit_slope(l, normal, change) : 0;
 }
 
-/* Of a unit tangent, about the normal: what it leans is the normal's to say. 0: it does not. */
+/* Rotation of a unit tangent about the normal; its tilt belongs to the normal. 0: it does not
+ * rotate. */
 static Ref swing_of(Lower *l, const Env *env, Ref tangent, Direction direction)
 {
     Ir *ir = l->ir;
@@ -233,8 +234,8 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
     put(l, 2, s.v);
 }
 
-/* What a vertex is, before it is displaced. Its inputs are no fragment's, nor what it is displaced
- * by what it is shaded by: nothing that is computed for either is shared. */
+/* A vertex before displacement. Its inputs are not those of fragments, and displacement shares no
+ * computation with shading. */
 typedef struct {
     int number; /* of its environment */
     Input p, n, du, dv, u, x;

@@ -1,4 +1,4 @@
-/* What shows nothing, by the intervals of what was lowered: warnings.
+/* Warnings about parts that show nothing, by the intervals of the lowered values.
  *
  *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map:
  *     Wood } } Wood is a distance, at least 0: it is blue everywhere.

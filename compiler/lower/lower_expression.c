@@ -12,7 +12,7 @@
 #include "compiler/lower/footprint.h"
 #include "compiler/lower/lower_term.h"
 
-/* What a formula reads, as IR: at the point, or at one of the samples. */
+/* Inputs of a formula as IR: at the point, or at one of the samples. */
 typedef struct {
     Ref quantity[QUANTITY_COUNT];
     Ref *inputs;
@@ -167,7 +167,7 @@ static Ref sampled(Lower *l, const Reading *r)
     return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
 }
 
-/* What the mesh has, which goes by the point that is shaded, wherever `input` moves. */
+/* An attribute of the mesh, which belongs to the shaded point, wherever `input` moves. */
 static Ref attribute_at(Lower *l, int number, const Env *env)
 {
     const MeshAttribute *attribute = l->graph->attributes[number];

@@ -8,8 +8,7 @@
 /* scalar operations of an input from which on its 27 evaluations are a loop */
 enum { LOOP_COST = 100 };
 
-/* What the input reads of the root, replaced by the function's arguments: position and texture
- * coordinate. */
+/* Environment whose position and texture coordinate are the function's arguments. */
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
     Ir *ir = l->ir;
@@ -62,8 +61,8 @@ static Ref filter_size(Lower *l, const Node *node)
     return build_vec_of(l->ir, TYPE_vec3, size, 3);
 }
 
-/* What follows takes the result as it is, instead of differentiating every one of its
- * evaluations. */
+/* The value as a constant for differentiation, so that not every one of its evaluations is
+ * differentiated. */
 static Answer steady(Lower *l, Ref value)
 {
     slope_set(l, value, DIRECTION_right, 0);

@@ -45,7 +45,7 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
                : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
 }
 
-/* What of the field's range is at 0 and at 1. */
+/* Maps a value linearly from the field's range to [0, 1]. */
 static Ref in_range(Lower *l, const FieldRow *field, Ref value)
 {
     Ir *ir = l->ir;

@@ -13,7 +13,7 @@ enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
 
 static Ref white(Lower *l) { return build_vec3(l->ir, 1, 1, 1); }
 static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
-/* Of a slot that a material has nothing to say of. */
+/* Value of a slot that a material does not set. */
 static Ref nothing(Lower *l, Slot slot)
 {
     return build_all(l->ir, slot_table[slot].type, slot_table[slot].absent);
@@ -53,7 +53,8 @@ static Ref alpha_of(Lower *l, const Node *map, const Env *env)
     return ir_type(ir, value) == TYPE_vec4 ? build_swizzle(ir, value, "w") : build_float(ir, 1);
 }
 
-/* Of a shininess that is one of two within the pixel: the mean of both exponents. */
+/* Exponent of a shininess that is one of two values within the pixel: the mean of both exponents.
+ * */
 static Ref exponent_of(Lower *l, Answer shininess, int depth)
 {
     Ir *ir = l->ir;
@@ -229,7 +230,7 @@ static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
     return sides[0] == sides[1] ? sides[0] : build_select(l->ir, env->front, sides[0], sides[1]);
 }
 
-/* Of a material that is no switch. */
+/* Slot of a material that is not a switch. */
 static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     return m ? shaders[m->kind](l, m, slot, env) : missing_slot(l, slot, env);
@@ -240,7 +241,7 @@ bool lower_is_principled(const Lower *l, const Node *m)
     return m && l->graph->models[m->index] >> MODEL_Principled & 1;
 }
 
-/* What is no switch, as a Principled. */
+/* A material that is not a switch, as a Principled. */
 static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     if (lower_is_principled(l, m))

@@ -6,7 +6,8 @@
 
 enum { MAX_EXPONENT = 65504 };
 
-/* What a mixed material answered: the same one may stand in a Mix twice, and in that again. */
+/* Cached slots of mixed materials: one material can stand in a Mix twice, and in another Mix again.
+ * */
 typedef struct SlotMemo {
     Ref value;
     int number; /* of its environment */

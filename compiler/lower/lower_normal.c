@@ -66,7 +66,7 @@ static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
     return (Slopes){u, v};
 }
 
-/* What the slopes along u (0) and along v (1) become. */
+/* Column of the transform: the new slopes along u (0) and along v (1). */
 static Slopes column_of(Lower *l, const Turn *turn, int column)
 {
     Ir *ir = l->ir;
@@ -94,8 +94,8 @@ static Turn *turn_at(Lower *l, const Node *node)
     return &l->turns[node->index];
 }
 
-/* What the UVTransforms from a node down its inputs make of slopes, together. Every node keeps its
- * own: a chain is walked once. */
+/* Product of the UVTransforms from a node down its inputs. Each node caches its own: a chain is
+ * walked once. */
 static Turn turn_of(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
@@ -152,7 +152,7 @@ static bool is_true(const Node *node, int param)
     return number[0] != 0;
 }
 
-/* What a colour says of the normal, in the space of the tangents. */
+/* Normal in tangent space that a color encodes. */
 static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
 {
     Ir *ir = l->ir;

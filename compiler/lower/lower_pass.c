@@ -1,4 +1,4 @@
-/* What a pass computes: the environment it starts from and the outputs it writes. */
+/* Lowering of a pass: the environment it starts from and the outputs it writes. */
 #include "compiler/layout/layout.h"
 #include "compiler/lower/lower.h"
 #include "compiler/lower/slope.h"
@@ -38,7 +38,7 @@ static Ref nonzero(Lower *l, Ref x)
     return build_select(ir, small, build_float(ir, least), x);
 }
 
-/* What the surface's u and v do to a value that the pass made for itself. */
+/* Derivatives by the surface's u and v of a value that the pass itself made. */
 static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
 {
     slope_set(l, value, DIRECTION_u, by_u);
@@ -173,9 +173,9 @@ static void warn_left_out(Lower *l, const Node *material)
     l->failed |= probe.failed;
 }
 
-/* The same at every level: where nothing is simplified, it is found on an IR of its own. So it is
- * where numbers that come from a buffer hide which slots are absent, and no case has all of those
- * that may be there. */
+/* The case is equal at every level of -O: where nothing is simplified, it is found on a separate
+ * IR. The same holds where constants in a buffer hide which slots are absent, and no case holds all
+ * slots that may be present. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
     const int none = l->job->layout->case_count;

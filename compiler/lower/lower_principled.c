@@ -7,13 +7,13 @@ static Ref color(Lower *l, const Node *m, int param, const Env *env)
     return build_convert(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), TYPE_vec3);
 }
 
-/* What a map says as a number: its red. */
+/* A map as a number: its red. */
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
     return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
-/* Of what is divided by, which is 1 and more of what may be. */
+/* Least divisor; it is a sum with 1 and more. */
 static const double LEAST_SUM = 1e-6;
 
 static Ref unit(Ir *ir, Ref x)
@@ -49,8 +49,8 @@ static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env
     return build_mix(ir, once, both, clear);
 }
 
-/* Of light that is scattered within thin walls, what leaves on one side: toward 1 the other, toward
- * -1 that where it came in. */
+/* Share of light scattered within thin walls that leaves on one side: toward 1 the other side,
+ * toward -1 the side where it came in. */
 static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
 {
     Ir *ir = l->ir;
@@ -81,8 +81,8 @@ static Ref not_metal(Lower *l, const Node *m, const Env *env)
     return build_sub(l->ir, build_float(l->ir, 1), share(l, m, P_Principled_metalness, env));
 }
 
-/* What goes straight through where the surface is, by lanes: of a body each of its two surfaces
- * takes the root of the colour. */
+/* Transmittance of the surface per component: each of a body's two surfaces takes the square root
+ * of the color. */
 static Ref through(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -123,7 +123,7 @@ static Ref to_other_side(Lower *l, const Node *m, const Env *env)
     return build_mul(ir, scattered(l, m, 1, env), weight);
 }
 
-/* Of metal, `specular` is a factor on all that it reflects. */
+/* Metal scales all of its reflection by `specular`. */
 static Ref base(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -170,7 +170,7 @@ static Ref film(Lower *l, const Node *m, const Coat *coat, Slot slot, const Env 
     return lower_where_there(ir, there, slot, build_clamp(ir, path, zero, most));
 }
 
-/* Of the angle t of x toward y, twice: (cos 2 t, sin 2 t); of none (1, 0). */
+/* Doubled angle t of x toward y: (cos 2 t, sin 2 t); (1, 0) for zero. */
 static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
 {
     const double least = 1e-30;
@@ -183,7 +183,7 @@ static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
                         build_vec(ir, TYPE_vec2, cosine, sine));
 }
 
-/* Of length 1; nothing stays nothing, and has no angle. */
+/* Unit vector; zero stays zero, and has no angle. */
 static Ref unit_or_nothing(Ir *ir, Ref vector)
 {
     Ref size = build_max(ir, build_length(ir, vector), build_float(ir, 1e-15));
@@ -191,8 +191,8 @@ static Ref unit_or_nothing(Ir *ir, Ref vector)
                      build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
 }
 
-/* Of a vector of the world, whose angle counts from dP/du toward dP/dv. With n = dP/du x dP/dv the
- * vector n x dP/du stands at right angles to dP/du, and is |n| times as long. */
+/* Angle of a vector of the world, from dP/du toward dP/dv. With n = dP/du x dP/dv the vector n x
+ * dP/du is at right angles to dP/du, and |n| times as long. */
 static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;

@@ -160,7 +160,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
-/* The same picture, or reliefs of the same parameters. */
+/* Equal picture, or reliefs with equal parameters. */
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
@@ -212,7 +212,7 @@ typedef struct {
     bool centred; /* a texel's colour stands in its middle */
 } Sampled;
 
-/* Of what a picture's function gave, its lanes. */
+/* Components of a picture function's result. */
 static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
 {
     return sampled->lane == ALL_LANES ? value
@@ -274,7 +274,8 @@ static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, 
     return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
 }
 
-/* The same of a step of a texel, by eight texels instead of three places, where they tell. */
+/* Slope over a step of one texel, from eight texels instead of three places where the sampler
+ * allows it. */
 static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv,
                          bool by_v)
 {
@@ -321,15 +322,16 @@ static bool is_word(const Node *node, int param, Word word)
     return value->kind == VALUE_number && value->number[0] == word;
 }
 
-/* Of `channel:`. */
+/* Component that `channel:` selects. */
 static int channel_lane(const Node *node)
 {
     const Value *value = node_param(node, P_ImageMap_channel);
     return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r : ALL_LANES;
 }
 
-/* What no texture of the target decodes is decoded to 16 bits when the texture is filled; words are
- * halves where it has none of them, and so are floats where its samplers do not filter these. */
+/* Texel format. An encoding that no texture of the target decodes is decoded to 16 bits when the
+ * texture is filled. Half floats replace words if the target has none, and floats if its samplers
+ * do not filter those. */
 static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
     const TargetRow *target = &target_table[l->job->target];
@@ -347,8 +349,8 @@ static bool is_sampled(Function function)
     return function == FN_imageSampled || function == FN_imageSampledOver;
 }
 
-/* What the sampler does beyond the edges, as far as it can and the program lets it. Texels are
- * fetched inside; one sampler will do. */
+/* Wrap mode of the sampler, as far as it can do the addressing and the program allows it. Within
+ * the picture texels are fetched; one sampler is enough. */
 static Word wrap_of(const Lower *l, Word address, bool sampled)
 {
     const bool borders = sampled && target_table[l->job->target].borders;

@@ -158,7 +158,7 @@ static Ref smooth(Lower *l, Ref t)
     return MUL(MUL(t, t), SUB(K(3), TWICE(t)));
 }
 
-/* Of two lanes one after the other. */
+/* Combines two components after each other. */
 static Ref over_lanes(Lower *l, Op op, Ref a)
 {
     Ir *ir = l->ir;
@@ -193,7 +193,7 @@ static Ref turned(Lower *l, const Ref *x)
     return build_linear(ir, (Ref[]){x[0], a, b}, 3);
 }
 
-/* Of a hue in turns: each of the three is full within a sixth of a turn around its own hue. */
+/* RGB of a hue in turns: each component is 1 within a sixth of a turn around its own hue. */
 static Ref rgb(Lower *l, Ref hsv)
 {
     Ir *ir = l->ir;
@@ -245,7 +245,7 @@ static Ref folded_octave(Lower *l, Ref p)
     return build_sqrt(ir, build_add(ir, square, build_scale(ir, noise.variance, share)));
 }
 
-/* Of a position, how many, how much finer each is, how much weaker. */
+/* Arguments: position, octaves, factor on the frequency, factor on the amplitude. */
 static Ref folded(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;

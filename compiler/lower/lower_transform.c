@@ -24,7 +24,7 @@ static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
     return build_linear(ir, args, size + 1);
 }
 
-/* The same of a mean: lanes that vary independently are added up by the squares of their
+/* Transforms a mean: variances of independent components are summed by the squares of their
  * factors. */
 static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
 {

@@ -76,7 +76,7 @@ static Ref period_variance(Lower *l, Ref w, double variance, double period)
     return MUL(MUL(MUL(share, share), share), K(variance));
 }
 
-/* Of the argument's variance. */
+/* Variance of the wave by that of its argument. */
 static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 {
     Ir *ir = l->ir;

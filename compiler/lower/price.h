@@ -1,10 +1,9 @@
-/* What the means of maps over the pixel cost beside their points, found without a program of
- * either. */
+/* Price of means over the pixel beside their maps' points, found without a program of either. */
 #ifndef MATC_PRICE_H
 #define MATC_PRICE_H
 #include "compiler/lower/lower.h"
 
-/* Of maps in the order of the document, equal ones once. */
+/* Maps in the order of the document, equal ones once. */
 typedef struct {
     int *ends; /* one more than the index of each */
     double *

@@ -109,7 +109,7 @@ static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *e
     return risen;
 }
 
-/* What the map answers for a derivative channel; 0: it is a constant 0. */
+/* The map's value for a derivative channel; 0: it is a constant 0. */
 static Ref channel(Lower *l, const Node *displacement, Group group, const Env *env)
 {
     Ref answer = lower_ask(l, displacement, group, env);

@@ -33,7 +33,7 @@ typedef struct {
 /* In a displacement of --derivatives=auto: how `value`, the map's at the point, changes by u and v
  * is its finite steps' to say. */
 void relief_step(Lower *l, Ref value, const Stepped *map);
-/* The same of one whose slopes by its coordinate's lanes are known; 0: it does not go by that
- * lane. */
+/* Slopes of a value whose derivatives by the components of its coordinate are known; 0: it does not
+ * depend on that component. */
 void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3]);
 #endif

@@ -59,7 +59,7 @@ static Ref operand(const Ir *ir, Ref ref, int i)
     return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0;
 }
 
-/* Of an operation that works by lane: the SLOPE lines of ops.def. */
+/* Slope of an operation that works per component: the SLOPE lines of ops.def. */
 static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
 {
     Ref a = operand(ir, r, 0), b = operand(ir, r, 1), c = operand(ir, r, 2);
@@ -322,8 +322,8 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* What a value's derivative is made of: the operands', where it runs a function the result's, of a
- * sampler the texels', or what was said of it. */
+/* Nodes that a derivative is made of: the operands; the result of a function that is run; the
+ * texels of a sampler; or derivatives noted by lowering. */
 static int parts_of(Lower *l, Ref ref)
 {
     const SlopeSum *sum = slope_sum_of(l, ref);

@@ -7,8 +7,8 @@
 /* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has
  * derivative 0. */
 Ref slope_of(Lower *l, Ref value, Direction direction);
-/* The same, as a value that itself does not change along any direction: a footprint. No rule sees
- * through that. */
+/* The slope as a footprint, which is itself constant along every direction. No rule looks into it.
+ * */
 Ref slope_detached(Lower *l, Ref value, Direction direction);
 /* Takes the marks of footprints out of the IR, when nothing is differentiated any more. */
 void slope_done(Lower *l);
@@ -16,12 +16,12 @@ void slope_done(Lower *l);
  * a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
-/* Of an attribute of the mesh. slope_attribute.c */
+/* Slope of an attribute of the mesh. slope_attribute.c */
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
-/* Of the normal as the mesh has it, by u or by v; 0: it is the same all over, as a plane's. What
- * maps make of a normal has no such slope. */
+/* Slope by u or v of the mesh's normal; 0: it is constant, as a plane's. Normals made by maps have
+ * no such slope. */
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
-/* The same of a tangent as the mesh has it. */
+/* Slope by u or v of the mesh's tangent. */
 Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction);
 
 /* Values whose derivative is a sum of others', each by a factor. slope_sum.c */

@@ -42,8 +42,8 @@ typedef struct {
     double lane[SLOT_COUNT][4]; /* lanes of slot_table[slot].type; the rest 0. Not clamped. */
 } SlotValues;
 
-/* What the points of one document share: baked textures, and the memory of the memo. Not for two
- * threads at once. */
+/* State that the points of one document share: baked textures and the memo. Not for two threads at
+ * once. */
 typedef struct Oracle Oracle;
 /* Keeps `graph`; copies `context`, of which only the noise is used (textures come from the
  * document). */
@@ -66,7 +66,7 @@ void oracle_close(Oracle *oracle);
  * missing one. False: it takes more than LIMIT_WORK steps, and is not known. */
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface,
                      SlotValues *result);
-/* What the last point took, in steps of some 5 ns. */
+/* Work of the last point, in steps of about 5 ns. */
 double oracle_work(const Oracle *oracle);
 /* How far the material moves the point: along dP/du, dP/dv and the normal, before the slopes of
  * these by u and by v. All 0: it is not displaced. Of a volume: from where to where it is solid

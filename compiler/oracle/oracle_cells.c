@@ -6,7 +6,7 @@ static int word_of(const Node *node, int param, Word first)
     return (int)node_param(node, param)->number[0] - (int)first;
 }
 
-/* What a library function takes: a place, a rest of 0, and the parameters behind them. */
+/* Arguments of a library function: a place, a rest of 0, and the parameters behind them. */
 typedef struct {
     int dimensions;
     double jitter, distance, value;

@@ -94,7 +94,7 @@ static void swing_of(const double n[3], const double tangent[3], const double ch
         swing[i] = turn[i] - along * n[i];
 }
 
-/* What x and y along the tangents add by u (0) or by v (1) since these turn. */
+/* Adds the change by u (0) or by v (1) of the displacement's x and y, since the tangents rotate. */
 static void add_swings(const OracleDisplacement *d, const Surface *surface, bool by_v,
                        double slid[3])
 {

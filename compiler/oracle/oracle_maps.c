@@ -210,7 +210,7 @@ static double blend_at(Environment *environment, const Items *items, double t, i
            (high - low);
 }
 
-/* What a Blend goes along: a position of a map, of its own or of the world. */
+/* The coordinate of a Blend: a position of a map, its own, or that of the world. */
 typedef struct {
     const Node *map;
     Group group;

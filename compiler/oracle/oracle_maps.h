@@ -1,5 +1,5 @@
-/* What the files of the oracle share: an environment to ask maps in, and the answer of every kind
- * of map. */
+/* Declarations shared by the files of the oracle: an environment to query maps in, and the value of
+ * every kind of map. */
 #ifndef MATC_ORACLE_MAPS_H
 #define MATC_ORACLE_MAPS_H
 #include "compiler/base/session.h"
@@ -26,14 +26,14 @@ typedef struct {
     size_t room;
 } Memo;
 
-/* What the UVTransforms from a node down its inputs make of slopes by u and v. */
+/* Transform of slopes by u and v through the UVTransforms from a node down its inputs. */
 typedef struct {
     bool known;
     double m[2][2];
 } SlopeTurn;
 
-/* Of a SunSkyLight's numbers, sky_coefficients: the scaled zenith, A to E, the unit vector to the
- * sun. An integral is in them. */
+/* A SunSkyLight's sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. They
+ * contain an integral. */
 enum { SKY_ROW_ZENITH, SKY_ROW_A, SKY_ROW_SUN = SKY_ROW_A + 5, SKY_ROW_COUNT };
 typedef struct {
     bool known;
@@ -81,7 +81,7 @@ typedef struct Environment {
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
-/* What a map has answered in the environment; false: nothing yet. oracle_memo.c */
+/* Cached value of a map in the environment; false: none yet. oracle_memo.c */
 bool memo_find(const Environment *environment, const Node *node, int channel, double *value);
 void memo_set(const Environment *environment, const Node *node, int channel, double value);
 
@@ -107,10 +107,10 @@ typedef struct {
 } Height;
 /* Its derivatives by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
-/* The same, of what is smooth, to a few ulp and not to a difference's 1e-8; several times as
- * dear. */
+/* Slopes of a smooth height to a few ulp, instead of a difference's 1e-8; several times as costly.
+ * */
 void oracle_slopes_exact(Environment *environment, const Height *height, double slope[2]);
-/* What a Triplanar's map of an axis sees of an environment, which has to stay as long.
+/* Environment of a Triplanar's map of an axis; the outer environment must live as long.
  * oracle_triplanar.c */
 typedef struct {
     Surface surface;
@@ -160,7 +160,7 @@ double oracle_odd_share(Environment *environment, const Node *checker);
 
 /* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
 void oracle_uv_slopes(const Node *node, double slope[2]);
-/* The same for all UVTransforms from a map down its inputs; NULL is the surface. */
+/* Transforms slopes by all UVTransforms from a map down its inputs; NULL is the surface. */
 void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
@@ -176,7 +176,7 @@ static inline bool is_derivative(int channel)
     return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
 }
 
-/* What a map answers to a channel: oracle_<kind> for each map that is not a plain function of its
+/* Value of a channel of a map: oracle_<kind> for each map that is not a plain function of its
  * position. */
 typedef double Answer(Environment *environment, const Node *node, int channel);
 Answer oracle_answer; /* any map: chooses by its kind */
@@ -187,18 +187,18 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #include "grammar/maps.def"
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
-/* What materials share. oracle_material.c */
+/* Functions that materials share. oracle_material.c */
 /* of a parameter's map */
 void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
 /* unit length, on the side that is seen */
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
 const Node *oracle_material_of(const Node *material, int param); /* NULL: there is none */
-/* Of a side of a whole, which may have another model. */
+/* Slots of one side of a material, converted to the model of the whole. */
 void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
                       SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);
 void oracle_as_principled(SlotValues *side); /* of a Phong's slots. oracle_principled.c */
-/* What a material answers, over the values of a neutral one. oracle_material.c */
+/* Slots of a material, written over those of a neutral one. oracle_material.c */
 #define DECLARE_SHADER(name)                                                                       \
     void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
 /* The material that a switch stands for, seen of one side; NULL: it is missing. */

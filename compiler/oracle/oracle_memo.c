@@ -1,5 +1,5 @@
-/* What the oracle remembers, by the nodes that it has met: a point costs what hangs below its
- * material, and not what else is in the document. */
+/* The memo of the oracle, by the nodes it has met: a point costs what hangs below its material, not
+ * the rest of the document. */
 #include "compiler/oracle/oracle_maps.h"
 
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)

@@ -24,7 +24,8 @@ typedef struct {
     double weight, colour[3], roughness, ior, darkening, roughening;
 } OracleCoat;
 
-/* Of the parameters coat, coatColor, coatRoughness, coatIor, coatDarkening and coatRoughening. */
+/* Reads the parameters coat, coatColor, coatRoughness, coatIor, coatDarkening and coatRoughening.
+ * */
 static OracleCoat coat_of(Environment *environment, const Node *node, const int params[6])
 {
     OracleCoat coat = {.weight = unit(ask_red(environment, node, params[0])),
@@ -92,9 +93,9 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
-/* What goes through a dielectric, or is scattered below its surface: of a body the colour counts
- * once for its two surfaces, and what is scattered leaves where it came in. The diffuse slot is b
- * (1 - metal + metal weight) before. */
+/* Transmission, straight and scattered below the surface: a body's color counts once for its two
+ * surfaces, and scattered light leaves where it came in. Before the call the diffuse slot is b (1 -
+ * metal + metal weight). */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission)),

@@ -99,7 +99,7 @@ double oracle_odd_share(Environment *environment, const Node *checker)
     return oracle_along_steps(map, q0, q);
 }
 
-/* Of the maps in color1, which is that parameter, and in color2, the next one. */
+/* Value of the map in color1, which is that parameter, or in color2, the next one. */
 static double one_of(Environment *environment, const Node *checker, int channel, int color1)
 {
     const double share = oracle_odd_share(environment, checker);

@@ -10,7 +10,7 @@ static void make_unit(double v[3])
         v[i] /= size;
 }
 
-/* What the picture says, x along Tu, y along Tv, z along the normal. */
+/* Vector that the picture encodes, x along Tu, y along Tv, z along the normal. */
 static void tangent_normal(Environment *environment, const Node *node, double t[3])
 {
     const double scale = oracle_number(node, P_NormalMap_scale);

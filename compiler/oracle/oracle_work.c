@@ -1,4 +1,4 @@
-/* What a value costs the oracle, in steps of some 5 ns. It is the work that is bounded, not the
+/* Work of the oracle for a value, in steps of some 5 ns. It is the work that is bounded, not the
  * number of answers: a Blend of 100,000 items or a fractal of 1,000 steps under four filters has
  * few answers, and takes hours.
  *

@@ -90,7 +90,7 @@ static void close_again(void *user, int number)
     batch_close(&b->documents[number]);
 }
 
-/* What was written for a material that does not give the program its name. */
+/* Drops files written for a material that does not name the program. */
 static void drop_files(Batch *b)
 {
     char name[LONGEST_NAME], file[LONGEST_NAME + 16];
@@ -240,7 +240,7 @@ static void choose_numbers(Batch *b)
     b->options.constants = modes[b->numbers];
 }
 
-/* What is written of each program. */
+/* Chooses the files that are written of each program. */
 static void choose_outputs(Batch *b)
 {
     b->request_count = b->line->pass_count;

@@ -1,8 +1,8 @@
-/* What a batch keeps for the next one. A document's entry says which files it was made from, with
- * their contents, what its materials are, and where the programs are that were written for them;
- * its key is of the text, the options and the compiler itself, so that no entry is ever taken for
- * another input. A program's entry holds its files under the hash of their bytes: however many
- * documents come to the same text, in however many sets, it is kept once. */
+/* Cache entries of a batch. A document's entry lists the files that it was made from, with hashes
+ * of their contents, its materials, and the programs that were written for them; its key is a hash
+ * of the text, the options and the compiler itself, so that no entry is ever taken for another
+ * input. A program's entry holds its files under the hash of their bytes: it is stored once,
+ * however many documents and sets produce that text. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/build_id.h"
 #include "compiler/choice.h"

@@ -1,5 +1,5 @@
-/* What a batch is made from: all of its files, and those of them that lie in its own folder, which
- * no output may replace. */
+/* Inputs of a batch: all of its files, and those that lie in the output folder, which no output may
+ * replace. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/memory.h"
 #include "compiler/tool/layout_option.h"

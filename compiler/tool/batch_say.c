@@ -1,4 +1,4 @@
-/* What a batch says: each document's diagnostics in the order of the documents, whichever thread
+/* Messages of a batch: each document's diagnostics in the order of the documents, whichever thread
  * found them. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/diag.h"
@@ -36,7 +36,8 @@ void batch_say_of(Batch *b, BatchDocument *document, int material, const char *t
     pthread_mutex_unlock(&b->mutex);
 }
 
-/* What was said of its materials, behind what was said of the document. No thread works on it. */
+/* Appends the messages about a document's materials to those about the document. No thread works on
+ * it. */
 void batch_join_said(BatchDocument *document)
 {
     for (int i = 0; i < document->material_count; i++) {
@@ -78,7 +79,7 @@ void batch_warn(Batch *b, const char *what, const char *why)
     say_of_file(b, NULL, SEVERITY_warning, what, why);
 }
 
-/* What was found when all documents were known. */
+/* Reports what was found after all documents were read. */
 void batch_say_rest(Batch *b)
 {
     for (int d = 0; d <= b->document_count; d++) {

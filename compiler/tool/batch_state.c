@@ -1,4 +1,4 @@
-/* What all parts of a batch ask of it: units, names, files, threads. */
+/* Queries that all parts of a batch share: units, names, files, threads. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/queue.h"
 #include <stdio.h>

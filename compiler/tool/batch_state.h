@@ -1,4 +1,4 @@
-/* What the parts of a batch share. Private to batch*.c and manifest.c. */
+/* State that the parts of a batch share. Private to batch*.c and manifest.c. */
 #ifndef MATC_BATCH_STATE_H
 #define MATC_BATCH_STATE_H
 #include "compiler/tool/batch.h"
@@ -11,8 +11,8 @@
 
 enum { LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
-/* What a batch does with numbers: they stand in programs; those of the document come from a buffer;
- * or those do in which materials of one shape differ. */
+/* Where a batch keeps constants: in programs; in a buffer, for those of the document; or in a
+ * buffer for those in which materials of one shape differ. */
 typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
@@ -100,12 +100,12 @@ typedef struct {
 /* -- batch_say.c */
 /* Adds diagnostics to those of the document (NULL: of none), if there are any. */
 void batch_say(Batch *batch, BatchDocument *document, const char *text);
-/* The same of a material, from any thread: they are said in the order of the materials. */
+/* Reports something about a material, from any thread: messages are sorted by material. */
 void batch_say_of(Batch *batch, BatchDocument *document, int material, const char *text);
 void batch_fault(Batch *batch);
 /* Something against the document, which is a fault. */
 void batch_complain(Batch *batch, BatchDocument *document, const char *what, const char *why);
-/* The same of a file of that folder, where the message says it is. */
+/* Reports something about a file in that folder; the message names the place. */
 void batch_complain_within(Batch *batch, BatchDocument *document, const char *folder,
                            const char *name, const char *why);
 /* Something to know, of no document, which is no fault. */
@@ -115,12 +115,12 @@ void batch_say_complete(Batch *batch);
 /* Puts what was said of its materials behind what was said of the document. No thread works on
  * it. */
 void batch_join_said(BatchDocument *document);
-/* What was found when all documents were known. */
+/* Reports what was found after all documents were read. */
 void batch_say_rest(Batch *batch);
 
 /* -- batch_state.c */
 Unit *batch_unit(const Batch *batch, int document, int material, int request);
-/* Of the files of a material's program: its name, and the pass unless that goes without saying. */
+/* Name of the files of a material's program, with the pass unless it is the only one. */
 void batch_name(const Batch *batch, const Unit *unit, char name[LONGEST_NAME]);
 /* A file of a program, or of the layout. */
 void batch_put_file(Batch *batch, BatchDocument *document, BatchFile file, const char *bytes,
@@ -149,7 +149,7 @@ unsigned batch_cases(const Batch *batch);
 
 /* -- batch_document.c */
 bool batch_open(Batch *batch, BatchDocument *document);
-/* Of an open document, from any thread. */
+/* The open document, from any thread. */
 const MatcDocument *batch_document_parsed(Batch *batch, BatchDocument *document);
 /* Its materials and the files that it is made from, by parsing it. False: it has faults, which are
  * said. */

@@ -43,7 +43,7 @@ typedef struct {
     uint64_t size, checksum;
 } Header;
 
-/* Of key and blob together. */
+/* Checksum of key and blob together. */
 static uint64_t checksum(Key key, const void *bytes, size_t size)
 {
     return XXH3_64bits_withSeed(bytes, size, XXH3_64bits(&key, sizeof key));

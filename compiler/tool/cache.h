@@ -19,8 +19,8 @@ Cache *cache_open(const char *folder, uint64_t limit_bytes, const char **why);
 char *cache_get(Cache *cache, Key key, size_t *size);
 /* Keeps a copy of the blob, in place of an older one. What cannot be kept is counted. */
 void cache_put(Cache *cache, Key key, const void *bytes, size_t size);
-/* The same for a blob whose key is the hash of its bytes: where there is one, it stays, and counts
- * as used. */
+/* Stores a blob whose key is the hash of its bytes: if it is there, it stays, and counts as used.
+ * */
 void cache_keep(Cache *cache, Key key, const void *bytes, size_t size);
 /* NULL, or why the first of the blobs that could not be kept was not: something to warn of,
  * once. */

@@ -1,5 +1,4 @@
-/* What a cache does with its folder as a whole: names, counts of all runs, trimming. Internal to
- * cache*.c. */
+/* The folder of a cache as a whole: names, counts of all runs, trimming. Internal to cache*.c. */
 #ifndef MATC_CACHE_FOLDER_H
 #define MATC_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"
@@ -34,7 +33,7 @@ typedef struct {
 #undef X
 } CacheCounts;
 
-/* What trimming leaves of a limit. */
+/* Size to which a cache of that limit is trimmed. */
 static inline uint64_t cache_trimmed(uint64_t limit)
 {
     return limit - limit / 100 * (100 - CACHE_TRIM_PART);
@@ -53,6 +52,6 @@ typedef struct {
     uint64_t entries, bytes, removed;
 } CacheTrim;
 bool cache_trim(int folder, uint64_t limit, CacheTrim *done);
-/* The same without removing anything. */
+/* Sums the sizes without removing anything. */
 CacheTrim cache_sum(int folder);
 #endif

@@ -67,7 +67,7 @@ static bool is_word(const char *name)
     return !*name;
 }
 
-/* Of N backslashes before a space both leave N/2: those of the name are there twice. */
+/* make and ninja both read N backslashes before a space as N/2: those of the name are doubled. */
 static void put_escaped(FILE *out, const char *name)
 {
     size_t backslashes = 0;

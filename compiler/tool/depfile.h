@@ -5,6 +5,6 @@
 /* `target: files...`, from malloc. NULL: `*bad` is the target or the file whose name cannot be
  * written so that both read it. */
 char *depfile_text(const char *target, const char *const *files, int count, const char **bad);
-/* What is said of such a name. */
+/* Message about such a name. */
 extern const char depfile_why[];
 #endif

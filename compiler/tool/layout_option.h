@@ -3,7 +3,7 @@
 #define MATC_LAYOUT_OPTION_H
 #include "compiler/tool/options.h"
 
-/* What the option says is the name of a file. */
+/* The option's value is the name of a file. */
 bool layout_is_file(const char *layout);
 /* It is that, or auto. */
 bool layout_is_custom(const char *layout);

@@ -112,7 +112,7 @@ static int run_inputs(CommandLine *line)
     return status;
 }
 
-/* What a run reads before it meets its documents. */
+/* Files that a run reads before its documents. */
 static void watch_layout(CommandLine *line, bool failed)
 {
     if (line->compile.layout && layout_is_file(line->compile.layout))
@@ -159,7 +159,7 @@ static int print_list(CommandLine *line)
                   options_fault_list(&line->words, kind));
 }
 
-/* What `--list=` or `--schema=` was given; NULL: neither was, or without a word of its own. */
+/* Argument of `--list=` or `--schema=`; NULL: neither was given, or without an argument. */
 static const char *word_asked(const CommandLine *line)
 {
     const char *given = line->schema ? line->schema : line->list;

@@ -20,7 +20,8 @@ int main_usage(const CommandLine *line, const char *what);
 
 /* A document and its one material: compiled, evaluated or measured, and written. */
 int main_document(const CommandLine *line, const char *path);
-/* What a document defines, for --list and --explain. Whether a name is that of a document. */
+/* Lists a document's definitions, for --list and --explain. Whether a name is that of a document.
+ * */
 int main_definitions(CommandLine *line, const char *path);
 bool main_is_document(const char *name);
 /* Whether a name is one of matc's own. */

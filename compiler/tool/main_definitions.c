@@ -32,7 +32,7 @@ bool main_is_own(const char *name)
     return text != NULL;
 }
 
-/* What is nobody's is wrong usage, as it is without a document. */
+/* An unknown name is wrong usage, as it is without a document. */
 static int answer(CommandLine *line, const char *path, MatcDocument *document)
 {
     if (line->schema)

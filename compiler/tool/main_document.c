@@ -22,7 +22,7 @@ static unsigned wanted_outputs(const CommandLine *line)
     return outputs;
 }
 
-/* What stands on the terminal's last line. */
+/* State of the progress line of the terminal. */
 typedef struct {
     double last;
 } Shown;

@@ -1,4 +1,4 @@
-/* What is wrong, for people or for programs. */
+/* Prints diagnostics for people or as JSON. */
 #include "compiler/tool/main.h"
 #include "compiler/base/text.h"
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* What a batch made, as JSON: programs, and for every material its programs and the numbers that
- * are its own. */
+/* Writes the manifest of a batch as JSON: programs, and for every material its programs and its own
+ * constants. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
 #include "compiler/base/json_write.h"
@@ -145,8 +145,7 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     text_put(out, "]}");
 }
 
-/* What the folder has of this run beside the manifest itself, so that the next run knows its
- * own. */
+/* Lists the files of this run beside the manifest itself, so that the next run recognizes them. */
 static void put_folder(Text *out, const Batch *b)
 {
     int count;
@@ -162,7 +161,7 @@ static void put_folder(Text *out, const Batch *b)
     free(list);
 }
 
-/* What is written so far moves to the bytes: a manifest of many materials is long. */
+/* Moves the text so far to the bytes: a manifest of many materials is long. */
 static void flush(Text *out, Bytes *to)
 {
     bytes_add(to, out->at, out->size);

@@ -82,8 +82,8 @@ const char *options_check(CommandLine *line);
 /* Follows the suffix of -o where no option selects the output or the target; NULL, or how it
  * contradicts one. options_suffix.c */
 const char *options_suffix(CommandLine *line);
-/* What an --emit wants of a program (MatcOutput, or-ed), what of that is written, and to files of
- * which suffix: of stages SPIR-V instead of GLSL, for a target of SPIR-V. */
+/* Outputs that an --emit needs of a program (MatcOutput, or-ed), the text that is written, and the
+ * suffix of its files: for a target of SPIR-V, stages as SPIR-V instead of GLSL. */
 unsigned options_emit_outputs(const MatcOptions *options, int emit);
 const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program,
                               size_t *size);

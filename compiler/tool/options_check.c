@@ -1,4 +1,4 @@
-/* What goes together on a command line. */
+/* Checks which options can be combined. */
 #include "compiler/base/text.h"
 #include "compiler/choice.h"
 #include "compiler/tool/layout_option.h"
@@ -50,7 +50,7 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
-/* What has no effect alone. */
+/* Options without effect unless another one is given. */
 static const char *check_companions(const CommandLine *line)
 {
     if (line->cases && !line->folder)

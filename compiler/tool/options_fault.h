@@ -1,5 +1,4 @@
-/* What is wrong with a word of the command line: the word, what may stand there, what was perhaps
- * meant. */
+/* Errors in a word of the command line: the word, the choices, a proposal. */
 #ifndef MATC_OPTIONS_FAULT_H
 #define MATC_OPTIONS_FAULT_H
 #include "compiler/base/option.h"

@@ -1,4 +1,4 @@
-/* What a batch remembers of a material in a pass. */
+/* State of a material in a pass of a batch. */
 #include "compiler/tool/unit.h"
 #include "grammar/tables.h"
 #include "compiler/base/json_write.h"

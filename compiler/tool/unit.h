@@ -6,7 +6,7 @@
 #include "compiler/ir/key.h"
 #include "compiler/matc.h"
 
-/* What writing a program gave, beside its files. */
+/* Results of writing a program, beside its files. */
 typedef struct {
     char *json;   /* members of the manifest's program: constants, tables; "" for none */
     int *members; /* for each number of the block, in its order: which of the unit's it is */
@@ -45,7 +45,7 @@ int unit_pass(const MatcProgram *program);
 /* Takes from a program what outlives it. Buffered: the numbers are the members of its buffer; else
  * its places. */
 void unit_fill(Unit *unit, MatcProgram *program, bool buffered, const char *textures);
-/* What was written with the program. Buffered as above. */
+/* Results of writing the program. Buffered as above. */
 Written *unit_written(MatcProgram *program, bool buffered);
 /* Lanes of a number, and whether they are words. */
 static inline int unit_lanes(const Unit *unit, int number)

@@ -1,4 +1,4 @@
-/* What the references of mandel and julia share. */
+/* Functions that the references of mandel and julia share. */
 #ifndef MATC_ESCAPE_H
 #define MATC_ESCAPE_H
 #include "compiler/library/reference.h"
