@@ -9,7 +9,8 @@ install(TARGETS matc EXPORT matcTargets RUNTIME DESTINATION ${CMAKE_INSTALL_BIND
 set_target_properties(matc PROPERTIES EXPORT_NAME compiler)
 install(TARGETS matview RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(FILES compiler/matc.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-install(FILES docs/reference/matc.1 docs/reference/matview.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+install(FILES docs/reference/matc.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 RENAME ${MATC_PROGRAM_NAME}.1)
+install(FILES docs/reference/matview.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(EXPORT matcTargets NAMESPACE matc:: DESTINATION ${package})
 foreach(kind ${MATC_KINDS})
   install(TARGETS matc_${kind} EXPORT matc-${kind} INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}

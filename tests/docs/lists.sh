@@ -1,6 +1,6 @@
 #!/bin/sh
 # The targets that README.md, docs/reference/matc.1 and compiler/matc.h name are those of grammar/targets.def, as matc --help lists them,
-# and the warnings that the first two name are those of grammar/diags.def, as matc --explain warnings has them,
+# and the warnings that matc.1 names are those of grammar/diags.def, as matc --explain warnings has them,
 # and the modes in which docs/reference/stability.md runs the stress test those of tests/stress/modes.def:
 # lists.sh MATC; with --update behind it, these files are written anew. Run from the project's root.
 set -eu
@@ -74,8 +74,6 @@ warnings=$("$matc" --explain warnings | sed -n 's/^  \([a-z_]*\)  .*/\1/p')
     echo "tells what each is about:"
     echo "$warnings" | sed 's/^/.Cm /; $!s/$/ ,/; $s/$/ ./'
 } | holds docs/reference/matc.1 '.It Fl W ' '.It Fl' || stale=1
-echo "| warnings | $(echo "$warnings" | sed 's/.*/`&`/' | paste -sd , | sed 's/,/, /g'); \`-Wno-NAME\`, \`-Werror\`, \`-Werror=NAME\` |" |
-    holds README.md '| warnings |' '|' || stale=1
 modes=$(sed -n 's/^MODE(\([a-zA-Z]*\),.*/\1/p' tests/stress/modes.def | paste -sd ' ')
 echo "for mode in $modes; do" | holds docs/reference/stability.md 'for mode in ' '    build/matbench stress --mode' || stale=1
 exit "$stale"

@@ -64,7 +64,7 @@ cp "$root/examples/checker.yaml" rock.yaml
 echo rock.yaml >materials.txt
 mkdir bin && ln -s "$matc" bin/matc && ln -s "$matview" bin/matview
 PATH=$work/use/bin:$PATH
-{ block "$root/README.md" sh 2 && block "$root/README.md" sh 3; } | grep -v -e '--pareto' >commands # which takes long, and which command_line.sh runs
+{ block "$root/README.md" sh 2 && block "$root/docs/guide/commands.md" sh 1; } | grep -v -e '--pareto' >commands # which takes long, and which command_line.sh runs
 check "it shows commands" test "$(grep -c '^matc' commands)" -ge 10
 while read -r line; do
     check "$line" sh -c "$line"

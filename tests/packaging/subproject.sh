@@ -25,12 +25,13 @@ endforeach()
 EOF
 cp examples/checker.yaml "$work/rock.yaml"
 {
-    cmake -G Ninja -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=-O0
+    cmake -G Ninja -S "$work" -B "$work/build" -DCMAKE_BUILD_TYPE=Debug -DCMAKE_C_FLAGS=-O0 -DMATC_PROGRAM_NAME=another
     cmake --build "$work/build"
     "$work/build/embedded" >"$work/printed"
 } >"$work/said" 2>&1 || { tail -20 "$work/said" && exit 1; }
 grep -q '^// uniform tint: 3 lanes' "$work/printed"
 test -f "$work/build/materials/rock.frag"
+test -x "$work/build/matc/another" -a ! -e "$work/build/matc/matc" # MATC_PROGRAM_NAME
 test -f "$work/build/materials/manifest.json"
 # All arguments
 made=$work/build/a\ folder
