@@ -33,7 +33,7 @@ typedef struct {
 /* False: see error. Close it in any case. */
 bool caller_open(Caller *caller, Target target);
 void caller_close(Caller *caller);
-/* The same texels for the references. */
+/* Texels of the textures, for the references. */
 extern const ReferenceTexture call_textures[CALL_TEXTURES];
 
 /* The function and what it needs, for the job's choices, into `text`: what call_draw will

@@ -15,7 +15,7 @@ typedef struct {
     char error[4096];
 } Canvas;
 
-/* What is drawn: `expression`, a vec4 or, for a target of words, a uvec4, of
+/* The drawing: `expression`, a vec4 or, for a target of words, a uvec4, of
  *     uint index    the pixel's number, counted from `first`
  *     vec4 t        the texel there of `source`, of floats; or uvec4 w where it is one of words */
 typedef struct {

@@ -33,10 +33,10 @@ void curved_base(CurvedBody body, const double place[3], double normal[3]);
  * 0.1 along x, n = (0, 0, 1): (-0.08, 0, 1) / |...|. */
 void curved_normal(CurvedBody body, double scale, const double place[3], bool stay,
                    double normal[3]);
-/* The same of the base moved by scale times that vector, along the unit tangents and the normal, in
- * the frame that turns along: with a around the axis, b across and e, f the unit tangents there,
- * e_a = sin b f - cos b n, f_a = -sin b e, n_a = cos b e, f_b = -n, n_b = f and e_b = 0. Of what is
- * twisted by differences of the moved surface itself. */
+/* Normal of the base moved by scale times that vector, along the unit tangents and the normal, in
+ * the frame that rotates along: with a around the axis, b across and e, f the unit tangents there,
+ * e_a = sin b f - cos b n, f_a = -sin b e, n_a = cos b e, f_b = -n, n_b = f and e_b = 0. For a
+ * twisted body, by differences of the moved surface itself. */
 void curved_vector_normal(CurvedBody body, double scale, const double place[3], double normal[3]);
 /* Degrees between two vectors. */
 double curved_angle(const double a[3], const double b[3]);

@@ -24,7 +24,7 @@ typedef struct {
 /* The first `count` of the points, in rows of GRID_WIDTH, or in a square when there are more than
  * POINT_COUNT; a colour target of RGBA32F. False: see error. */
 bool drawer_open(Drawer *d, bool core, const Point *points, int count);
-/* The same with several targets, of RGBA16F. */
+/* Opens with several targets, of RGBA16F. */
 bool drawer_open_half(Drawer *d, bool core, const Point *points, int count, int targets);
 void drawer_close(Drawer *d);
 
@@ -44,7 +44,7 @@ void drawer_set_uniforms(const Shading *shading, Material *material);
 /* All points: as points, which are seen from the front, or as triangles that are seen from behind.
  * Four floats a point in rgba[target]. */
 bool drawer_draw(Drawer *d, Material *material, bool front, float *const *rgba, int targets);
-/* The same into another framebuffer, which is not read. */
+/* Draws into another framebuffer, which is not read. */
 bool drawer_draw_to(Drawer *d, Material *material, bool front, const Framebuffer *target);
 /* One triangle over all of the target, seen from the front: what its corners have at (-1, -1), (3,
  * -1) and (-1, 3) of clip space changes evenly from pixel to pixel. Four floats a pixel of the

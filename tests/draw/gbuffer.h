@@ -27,6 +27,6 @@ bool gbuffer_open_layout(Gbuffer *g, Drawer *drawer, Document *document, const L
                          const MatcOptions *options);
 void gbuffer_close(Gbuffer *g);
 bool gbuffer_draw(Gbuffer *g, bool front);
-/* What comes back of a slot that the layout has: four floats a point. */
+/* Unpacks a slot that the layout has: four floats a point. */
 bool gbuffer_read(Gbuffer *g, Slot slot, float *rgba);
 #endif

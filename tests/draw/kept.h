@@ -1,10 +1,9 @@
-/* What a layout keeps: a material's slots drawn as they are, beside what comes back of the
- * G-buffer. */
+/* Compares a material's slots drawn unpacked with those unpacked from the G-buffer. */
 #ifndef MATC_VALUE_KEPT_H
 #define MATC_VALUE_KEPT_H
 #include "gbuffer.h"
 
-/* What was seen, over any number of materials. */
+/* Results over any number of materials. */
 typedef struct {
     int materials, fields;
     long values;

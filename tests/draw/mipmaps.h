@@ -7,8 +7,8 @@
 enum { MIPMAPS_SIDE = 8, MIPMAPS_LEVELS = 4, MIPMAPS_LANES = 3 };
 typedef enum { REPEAT, MIRROR, CLAMP, BORDER, ADDRESS_COUNT } Address;
 
-/* Of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the one
- * below; row 0 is at v = 0. */
+/* Mipmaps of texels: level 0 is the picture, texel (column, row) of a level the mean of four of the
+ * one below; row 0 is at v = 0. */
 typedef struct {
     int side;
     Address address;

@@ -1,4 +1,4 @@
-/* What a driver's sampler may make of a picture's values. */
+/* Errors of a driver's sampler in the values of a picture. */
 #ifndef MATC_VALUE_SAMPLER_H
 #define MATC_VALUE_SAMPLER_H
 #include "tests/value/points.h"

@@ -34,7 +34,7 @@ Hit space_meet(const Space *space, double x, double y);
 /* The plane there; of a mesh whose u and v are from 0 to 1, local positions are those of
  * SHAPE_plane. */
 Surface space_surface(const Space *space, const Hit *hit, bool mesh);
-/* Of a position in the world, in the depth buffer. */
+/* Depth of a position in the world, as the depth buffer has it. */
 double space_depth(const Space *space, const double position[3]);
 void surface_set3(Surface *surface, Group group, const double lanes[3]);
 

@@ -46,7 +46,7 @@ void drawers_close(Drawers *drawers);
 /* False: see error. Close it in any case. */
 bool filtered_open(Filtered *filtered, Drawers *drawers);
 void filtered_close(Filtered *filtered);
-/* What the program computes without --aa: with its noise. */
+/* Oracle of the program without --aa, with its noise. */
 Oracle *filtered_oracle(const Filtered *filtered);
 /* The value of the slot for each pixel. */
 bool filtered_draw(Filtered *filtered, const Sheet *sheet, float (*rgba)[4]);

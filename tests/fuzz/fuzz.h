@@ -1,5 +1,4 @@
-/* What the fuzz targets share: the entry that libFuzzer, AFL++ or feed.c calls with one input after
- * the other. */
+/* The entry point that libFuzzer, AFL++ or feed.c calls with one input after the other. */
 #ifndef MATC_FUZZ_H
 #define MATC_FUZZ_H
 #include <stddef.h>

@@ -70,7 +70,7 @@ static double empty(const char *folder, const char *what)
     return seconds_of(command);
 }
 
-/* What is there before the run that counts. */
+/* Prepares the folder before the run that counts. */
 static void prepare(const GrowthBatch *row, const char *matc, const char *folder)
 {
     empty(folder, "/out");

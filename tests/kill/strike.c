@@ -138,7 +138,7 @@ CALL(ssize_t, writev, GROWS, (int file, const struct iovec *parts, int count), (
 CALL(DIR *, fdopendir, LOOKS, (int file), (file), NULL)
 CALL(struct dirent *, readdir, LOOKS, (DIR * dir), (dir), NULL)
 
-/* What fails to close is closed all the same. */
+/* A file that fails to close is closed all the same. */
 int close(int file)
 {
     static int (*real)(int);

@@ -68,7 +68,7 @@ static int by_name(const void *a, const void *b)
     return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-/* Of nftw, which takes no argument of one's own. */
+/* State of nftw, which passes no argument of the caller's. */
 static struct {
     char *paths[256];
     int count;
@@ -310,7 +310,7 @@ int world_remove(void **state)
     return 0;
 }
 
-/* What the last run called. */
+/* Calls of the last run. */
 static void read_calls(World *w)
 {
     char path[PATH_ROOM], *rest;

@@ -51,7 +51,7 @@ void world_reset(const World *w);
 /* matc's exit status; -1: it was killed. At its call number `at`, from 1, it is struck as `how`
  * says, words of strike.c; NULL: never. */
 int world_run(World *w, const char *const *arguments, long at, const char *how);
-/* What the last run said has that text. */
+/* The output of the last run contains that text. */
 bool world_says(const World *w, const char *what);
 /* Counts what is not fine, and says it. */
 void world_check(World *w, bool fine, const Strike *at, const char *what);

@@ -158,7 +158,7 @@ static void draws_and_changes(void **state)
     "- { object: Box, material: rock, transform: { translation: [" third "] } }\n"                 \
     "- { object: Cone, material: { material: Phong }, transform: { translation: [0, 1, 0] } }\n"
 
-/* What is displaced by a param, by where it is, or how large, has another shape when that
+/* An object displaced by a param, by its position, or by its size, changes its shape when that
  * changes. */
 static void displaces_again(void **state)
 {
@@ -287,7 +287,7 @@ static void hides_from_every_shadow(void **state)
     }
 }
 
-/* What is hidden is no voxel: it keeps no light off, and sends none. */
+/* A hidden object fills no voxel: it occludes no light, and sends none. */
 static void hides_from_voxels(void **state)
 {
     (void)state;

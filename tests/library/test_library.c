@@ -153,7 +153,7 @@ static void a_slot_is_evaluated_as_numbers(void **state)
     matc_document_free(document);
 }
 
-/* What matc.h promises: none is "", and no empty array that somebody would compare with. */
+/* As matc.h promises, no diagnostics are "", and no empty array that a host would compare with. */
 static void no_diagnostics_are_no_text(void **state)
 {
     (void)state;

@@ -7,7 +7,7 @@
 static const int indexes[] = {-1, 1, 7, INT_MAX, INT_MIN};
 enum { INDEXES = sizeof indexes / sizeof *indexes };
 
-/* What a document of so many materials says of one that it has not. */
+/* Calls every function of a document with a material that it lacks. */
 static void ask_document(MatcDocument *d, int material, const MatcOptions *options)
 {
     const char *fault = NULL;
@@ -36,7 +36,7 @@ static void ask_document(MatcDocument *d, int material, const MatcOptions *optio
     assert_null(words);
 }
 
-/* What is no part of a program. */
+/* Calls every function of a program with an index that it lacks. */
 static void ask_beyond(MatcProgram *p, int index)
 {
     assert_null(matc_texture(p, index));

@@ -42,7 +42,7 @@ static double any_number(Generator *g)
     return generate_number(g->c, -GENERATE_GREATEST, GENERATE_GREATEST, g->hostile);
 }
 
-/* What has to be known when the program is written. */
+/* Parameters that must be known when the program is written. */
 static bool may_be_param(const ParamRow *row)
 {
     return row->kind != KIND_Carpenter && strcmp(row->name, "octaves") &&

@@ -5,7 +5,7 @@
 #include "choices.h"
 #include "compiler/base/text.h"
 
-/* Of parameters that may be any number: as for coordinates. */
+/* Bound of parameters that may be any number, as for coordinates. */
 #define GENERATE_GREATEST 1e8
 
 enum { LARGEST_TREE = 50 }; /* maps of a document */

@@ -1,5 +1,5 @@
-/* What a G-buffer program writes: within the range of its targets, and the same at every level of
- * optimisation. */
+/* Checks the words that a G-buffer program writes: within the range of its targets, and equal at
+ * every level of optimization. */
 #ifndef MATC_STRESS_PACKED_H
 #define MATC_STRESS_PACKED_H
 #include "compiler/layout/layout.h"

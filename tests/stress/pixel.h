@@ -3,9 +3,8 @@
 #define MATC_STRESS_PIXEL_H
 #include "compiler/ir/ir.h"
 
-/* What every varying changes by towards the next pixel on the right and upward, as a multiple of
- * itself: a program whose dFdx and dFdy are such products sees the same as its IR does, at whatever
- * point. */
+/* Change of every varying toward the next pixel on the right and upward, as a multiple of itself: a
+ * program whose dFdx and dFdy are such products computes the values of its IR, at any point. */
 typedef struct {
     double right, up;
 } Pixel;

@@ -19,7 +19,7 @@ static double greatest(const FoldArg *arg)
     return most;
 }
 
-/* What the error of a result is relative to: sums of products may cancel. */
+/* Magnitude that the error of a result is relative to: sums of products may cancel. */
 static double size_of(const IrNode *node, const FoldArg *args, double value)
 {
     double columns = 0;
@@ -105,7 +105,7 @@ static bool is_magnified(const IrNode *node, const FoldArg *args)
     return texels < 0.5;
 }
 
-/* Of a library function whose arguments err already. */
+/* Error of a library function whose arguments have errors already. */
 static double call_error(const IrNode *node, const FoldArg *args, double value)
 {
     switch (node->payload) {
@@ -136,8 +136,8 @@ static double call_error(const IrNode *node, const FoldArg *args, double value)
     }
 }
 
-/* Of a texture that the driver decodes: tests/bounds.def, of ColorSpace srgb. A slope has it for
- * each texel on the way. */
+/* Error of a texture that the driver decodes: tests/bounds.def, ColorSpace srgb. A slope has it
+ * once for each texel it reads. */
 static double decoding_error(const Erring *e, const IrNode *node, const FoldArg *args)
 {
     const double decoded = 1.3e-3;
@@ -152,7 +152,7 @@ static double decoding_error(const Erring *e, const IrNode *node, const FoldArg 
     return 2 * decoded * (fabs(direction[0] * size[0]) + fabs(direction[1] * size[1]));
 }
 
-/* What drivers err by: numerics.md 6.2, with some room. */
+/* Errors of drivers: numerics.md 6.2, with some margin. */
 static double float_error(Erring *e, const IrNode *node, const FoldArg *args, double value)
 {
     switch (node->op) {

@@ -1,6 +1,6 @@
-/* What rounding makes of a value: an IR evaluated many times, each operation erring at random as
- * much as it may. Where a function jumps or is steep, the values lie far apart; a correct program's
- * value lies among them. */
+/* Effect of rounding on a value: an IR is evaluated many times, each operation with a random error
+ * up to its bound. Where a function jumps or is steep, the values are far apart; a correct
+ * program's value is among them. */
 #ifndef MATC_STRESS_SPREAD_H
 #define MATC_STRESS_SPREAD_H
 #include "tests/value/evaluate.h"
@@ -19,7 +19,7 @@ typedef struct {
     const double (*value)[4];  /* of MOST_OUTPUTS */
 } Evaluated;
 
-/* Of `count` evaluations. The exact value is included. */
+/* Spread of `count` evaluations. The exact value is included. */
 void spread_make(const Evaluated *at, Machine machine, int count, Spread *spread);
 /* How far a number lies outside, in units of max(1, |value|), the spread taken to be wider by its
  * own width on both sides. */

@@ -22,8 +22,7 @@ typedef struct {
 void stress_options_init(StressOptions *options);
 /* The number of faults; what was done is added to `total`. */
 int stress_run(const StressOptions *options, TrialCount *total);
-/* The same of one document that is given, with `count` pixels in turn, of which every
- * `draw_every`th is drawn, where no more is asked for than numbers; a great number on the way is no
- * excuse. */
+/* Tests one given document, with `count` pixels in turn, of which every `draw_every`th is drawn, if
+ * it only uses numbers within the limits; a large intermediate number is no excuse. */
 int stress_document(const StressOptions *options, const char *text, size_t size, TrialCount *total);
 #endif

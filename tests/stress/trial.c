@@ -315,7 +315,7 @@ static bool pairs_in_range(Trial *t, const Spot *s, const LayoutRow *layout)
     return true;
 }
 
-/* Of a picture, or of the G-buffer that the layout makes. */
+/* Bounds of a picture, or of the G-buffer that the layout makes. */
 static bool in_range(Trial *t, const Spot *s, const LayoutRow *layout)
 {
     const Ir *ir = s->program->ir[1];

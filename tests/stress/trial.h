@@ -49,7 +49,7 @@ typedef struct {
     Drawer *core_half, *compat_half; /* of RGBA16F targets, for the G-buffer */
 } TrialPlan;
 
-/* What was done, for statistics. */
+/* Counts of the work done, for statistics. */
 typedef struct {
     long trees, nodes, values, spreads, validated, programs, drawn_values, judged, beyond;
     long slopes; /* slots at points where exact derivatives are known */
@@ -81,7 +81,7 @@ __attribute__((format(printf, 3, 4))) bool trial_fault(Trial *t, FaultKind kind,
                                                        ...);
 /* One slot's or one pass' IR, in an arena of its own; NULL and a fault. */
 const Ir *trial_ir(Trial *t, Arena *arena, Pass pass, Slot slot, int level);
-/* What the oracle says of a slot, and how far a true slope may be from its differences;
+/* The oracle's value of a slot, and how far a true slope may be from its differences;
  * trial_oracle.c */
 typedef struct {
     SlotValues value, room;

@@ -1,4 +1,4 @@
-/* What glslang says to a program, and what it draws. */
+/* Verdict of glslang on a program, and the values that it draws. */
 #include "compiler/layout/layout.h"
 #include "generate.h"
 #include "spread.h"
@@ -65,7 +65,7 @@ bool trial_validate(Trial *t, const char *text, size_t size)
     return fine;
 }
 
-/* What a slot of a document should be at the field's points. */
+/* Expected values of a document's slot at the field's points. */
 typedef struct {
     Trial *trial;
     MatcDocument *document;
@@ -262,8 +262,8 @@ static bool draw_slot(Drawing *d)
     return fine;
 }
 
-/* What half-float targets hold after a G-buffer pass: no NaN and no infinity, whatever the values
- * on the way. */
+/* Content of half-float targets after a G-buffer pass: no NaN and no infinity, whatever the
+ * intermediate values are. */
 static bool draw_packed(Drawing *d)
 {
     Trial *t = d->trial;

@@ -1,15 +1,14 @@
-/* What the oracle says of a slot; of exact derivatives, how much of it can be known by
- * differences. */
+/* The oracle's value of a slot; for exact derivatives, how well differences know it. */
 #include "trial.h"
 #include <string.h>
 
-/* Of exact derivatives: differences to either side that are so far apart tell nothing; what those
- * that are not err by, at most. */
+/* For exact derivatives: differences to either side that are so far apart are not compared;
+ * greatest error of the others. */
 static const double slope_apart = 1e-3, slope_room = 1e-6;
 
-/* Of exact derivatives the differences behind the point and ahead of it: where those are apart,
- * nothing is known. Two that are alike may still be off alike, where a great number rounds both, or
- * where the height bends much within them: the others go over other widths. */
+/* Spans of the differences for exact derivatives: behind the point and ahead of it; if they
+ * disagree, nothing is known. Two that agree may still have a common error, where a large number
+ * rounds both, or the height bends strongly within them: the others have other widths. */
 enum { SPAN_BEHIND, SPAN_AHEAD, SPAN_OTHER, SPAN_NARROW, SPAN_COUNT };
 static const double spans[SPAN_COUNT][2] = {{-1, 0}, {0, 1}, {-0.37, 0.59}, {-0.05, 0.04}};
 

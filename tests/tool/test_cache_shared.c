@@ -11,7 +11,7 @@
 
 enum { PROCESSES = 8, ROUNDS = 400, KEYS = 60 };
 
-/* What the blob of a key is, of a length that differs from key to key. */
+/* Blob of a key, of a length that differs from key to key. */
 static size_t blob_of(uint64_t n, char *bytes)
 {
     size_t size = 100 + (size_t)(n * 977 % 5000);

@@ -12,12 +12,12 @@
 
 enum { SIDE = 48, FROM = 12, TO = 36 };
 
-/* Of the middle's pixels, as shares of white. */
+/* Brightness of the pixels in the center, as shares of white. */
 typedef struct {
     double mean, deviation;
 } Look;
 
-/* What stands below "Example", without its indentation. From malloc. */
+/* Text below "Example", without its indentation. From malloc. */
 static char *example_of(const char *name)
 {
     char *page = matc_explain(name), *text = NULL;

@@ -55,7 +55,7 @@ static void check_after_kill(World *w, const Strike *at)
         world_check(w, !age_cache(w), at, "temporary files in the cache");
 }
 
-/* What can change a folder. Between two of these a kill leaves what it leaves behind the first. */
+/* Calls that can change a folder. A kill between two of these leaves the state after the first. */
 static const char *const changes[] = {"open",  "openat",    "write",  "writev",   "pwrite",
                                       "mkdir", "mkdirat",   "linkat", "renameat", "unlinkat",
                                       "rmdir", "ftruncate", NULL};

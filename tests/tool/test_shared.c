@@ -170,7 +170,7 @@ static void set_constants(const Run *r, Material *shared, const cJSON *block, co
     material_write(shared, text_of(block, "block"), bytes, (size_t)size);
 }
 
-/* What was drawn, as words and as what comes back of them. */
+/* The drawn G-buffer, as words and unpacked. */
 static void read_gbuffer(Run *r, int into)
 {
     Fixture *f = r->f;
@@ -242,8 +242,8 @@ static void compare_words(Run *r)
         }
 }
 
-/* What two neighbouring codes of a piece are apart: each is within the field's error of one value,
- * and that may be rounded otherwise by some ULP. */
+/* Distance of two adjacent codes of a piece: each is within the field's error of one value, which
+ * may be rounded differently by some ULP. */
 static double piece_bound(const Piece *piece, const float *value)
 {
     ErrorUnit unit = encoding_table[piece->field->encoding].unit;

@@ -205,7 +205,7 @@ static void a_row_of_changes_is_one(void **state)
     watch_close(watch);
 }
 
-/* What changes while it is read is seen by the next wait, known or new. */
+/* A file that changes while it is read is reported by the next wait, whether it is known or new. */
 static void nothing_is_missed_between_two_waits(void **state)
 {
     const Fixture *f = *state;
@@ -239,7 +239,7 @@ static void a_wait_ends_in_time(void **state)
     watch_close(watch);
 }
 
-/* The same size in the same tick of the clock: nothing but the notice tells. */
+/* A write of the same size in the same tick of the clock: only the notice reveals it. */
 static void a_write_that_does_not_show_is_seen(void **state)
 {
     const Fixture *f = *state;

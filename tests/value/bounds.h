@@ -27,7 +27,7 @@ typedef struct {
 } Subjects;
 
 const char *subject_name(int subject);
-/* What the value of a slot is made of. */
+/* Maps and functions that the value of a slot is made of. */
 void subjects_of(const Node *material, Slot slot, Subjects *subjects);
 /* The subject whose bound counts with that choice of functions: the one with the greatest. */
 int subject_governing(const Subjects *subjects, Choice trigonometry);

@@ -1,5 +1,5 @@
-/* What is asked of each library function, and at which arguments: tests/functions.def, and of
- * volume maps the POINTS lines of grammar/maps.def. */
+/* Arguments at which each library function is tested: tests/functions.def, and for volume maps the
+ * POINTS lines of grammar/maps.def. */
 #ifndef MATC_VALUE_CASES_H
 #define MATC_VALUE_CASES_H
 #include "tuple.h"
@@ -26,7 +26,7 @@ typedef struct {
 
 extern const FunctionCase function_cases[];
 extern const int case_count;
-/* Of a volume map without a POINTS line: everywhere in its parameters' ranges. */
+/* Case of a volume map without a POINTS line: all of its parameters' ranges. */
 FunctionCase case_of_ranges(Kind kind);
 /* The beginning of a case's random numbers, by its function's name: what another row is or where it
  * stands changes nothing. */

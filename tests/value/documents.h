@@ -32,7 +32,7 @@ typedef struct {
 
 /* False: the document has faults; see document_fault. Close it in any case. */
 bool document_open(Document *d, const char *path);
-/* The same of YAML that stands in the test, which outlives it. */
+/* Opens YAML of the test, which must live longer. */
 bool document_open_text(Document *d, const char *text);
 /* Its only fault is that it has no material: others include it. */
 bool document_is_library(const Document *d);

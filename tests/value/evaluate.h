@@ -10,7 +10,7 @@ enum { EVALUATE_TEXTURES = 64 };
  * EVALUATE_TEXTURES. */
 bool evaluate_textures(Arena *arena, const Ir *ir, ReferenceTexture textures[EVALUATE_TEXTURES]);
 void evaluate_inputs(const Point *point, bool front, double inputs[INPUT_COUNT][4]);
-/* What a curved surface changes by to the next pixels: texture coordinates and the normal, which
- * has point_bends. */
+/* Change of a curved surface to the next pixels: texture coordinates and the normal, which has
+ * point_bends. */
 void evaluate_bends(const Point *point, double inputs[INPUT_COUNT][4]);
 #endif

@@ -12,6 +12,6 @@
 
 /* The node; 0 where the text is none of these. */
 Ref expression_read(Ir *ir, const char *text);
-/* What expression_read reads to the same node. */
+/* Text that expression_read reads to the same node. */
 void expression_print(Text *out, const Ir *ir, Ref ref);
 #endif

@@ -1,5 +1,4 @@
-/* What a program reads and writes, as rows: as its reflection tells it, as its SPIR-V has it, as
- * the driver answers. */
+/* Inputs and outputs of a program, as rows: by its reflection, by its SPIR-V, by the driver. */
 #ifndef MATC_VALUE_FACTS_H
 #define MATC_VALUE_FACTS_H
 #include "runtime/gl/context.h"
@@ -35,14 +34,13 @@ typedef struct {
 /* NULL: there is none of that kind and name. */
 const Fact *facts_find(const Facts *facts, FactKind kind, const char *name);
 
-/* Of the JSON of --emit=reflect: the fragment program's facts, the vertex program's. False: it is
- * no reflection. */
+/* Reads the JSON of --emit=reflect: facts of the fragment program and of the vertex program. False:
+ * it is no reflection. */
 bool facts_of_reflection(const char *json, Facts *fragment, Facts *vertex);
-/* Of a module of one entry point: all that its variables and decorations say. False: it is no
- * module. */
+/* Reads a module with one entry point: its variables and decorations. False: it is no module. */
 bool facts_of_spirv(const uint32_t *words, size_t bytes, Facts *facts);
-/* Of a linked program, fragment and vertex together: what the driver keeps. `load` finds a function
- * of GL by its name; outputs are asked for by the names fragment0 and so on. */
+/* Facts of a linked program, fragment and vertex together, as far as the driver keeps them. `load`
+ * finds a function of GL by its name; outputs are queried by the names fragment0 and so on. */
 typedef void (*FactsProc)(void);
 void facts_of_program(GlContext *gl, GLuint program,
                       FactsProc (*load)(void *state, const char *name), Facts *facts);

@@ -30,7 +30,7 @@ extern const double point_ior, point_viewer[4], point_time; /* of every point */
 void point_surface(const Point *point, bool front, Surface *surface);
 /* The normal's changes by u and by v there, where a test wants a surface that is curved. */
 void point_bends(const Point *point, double by_u[3], double by_v[3]);
-/* The same of how tangents change: of dP/du (0) and dP/dv (1), by u (0) and by v (1). */
+/* Derivatives of the tangents dP/du (0) and dP/dv (1), by u (0) and by v (1). */
 void point_swings(const Point *point, double slopes[2][2][3]);
 
 /* A coordinate is so large that floats cannot tell the parts of a pattern: of a shader it is only

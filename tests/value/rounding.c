@@ -23,7 +23,7 @@ static void rounded_open(Rounded *r, Document *document, int material, const Mat
         r->ir = NULL;
 }
 
-/* Of one form of the program. */
+/* Error of one form of the program. */
 static double miss_of(const Rounded *r, const DrawnNumber *drawn, double bound)
 {
     const ReferenceContext context = {r->ir->noise, r->textures};

@@ -1,7 +1,7 @@
-/* What rounding may make of a slot's value: its program as IR, each of whose operations errs at
- * random as much as it may. A point's own bound, for values that no bound of a map can hold: the
- * slope of a picture amplifies what its coordinate was rounded by, as often as the picture is
- * repeated there. */
+/* Effect of rounding on a slot's value: its program as IR, each of whose operations has a random
+ * error up to its bound. This gives a bound for a point where no bound of a map can hold: the slope
+ * of a picture amplifies the rounding of its coordinate as often as the picture is repeated there.
+ * */
 #ifndef MATC_VALUE_ROUNDING_H
 #define MATC_VALUE_ROUNDING_H
 #include "tests/value/documents.h"
@@ -17,11 +17,11 @@ typedef struct {
     double number;
 } DrawnNumber;
 
-/* What rounding may excuse, in units of max(1, |value|) outside of the hull, and how many numbers
- * of a draw. A program whose every operation is right may still lose what it computes: a step that
- * is lost beside a coordinate, a difference of great numbers. That is a fault, and it is off by
- * more, or nearly everywhere. Of the seeds 0 ... 4 of test_value 7.4e-5 is the most, and 8 numbers
- * of 1920. */
+/* Error that rounding may explain, in units of max(1, |value|) outside of the hull, and how many
+ * numbers of a draw may have it. A program whose every operation is right may still lose its
+ * result: a step beside a large coordinate, a difference of large numbers. That is a fault, with a
+ * larger error, or nearly everywhere. Over the seeds 0 ... 4 of test_value the maximum is 7.4e-5,
+ * and 8 numbers of 1920. */
 #define ROUNDING_MOST 1.5e-4
 enum { ROUNDING_NUMBERS = 16 };
 /* How far the number lies outside of what rounding makes of the program that the options choose, in

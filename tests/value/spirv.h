@@ -1,4 +1,4 @@
-/* What a SPIR-V module says of its interfaces: read from the words, by the specification alone. */
+/* Reads the interfaces of a SPIR-V module from its words, by the specification alone. */
 #ifndef MATC_VALUE_SPIRV_H
 #define MATC_VALUE_SPIRV_H
 #include <stdbool.h>

@@ -1,4 +1,4 @@
-/* What a run over many documents has seen: its faults, one a slot, and the worst value of every
+/* Results of a run over many documents: its faults, one a slot, and the worst value of every
  * subject. Workers may add at once. */
 #ifndef MATC_VALUE_VERDICTS_H
 #define MATC_VALUE_VERDICTS_H
@@ -30,7 +30,7 @@ typedef struct {
     long values, sharp; /* compared; and of these, those that were judged within little */
 } Verdicts;
 
-/* What a draw gave. */
+/* Result of a draw. */
 typedef struct {
     const char *name;
     double worst;

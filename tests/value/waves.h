@@ -19,7 +19,7 @@ double part_of(double v);
 /* The mean between middle - edge / 2 and middle + edge / 2 of what `area` is the integral of; an
  * edge of 0 is a narrow one. */
 double mean_between(Curve *area, double middle, double edge);
-/* The same of any function, from samples in the middles of so many slices. */
+/* Mean of any function, from samples in the middles of so many slices. */
 double mean_of_slices(Curve *curve, double middle, double edge, int slices);
 
 /* The integrals of others: what is 1 in the lower half of every period 1 and -1 in the upper;

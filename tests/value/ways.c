@@ -98,8 +98,8 @@ bool way_samples(const Way *way, const Subjects *subjects)
     return way->choice == CHOICE_aa_auto && subjects->has[KIND_ImageMap];
 }
 
-/* Of pictures of 16 bits, or of floats, a target without such textures keeps 11 bits, which drivers
- * may cut off: 2^-11 of the value. */
+/* Bound for pictures of 16 bits, or of floats: a target without such textures keeps 11 bits, which
+ * drivers may cut off: 2^-11 of the value. */
 static double half_bound(const Document *document, Target target)
 {
     for (int i = 0; i < document->graph->image_count; i++) {

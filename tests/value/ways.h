@@ -20,7 +20,7 @@ const char *way_name(const Way *way, bool front, char text[64]);
 void way_options(const Way *way, Slot slot, MatcOptions *options);
 /* Whether its choice can change what the subjects make. */
 bool way_matters(const Way *way, const Subjects *subjects);
-/* What the oracle answers it by. */
+/* Options of the oracle for a way. */
 ReferenceNoise way_noise(const Way *way);
 Choice way_derivatives(const Way *way);
 /* Whether it belongs to this commit's share of the slots of a material with that number. */

@@ -54,7 +54,7 @@ static void turntables_turn(void **state)
     forget(scene, document);
 }
 
-/* What is up turns, too: around the way it looks, the camera rolls. */
+/* The up direction rotates, too: around its view direction, the camera rolls. */
 static void turntables_roll(void **state)
 {
     (void)state;

@@ -97,8 +97,9 @@ static void spheres_are_lit(void **state)
     }
 }
 
-/* What a mirror sees: the squares that stand for the lamps, 4 away, which light what faces them as
- * much (a square's published form factor), before the horizon's light. -1: near an edge. */
+/* Radiance that a mirror reflects: the squares that stand for the lamps, 4 away, which light a
+ * surface facing them as much (a square's published form factor), before the horizon's light. -1:
+ * near an edge. */
 static double mirrored(const View *view, Vector at, Vector way, int lane)
 {
     static const double halves[] = {3.2, 3.2, 2.4};

@@ -30,7 +30,7 @@ static View sky_view(Vector sun, int width, int height)
                 width, height);
 }
 
-/* What is near the horizon jumps to black. */
+/* Near the horizon the sky jumps to black. */
 static const double horizon = .01;
 
 static void compare_sky(const Drawn *p, const View *view)
@@ -52,7 +52,7 @@ static void compare_sky(const Drawn *p, const View *view)
     assert_true(worst <= .75 && ground > 0);
 }
 
-/* Of the brightest pixel. */
+/* Direction of the brightest pixel. */
 static Vector brightest(const Drawn *p, const View *view)
 {
     int most = 0, at = 0;

@@ -113,8 +113,8 @@ static void what_cannot_be_is_told(void **state)
     sheet_free(&sheet);
 }
 
-/* What has no room is known before it is drawn: whatever is still to come, a side is at least the
- * root of the number of pictures. */
+/* A sheet that is too large is detected before it is drawn: whatever follows, an edge is at least
+ * the root of the number of pictures. */
 static void room_is_known_before(void **state)
 {
     (void)state;

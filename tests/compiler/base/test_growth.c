@@ -37,8 +37,8 @@ static double ratio(const GrowthRow *row)
     return least / base;
 }
 
-/* The same of a batch, whose shorter one has nothing to do but to begin: what is above that
- * grows. */
+/* Ratio for batches. The shorter batch has nothing to do except start; growth is what exceeds that.
+ * */
 static double batch_ratio(const GrowthBatch *row)
 {
     double base = growth_batch_seconds(row, MATC_PROGRAM, row->count, 1), least = INFINITY;

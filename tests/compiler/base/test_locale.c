@@ -1,6 +1,6 @@
-/* What matc reads and writes is the same in every locale: all that the library says of documents,
- * layouts and words, in C and in a locale that writes 1,5 and counts a byte above ASCII as a
- * letter, which a process has, or a thread. */
+/* matc reads and writes the same in every locale: compares all messages on documents, layouts and
+ * words in C and in a locale that writes 1,5 and takes bytes above ASCII for letters, set for the
+ * process or for a thread. */
 #include "tests/test.h"
 #include "compiler/base/file.h"
 #include "compiler/matc.h"

@@ -10,7 +10,7 @@
 
 enum { COUNT = 5000, NAME = 16, MOST_SECONDS = 60 };
 
-/* Of the number, in memory of its own. */
+/* Name of a number, in memory of its own. */
 static const char *name_of(Arena *arena, int number)
 {
     char *name = ARENA_ARRAY(arena, char, NAME);

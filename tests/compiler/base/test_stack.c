@@ -123,7 +123,7 @@ static void one_more_is_too_deep(void **state)
     assert_true(errors_of(&row, LIMIT_GRAPH_DEPTH + 1) > 0);
 }
 
-/* What nests in the text itself. */
+/* Constructs that nest in the text itself. */
 static void nested_text(void **state)
 {
     (void)state;

@@ -51,7 +51,7 @@ static void see_members(Seen *seen, Kind kind, const Tree *object)
         seen->param[i] |= tree_find(object, param_table[i].name) != NULL;
 }
 
-/* What is written, whatever becomes of it. */
+/* Records everything that is written, whatever becomes of it. */
 static void see_tree(Seen *seen, const Tree *tree)
 {
     if (tree->kind == TREE_list)
@@ -177,8 +177,8 @@ static bool moves(const char *param)
     return !strncmp(param, "displacement", strlen("displacement"));
 }
 
-/* What is of vertices alone: test_displacement, test_scene_volume; random documents are judged at
- * points. */
+/* Parameters of vertices only are judged by test_displacement and test_scene_volume; random
+ * documents are judged at points. */
 static bool is_of_vertices(const char *param)
 {
     return !strcmp(param, "displacementBound") || !strcmp(param, "displacementVolume") ||
@@ -227,7 +227,7 @@ static void random_documents_have_all(void **state)
 
 /* -- areas, schema, pages */
 
-/* Of which no mean is asked: the same everywhere, normals, and what samples its input itself
+/* Kinds that need no mean: constants, normals, and kinds that sample their input themselves
  * (test_filtered). */
 static bool needs_no_area(Kind kind)
 {

@@ -171,8 +171,8 @@ static void alpha_is_not_converted(void **state)
     "{ map: Blend, blend: [{ value: 0, input: 0 }, { value: 1, input: " a " }], input: " t " }"
 #define OVER(map) "{ map: " map ", input: " P " }"
 
-/* What a picture of 128 gives: LINEAR or SRGB of its own, products of those, and the exponents that
- * they make. */
+/* Values that a picture of 128 gives: LINEAR, or SRGB once decoded, products of those, and the
+ * exponents that they make. */
 static const double LINEAR = 128 / 255., SRGB = .215861, SHARP = 7.01567, BLUNT = 2.09603;
 
 static void a_picture_is_srgb_where_it_feeds_a_colour(void **state)
@@ -320,8 +320,8 @@ static void colours_alone_have_srgb_pictures(void **state)
     assert_int_equal(unread, UNREAD);
 }
 
-/* What a program's texture is, per target: the sampler decodes where it can, else the texels are
- * decoded, to 16 bits. */
+/* The texture of a program, by target: the sampler decodes if it can; otherwise texels are decoded
+ * to 16 bits. */
 static void targets_have_their_textures(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* What a document means where it says nothing: every parameter's default, the presets, the named
- * colours, and the rows of --precision, each written down here from semantics.md and the published
- * palettes, and not from the tables. */
+/* Defaults of documents: every parameter, the presets, the named colors, and the rows of
+ * --precision, each written down here from semantics.md and the published palettes, and not from
+ * the tables. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "compiler/document.h"
@@ -21,8 +21,7 @@ static const Default defaults[] = {
 #include "tests/defaults.def"
 };
 
-/* Of the parameters that every volume map has: those below VOLUME_PARAMS, and three maps that are
- * OWN. */
+/* Parameters of every volume map: those below VOLUME_PARAMS, and three maps that are OWN. */
 static const Default volume_defaults[] = {
     {NULL, "input", NONE, {0}},
     {NULL, "waveForm", NONE, {0}},
@@ -51,7 +50,7 @@ static Lone read_lone(const char *kind, bool material)
     return lone;
 }
 
-/* Of a number, of a map that is one, or of none. */
+/* Checks a number, a map that is one, or an absent value. */
 static void check_value(const char *kind, const Default *row, const Value *value)
 {
     if (value->kind == VALUE_node)
@@ -94,7 +93,7 @@ static bool is_written(const KindRow *kind)
     return kind->lowering != LOWERING_VOLUME;
 }
 
-/* Of every parameter of every kind; one without a row here fails. */
+/* Checks every parameter of every kind; one without a row here fails. */
 static void test_every_default(void **state)
 {
     (void)state;
@@ -203,7 +202,7 @@ static void test_colors(void **state)
     check_color("#0A0b0C80", 10, 11, 12);
 }
 
-/* What `--precision` says of each axis. */
+/* Choices of `--precision` for each axis. */
 static void test_precision(void **state)
 {
     (void)state;

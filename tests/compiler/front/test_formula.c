@@ -251,8 +251,8 @@ static void every_term_is_total(void **state)
         }
 }
 
-/* What is proposed of names that are no builtin's: a local, before its value and after it; nothing
- * that is far from all. */
+/* Proposals for names that are not built in: a local, before and after its value; nothing if all
+ * names are far. */
 static void misspelt_names_are_told(void **state)
 {
     (void)state;
@@ -273,7 +273,7 @@ static void misspelt_names_are_told(void **state)
     }
 }
 
-/* What a message says of another language's name is said of no name of ours. */
+/* Messages about names of other languages are given for no name of ours. */
 static void foreign_names_are_not_ours(void **state)
 {
     static const char *const names[] = {
@@ -290,7 +290,7 @@ static void foreign_names_are_not_ours(void **state)
     }
 }
 
-/* What is made to exhaust stack, memory or time. */
+/* Texts made to exhaust stack, memory or time. */
 static void hostile_texts_end(void **state)
 {
     (void)state;

@@ -1,5 +1,4 @@
-/* What a formula reads of a map by its name: as many lanes as the map has, and all that the map
- * says. */
+/* A map read by its name in a formula has all of its components, with the map's values. */
 #include "tests/slot_values.h"
 #include "grammar/tables.h"
 

@@ -7,7 +7,7 @@
 
 enum { ROOM = 1 << 21, PIECES = 40, ROUNDS = 400 / SANITIZED_STEP };
 
-/* What the document says, for messages; its bytes as JSON has them in quotes. */
+/* The document with the formula; its bytes as a JSON string. */
 static char *document_of(const char *formula)
 {
     char *text = malloc(6 * strlen(formula) + 64),

@@ -68,7 +68,7 @@ static bool suits_color(const ParamRow *row, Sort sort)
     }
 }
 
-/* What may stand there, by the words of docs/reference/language.md. */
+/* Sorts of values that a parameter takes, by the words of docs/reference/language.md. */
 static bool suits(const ParamRow *row, Sort sort)
 {
     if (sort == SORT_nothing)

@@ -10,7 +10,7 @@
 
 enum { TREES = 150, POINTS = 24, TREE_SIZE = 6, LONGEST = 1 << 16 };
 
-/* What two documents must have in common; a bound is of max(1, |value|). */
+/* How closely two documents must agree; a bound is relative to max(1, |value|). */
 static const double bits = 0, roundings = 1e-14, sums = 1e-11;
 typedef struct {
     double bound;

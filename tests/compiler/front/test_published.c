@@ -132,7 +132,7 @@ static double by_tint(double cosine, double r, double g)
     return r + (1 - r) * pow(1 - cosine, 5) - at * cosine * pow(1 - cosine, 6);
 }
 
-/* What the reflection of light from all around differs by, of any metal, and of published gold. */
+/* Greatest difference of the ambient reflection, for any metal, and for published gold. */
 static double edge_difference(double r, double g)
 {
     enum { STEPS = 2000 };

@@ -25,7 +25,7 @@ static const double tangent[3] = {.8, 0, -.6}, bitangent[3] = {0, 1, 0},
                     unit_normal[3] = {.6, 0, .8};
 static const char frame[] = "dpxdu=.8 dpydu=0 dpzdu=-.6 dpxdv=0 dpydv=1 dpzdv=0 nx=.6 ny=0 nz=.8";
 
-/* What is read there: the texel as numbers and as a colour, texture coordinates, MaterialX's noise
+/* Inputs at the point: the texel as numbers and as a color, texture coordinates, MaterialX's noise
  * at 4 p. */
 typedef struct {
     double raw[3], color[3], u, v, p[3], noise;

@@ -163,7 +163,7 @@ static const char functions[] =
     "interpolateAtSample interpolateAtOffset noise1 noise2 "
     "noise3 noise4 EmitVertex EndPrimitive barrier memoryBarrier";
 
-/* What preprocessors define, and constants. */
+/* Macros that preprocessors define, and constants. */
 static const char macros[] = "GL_ES GL_core_profile GL_compatibility_profile GL_es_profile "
                              "GL_FRAGMENT_PRECISION_HIGH VULKAN GL_SPIRV "
                              "gl_FragCoord gl_FrontFacing gl_MaxDrawBuffers defined main";

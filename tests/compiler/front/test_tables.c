@@ -64,7 +64,7 @@ static void defaults_are_in_range(void **state)
                         param_table[i].init[lane] <= param_table[i].high);
 }
 
-/* The same of scene.def. */
+/* Checks the rows of scene.def. */
 static void scenes_are_sound(void **state)
 {
     (void)state;
@@ -287,8 +287,7 @@ static bool is_key(const char *name, size_t size)
     return false;
 }
 
-/* What a message says of another tool's name begins with a name that is ours, but for these
- * words. */
+/* The message about another tool's name begins with a name of ours, except for these words. */
 static void foreign_names_lead_to_ours(void **state)
 {
     static const char *const others[] = {"a formula: '= ",

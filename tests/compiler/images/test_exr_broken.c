@@ -59,7 +59,7 @@ static void exr_put_short(PictureFile *file, int compression, const char *bytes,
     }
 }
 
-/* What is packed has to make all of its lines: here two bytes, or five of six. */
+/* Packed data must make all lines of a block: here two bytes, or five of six. */
 static void blocks_are_whole(void **state)
 {
     (void)state;

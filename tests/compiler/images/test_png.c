@@ -163,7 +163,7 @@ static void test_transparent_colour(void **state)
                 false);
 }
 
-/* What says how a picture is to be shown changes no number; nor does a text, or a profile that
+/* Chunks on how a picture is to be shown change no number; nor does a text, or a profile that
  * inflates to much. */
 static void test_said_about_colours(void **state)
 {

@@ -37,7 +37,7 @@ static int tear_down(void **state)
     return 0;
 }
 
-/* What a point's slots should be: the normal is that of eye space. */
+/* Expected slots of a point: the normal is in eye space. */
 static void want_slots(const Point *point, bool front, const SlotValues *values, SlotValues *want)
 {
     const float *n = point->input[INPUT_eyeN];
@@ -100,7 +100,7 @@ static void check_normal(const Gbuffer *g, const Piece *piece, const double want
                  bound);
 }
 
-/* What was drawn: the values at the first point, and on which side. */
+/* Drawn values: those at the first point, and its side. */
 typedef struct {
     const SlotValues *values;
     bool front;
@@ -202,7 +202,7 @@ static bool can_draw(const LayoutRow *layout, int target)
     return !target_table[target].spirv && (target_table[target].words || !layout_has_words(layout));
 }
 
-/* What is left out tells the case, whatever the level. */
+/* The absent slots decide the case, at every level of -O. */
 static void check_case(const Fixture *f, int layout, Kept kept)
 {
     static const int cases[] = {[ALL] = 3, [OPAQUE] = 0, [CLEAR] = 1, [GLOW] = 2};
@@ -353,7 +353,7 @@ static void any_rows_are_a_layout(void **state)
     }
 }
 
-/* What does not fit in, or has bits that its encoding has not, is told. */
+/* Rows that do not fit, or have bits that their encoding lacks, are reported. */
 static void rows_that_do_not_fit_are_told(void **state)
 {
     (void)state;

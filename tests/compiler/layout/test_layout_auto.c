@@ -49,7 +49,7 @@ static void diffuse_colors_take_eight_bytes(void **state)
     set_close(&set);
 }
 
-/* What some materials answer and the draw tells the others is stored. */
+/* A slot that some materials compute and the draw call sets for the others is stored. */
 static void ratios_of_the_draw_are_no_constants(void **state)
 {
     (void)state;
@@ -88,7 +88,8 @@ static void ranges_make_fields(void **state)
     set_close(&set);
 }
 
-/* What passes 1 keeps its upper end; a colour whose red never changes is stored for its green. */
+/* A range that exceeds 1 keeps its upper end; a color whose red is constant is stored for its
+ * green. */
 static void ends_and_lanes_are_kept(void **state)
 {
     (void)state;
@@ -110,7 +111,7 @@ static int all_bits(const Set *set)
     return bits;
 }
 
-/* Of the largest case. */
+/* Bits of the largest case. */
 static int placed_bits(const Set *set)
 {
     int most = 0;
@@ -263,8 +264,8 @@ static void none_is_without_a_case(void **state)
     set_close(&set);
 }
 
-/* Of the two the layout holds one's exponent for both: the other has no lobe, and nothing is said
- * of it. */
+/* The layout holds the exponent of one of the two materials for both: the other has no lobe, so
+ * that there is no warning. */
 static void constants_are_for_those_to_which_they_matter(void **state)
 {
     (void)state;

@@ -117,8 +117,7 @@ static void order_is_of_no_account(void **state)
     }
 }
 
-/* Of so many sets that some are joined, each finds a case all the same, and every case has its
- * place. */
+/* With so many sets that some are joined, each still finds a case, and every case has its place. */
 static void every_set_finds_a_case(void **state)
 {
     (void)state;

@@ -10,7 +10,7 @@
 
 enum { TREES = 1500, TREE_POINTS = 12 };
 
-/* What matters in a material, as the ranges of it alone say. */
+/* Slots that matter in a material, by the ranges of it alone. */
 static void find_matters(const Document *d, int material, bool matters[SLOT_COUNT])
 {
     MatcRanges one;

@@ -109,8 +109,8 @@ static void all_of_a_file_reads_back(void **state)
     matc_layout_free(layout);
 }
 
-/* Of 1023 steps over [0.2, 0.7]: 0.2 is none, 0.7 all, 0.45 half of them, rounded up. Beyond the
- * ends, the nearer one. */
+/* With 1023 steps over [0.2, 0.7], the code of 0.2 is 0, that of 0.7 is 1023, that of 0.45 half of
+ * that, rounded up. Values beyond the ends have the code of the nearer end. */
 static void a_range_is_counted_from_its_lower_end(void **state)
 {
     (void)state;
@@ -258,8 +258,8 @@ static char *unpacking(const char *document, unsigned cases, int *taken)
     return text;
 }
 
-/* What a set's materials do not take is not in the text that reads them back: neither code nor
- * slots. */
+/* Cases that the materials of a set do not use are not in the text that unpacks them: neither codes
+ * nor slots. */
 static void unpacking_holds_what_is_taken(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* What is packed into half floats survives a real RGBA16F target: every code of packPair, and
- * normals through the spheremap. The GLSL is the library's own, drawn; the reading side is a second
- * program that samples the target. */
+/* Values packed into half floats survive a real RGBA16F target: every code of packPair, and normals
+ * through the spheremap. The GLSL is the library's own, drawn; the reading side is a second program
+ * that samples the target. */
 /* ctest: quick */
 #include "tests/test.h"
 #include "tests/draw/canvas.h"
@@ -93,7 +93,7 @@ static void every_code_survives(void **state)
     }
 }
 
-/* What was unpacked and is packed again is the same: a surface that is copied does not drift. */
+/* Packing unpacked values again gives the same codes: a surface that is copied does not drift. */
 static void packing_again_changes_nothing(void **state)
 {
     Fixture *f = *state;

@@ -4,8 +4,8 @@
 #include "grammar/layout_tables.h"
 #include "tests/preview.h"
 
-/* The same picture but for quantisation: mean and greatest difference to that of the thesis'
- * layout, in steps of 255. */
+/* Pictures equal up to quantization: mean and greatest difference from that of the thesis' layout,
+ * in steps of 1/255. */
 static void pictures_are_alike(void **state)
 {
     (void)state;
@@ -128,7 +128,8 @@ static void pictures_do_not_mix(void **state)
     matc_document_free(document);
 }
 
-/* What the compiler says is told as it says it; a slot that a layout lacks by the error. */
+/* Faults of the compiler are passed on unchanged; a slot that a layout lacks is named by the error.
+ * */
 static void faults_are_told(void **state)
 {
     (void)state;

@@ -65,7 +65,7 @@ static const Row rows[] = {
 };
 enum { ROWS = sizeof rows / sizeof *rows };
 
-/* What light may be off by in the mean where nothing is lost. */
+/* Mean error of light that each layout may have where it loses nothing. */
 static const struct {
     const char *name;
     double bound;

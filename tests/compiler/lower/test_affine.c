@@ -40,7 +40,7 @@ static double next(Trial *t)
 
 static int choose(Trial *t, int count) { return (int)(next(t) * count); }
 
-/* Of either sign, and about 1, so that long chains neither grow without end nor vanish. */
+/* A factor of either sign, and about 1, so that long chains neither grow without end nor vanish. */
 static double factor(Trial *t) { return (choose(t, 2) ? 1 : -1) * (0.8 + 0.45 * next(t)); }
 
 static void open_trial(Trial *t, uint64_t seed, bool simplify)

@@ -81,7 +81,7 @@ static int remove_picture(void **state)
     return remove(picture) || rmdir(folder);
 }
 
-/* The same at places and at so many turns from there; %s is the picture. */
+/* Compares steps at places with those so many turns away; %s is the picture. */
 static void steps_are_as_wide_far_out(const char *form, const Making *making, float turns)
 {
     static const float places[][2] = {

@@ -104,7 +104,7 @@ static void judge(Test *t, const char *what, int axis, int lane, double got)
              got, expected);
 }
 
-/* Of the value, by u and by v. */
+/* Compares slopes of the value by u and by v. */
 static void compare(Test *t, Ref value, const char *name, int varying)
 {
     Type type = ir_type(t->l.ir, value);
@@ -164,7 +164,7 @@ typedef struct {
     uint32_t payload;
 } Operation;
 
-/* Of which those in `varying` vary. */
+/* Checks an operation whose operands in the set `varying` vary. */
 static void check_operation(Test *t, const Operation *o, int varying)
 {
     Ref args[OPERANDS];
@@ -204,7 +204,8 @@ static void check_lanes(Test *t, Op op)
     }
 }
 
-/* What is not by lane; false: it has no slope of its own, or is a leaf. */
+/* Operations that do not work per component; false: the operation is a leaf, or has no slope of its
+ * own. */
 static bool check_special(Test *t, Op op)
 {
     static const Type vectors[OPERANDS] = {TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3, TYPE_vec3};
@@ -327,8 +328,8 @@ static void means_have_slopes_of_their_own(void **state)
         assert_int_not_equal(slope_row(means[i])->kind, SLOPE_difference);
 }
 
-/* What has no row: e^(base + rate u) over differences of 1/256 errs by rate^2 / 6 of their
- * square. */
+/* A function without a row: e^(base + rate u) over differences of 1/256 has an error of rate^2 / 6
+ * of their square. */
 static void a_function_without_a_row_has_the_slope_of_its_differences(void **state)
 {
     (void)state;

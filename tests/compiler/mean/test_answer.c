@@ -146,7 +146,7 @@ typedef struct {
     Group group;
 } Question;
 
-/* Of a lane over the pixel. */
+/* Variance of a component over the pixel. */
 static double true_variance(Question *q, int lane)
 {
     Surface surface;
@@ -342,7 +342,7 @@ static void a_footprint_is_constant_whatever_is_rewritten(void **state)
     document_close(&d);
 }
 
-/* Of it all that is left is the footprint. */
+/* The footprint is all that remains of it. */
 static void no_mark_of_a_footprint_is_left(void **state)
 {
     (void)state;

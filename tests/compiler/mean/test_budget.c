@@ -48,7 +48,7 @@ static int cost_of(Ir *ir)
     return cost;
 }
 
-/* The same of what lowering made, which goes. */
+/* Cost of the IR that lowering made, which is freed. */
 static int cost_of_lowered(Ir *ir)
 {
     const int cost = cost_of(ir);
@@ -73,8 +73,7 @@ static double lowered_growth(Document *d, const Node *material, Pass pass)
                      plain);
 }
 
-/* Of programs as they are written, against those of --aa=none, which read pictures in the
- * shader. */
+/* Growth of written programs over those of --aa=none, which read pictures in the shader. */
 static double program_growth(Document *d, const Node *material, Pass pass)
 {
     const Job none = job_of("none", pass), mean = job_of("auto", pass);
@@ -274,7 +273,7 @@ static void checkers_and_waves_are_averaged(void **state)
 
 static long visits; /* nodes that lowering has made, or found again */
 
-/* What is simple is asked again, so that it counts, too. */
+/* Simplifies simple nodes once more, so that they are counted, too. */
 static Ref count_visit(Ir *ir, Ref ref)
 {
     visits++;

@@ -65,7 +65,7 @@ static void end(const Report *report, const char *what)
     assert_int_equal(report->failures, 0);
 }
 
-/* What a pixel covers of x, y, z, the first two of which are u and v. */
+/* Footprint of a pixel in x, y, z, the first two of which are u and v. */
 typedef struct {
     double middle[3], edge[3];
 } Box;
@@ -119,7 +119,7 @@ static double mean_smoothed(const Box *box)
     return .1 + (box->middle[2] - .1) * odd_share(box, 2, .5);
 }
 
-/* Of ((sin x + sin y + sin z) / 3)^2, where the lanes are independent: the variances, and the
+/* Mean of ((sin x + sin y + sin z) / 3)^2 with independent components: the variances, and the
  * square of the sum of the means. */
 static double mean_leopard(const Box *box)
 {
@@ -159,15 +159,16 @@ static double mean_blend(const Box *box)
     " input: { map: Checker } }"
 static double mean_blended(const Box *box) { return .1 + .2 * odd_share(box, 2, .5); }
 
-/* The same of exponents: y = x (2 - x), n = -2 / ln y. */
+/* Mean of exponents: y = x (2 - x), n = -2 / ln y. */
 static double exponent(double x) { return -2 / log(x * (2 - x)); }
 static double mean_exponents(const Box *box)
 {
     return exponent(.1) + (exponent(.9) - exponent(.1)) * odd_share(box, 2, .5);
 }
 
-/* Of a root that is 0 below 0: four samples of a pixel of width w are off by .0295 sqrt(w) at most,
- * where a corner of it alone is above 0; the point in its middle by .236 sqrt(w). */
+/* Mean of a square root that is 0 below 0. Four samples of a pixel of width w have an error of at
+ * most .0295 sqrt(w), where only a corner of it is above 0; the point in its center of .236
+ * sqrt(w). */
 static double area_root(double t) { return t > 0 ? t * sqrt(t) / 1.5 : 0; }
 static double mean_root(const Box *box)
 {
@@ -305,7 +306,8 @@ static void whole_periods_leave_all_of_the_variance(void **state)
     }
 }
 
-/* What is linear in a Ramp or Triangle is exact, too: they are spread evenly over [-1, 1]. */
+/* Functions linear in a Ramp or Triangle are exact, too: these are distributed evenly over [-1, 1].
+ * */
 static void whole_periods_of_even_waves_are_boxes(void **state)
 {
     (void)state;
@@ -324,9 +326,9 @@ static void whole_periods_of_even_waves_are_boxes(void **state)
     end(&report, "Blend over Ramp, Triangle");
 }
 
-/* Of less than a period a part of the variance shows in the mean's slope, and the rest is
- * estimated: root mean square errors of the square over boxes of 0.1 to 2.6 periods, whose values
- * are from 0 to 1. */
+/* Over less than a period, a part of the variance shows in the mean's slope, and the rest is
+ * estimated: root mean square errors of the square over boxes of 0.1 to 2.6 periods, with values
+ * from 0 to 1. */
 static PartErrors part_errors(const WaveCurve *wave)
 {
     static Picture rgba;
@@ -364,8 +366,8 @@ static void parts_of_periods_leave_about_their_variance(void **state)
     }
 }
 
-/* What Smooth3D and Laplace3D evaluate is not filtered, they sample it themselves: they show
- * points, however wide the pixel is, and so does what stands on them. */
+/* Smooth3D and Laplace3D do not filter their input, since they sample it themselves: it has the
+ * values of points, however wide the pixel is, and so has everything that depends on it. */
 #define NOISE "{ map: VolumeTurbulence, noiseRatio: 0.5 }"
 static const char *const sampled_maps[] = {
     "{ map: Smooth3D, input: " NOISE " }",

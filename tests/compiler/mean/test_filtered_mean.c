@@ -79,9 +79,8 @@ static double mean_over(Oracle *oracle, const Filtered *f, const Sheet *sheet, i
     return sum / (SIDE * SIDE);
 }
 
-/* Of pixels of several sizes: the root of the mean square error; the mean error; and the drawn
- * value's slope against the true mean, by least squares, which is 1 where a mean fades as it
- * should. */
+/* Errors over pixels of several sizes: root mean square, mean, and the slope of the drawn value
+ * against the true mean, by least squares, which is 1 if a mean fades as it should. */
 typedef struct {
     double square, bias, slope;
 } Errors;
@@ -262,9 +261,9 @@ static Sheet wide_sheet(int place)
     return sheet;
 }
 
-/* What is left of noise is its statistics: mean and mean square, of values, of magnitudes, and of
- * what Turbulence moves by. The lanes of GroIMP's vectors are a little alike, by its table of 512
- * numbers. At one place, again: 20,000 points know a mean to .0034 of their own. */
+/* Statistics that remain of noise: mean and mean square of values, of magnitudes, and of
+ * Turbulence's offsets. Components of GroIMP's vectors are slightly correlated, by its table of 512
+ * numbers. At one place: 20,000 points know a mean to .0034 of their own. */
 static const struct {
     const char *map;
     double most[3]; /* by noise */

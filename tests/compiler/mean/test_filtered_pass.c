@@ -48,7 +48,7 @@ static bool meet_sky(const Space *space, double x, double y, double uv[2])
     return fabs(ray[2]) < .9 && fabs(uv[0] - .5) < .45;
 }
 
-/* Of a pixel, in clip space, a part of it away from its middle. */
+/* A place in a pixel, in clip space, a part of the pixel away from its center. */
 static double place(int index, double part) { return 2 * (index + .5 + part) / SIDE - 1; }
 
 /* The share of 1 in a Checker whose cells are 1 / (2 scale) wide. */

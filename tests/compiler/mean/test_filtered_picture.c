@@ -123,8 +123,8 @@ static double part_inside(double place, double wide, double side)
     return fmax(fmin(place + wide / 2, side) - fmax(place - wide / 2, 0), 0) / wide;
 }
 
-/* What the shader makes of a border: of the picture whose edge goes on, as much as the pixel has of
- * the picture; of a texel where the pixel is smaller. */
+/* The shader's value at a border: the picture with its edge extended, weighted by the pixel's share
+ * of the picture; of a texel where the pixel is smaller. */
 static double want_part(Want *want, const Mipmaps *m, double texels, const double u[2], int lane)
 {
     Mipmaps clamped = *m;
@@ -198,7 +198,7 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     return worst;
 }
 
-/* Of both pictures. */
+/* Compares both pictures. */
 static int judge(const Look *look, double texels, double most)
 {
     int failures = 0;
@@ -214,7 +214,7 @@ static int judge(const Look *look, double texels, double most)
 
 static const char *const targets[] = {"glsl330", "essl300", "glsl110"};
 
-/* Of the driver's mipmaps: bytes, mixed by weights of eight bits. */
+/* Bounds by the driver's mipmaps: bytes, mixed by weights of eight bits. */
 static void pictures_show_their_mipmaps(void **state)
 {
     (void)state;
@@ -236,9 +236,8 @@ static void pictures_show_their_mipmaps(void **state)
     assert_int_equal(failures, 0);
 }
 
-/* Of a BumpMap's normal: up to a texel a pixel the texels are mixed in floats, but where mipmaps
- * have none to fetch (GLSL 1.10), and where the shader makes the border of a sampler that has
- * none. */
+/* Bound of a BumpMap's normal: up to a texel a pixel the texels are mixed in floats, unless mipmaps
+ * have none to fetch (GLSL 1.10), or the shader makes the border of a sampler that has none. */
 static double most_of_normal(const Look *look, double texels)
 {
     const bool sampled = !strcmp(look->target, "glsl110") ||
@@ -270,8 +269,7 @@ static void samplers_show_pictures(void **state)
     assert_int_equal(failures, 0);
 }
 
-/* What the sampler of a target does beyond the edges, and what the shader does where that has no
- * border. */
+/* Addressing by the sampler of a target, and by the shader if that sampler has no border. */
 static void samplers_know_addresses(void **state)
 {
     (void)state;
@@ -314,8 +312,7 @@ static void means_know_addresses(void **state)
     assert_int_equal(failures, 0);
 }
 
-/* Of a glTF's pictures. GLSL 1.10 has no mipmaps by `box`: sixteen places are the corners'
- * test's. */
+/* Pictures of glTF. GLSL 1.10 has no mipmaps by `box`: the test of corners has sixteen places. */
 static void texels_stand_in_the_middle(void **state)
 {
     (void)state;

@@ -1,4 +1,4 @@
-/* What filtered noise is replaced with, against the integrals that define it: means over many
+/* Statistics that replace filtered noise, against the integrals that define them: means over many
  * points of the noise itself. */
 /* ctest: unsanitized */
 #include "tests/test.h"
@@ -104,7 +104,7 @@ static void near(const char *name, const char *what, double stated, double is, d
         fail_msg("%s: %s: %g, not %g", name, what, stated, is);
 }
 
-/* What a lane of one octave of vectors is over a square that is wide. */
+/* Mean of a component of one octave of vectors over a wide square. */
 static double stated_lane(ReferenceNoise noise, int lane)
 {
     const double args[] = {.1, .2, .3, 0, 0, 0, 1, 2, 1, wide};
@@ -122,7 +122,7 @@ static double stated_magnitude(ReferenceNoise noise)
     return result[0] / (63. / 32) + .5;
 }
 
-/* What one octave keeps over a square, from its value somewhere. */
+/* Share of a value that one octave keeps over a square. */
 static double share(ReferenceNoise noise, double width)
 {
     const double p[3] = {.3, .2, .6};
@@ -147,9 +147,9 @@ static void wide_squares_have_the_moments(void **state)
 
 enum { PLACES = 64, PLACE_POINTS = 1500, CELLS = 60 };
 
-/* Of a mean over points of a place, and of the mean square: how many of their standard errors they
- * are off, the root of the mean square over the places and the greatest. Where corners know nothing
- * of each other the first is about 1, and of 64 places one is off by 4.5 in one set of 2,300. */
+/* Distances of a mean over points of a place, and of the mean square, in their standard errors: the
+ * root mean square over the places, and the greatest. If corners are independent the first is about
+ * 1, and one of 64 places exceeds 4.5 in one set of 2,300. */
 typedef struct {
     double root[2], most[2];
 } Spread;
@@ -221,7 +221,7 @@ static void places_differ_as_chance_has_it(void **state)
         }
 }
 
-/* Of a square's variance the slope of its mean shows a part: share^2 slope^2 edge^2 / 12. */
+/* The slope of a square's mean shows a part of its variance: share^2 slope^2 edge^2 / 12. */
 static void slopes_show_their_part(void **state)
 {
     (void)state;

@@ -1,6 +1,6 @@
-/* What cells are replaced with where they are finer than a pixel, grammar/cells.def, against the
- * integrals that define it, over other points than those that `matbench cells` makes the table of;
- * and the search of the references, within three cells, against what lies farther. */
+/* Statistics that replace cells finer than a pixel, grammar/cells.def, against the integrals that
+ * define them, over other points than those that `matbench cells` makes the table of; and the
+ * search of the references, within three cells, against points that lie farther. */
 /* ctest: unsanitized seconds=43 */
 #include "tests/test.h"
 #include "compiler/library/cells.h"

@@ -1,4 +1,4 @@
-/* What a program computes once, in a branch, or not at all. */
+/* Counts values that a program computes once, in a branch, or not at all. */
 #include "tests/test.h"
 #include "tests/compile_text.h"
 
@@ -199,8 +199,8 @@ static void a_slope_of_cells_has_their_value(void **state)
     free(text);
 }
 
-/* What an output alone needs is written where it is written, with the comment of its map; a number
- * of one lane has no constructor. */
+/* A value of one output only is computed in its assignment, with the comment of its map; a scalar
+ * has no constructor. */
 static void outputs_are_one_assignment(void **state)
 {
     (void)state;
@@ -221,8 +221,8 @@ static void outputs_are_one_assignment(void **state)
     free(text);
 }
 
-/* What a sampler does by itself is left to it: a picture whose texels stand in the middle of their
- * squares is read where the point is. */
+/* Addressing that a sampler can do is left to it: a picture whose texels are centered is read at
+ * the point. */
 static void a_centred_picture_is_the_samplers(void **state)
 {
     (void)state;

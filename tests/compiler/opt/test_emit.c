@@ -1,7 +1,7 @@
-/* What is written is what the IR means: every operation within every other, on either side, every
- * mixture of floats and vectors, and branches. Each is drawn under OSMesa, compared with ir_eval,
- * and parsed by glslang in one of three other languages. The optimiser takes no part, so that what
- * it would never leave is written too. */
+/* The written text has the meaning of the IR: every operation within every other, on either side,
+ * every mixture of floats and vectors, and branches. Each is drawn under OSMesa, compared with
+ * ir_eval, and parsed by glslang in one of three other languages. The optimizer takes no part, so
+ * that the text also has forms that it would never leave. */
 /* ctest: unoptimized seconds=15 */
 #include "tests/test.h"
 #include "compiler/ir/build.h"
@@ -312,7 +312,7 @@ static void add_together(Chosen *c)
     }
 }
 
-/* What is compared is exact: inputs, one or the other of them, and numbers. */
+/* Compared values are exact: inputs, one or the other of them, and numbers. */
 static void choose_values(Chosen *c, Ir *ir, uint64_t index)
 {
     Ref p = build_input(ir, INPUT_X);

@@ -166,7 +166,7 @@ static void a_side_of_a_mix_is_computed_where_it_shows(void **state)
         -1, -1);
 }
 
-/* What the reflection says of the transparency of a map, and whether a program stores it. */
+/* Transparency of a map by the reflection, and whether a program stores it. */
 static void expect_opacity(const char *map, const char *aa, const char *wanted, bool stored)
 {
     char text[2048];

@@ -4,7 +4,7 @@
 #include "compiler/ir/ir.h"
 #include <string.h>
 
-/* What the text cannot say is spoilt in the node that the output names. */
+/* Faults that the text form cannot express are made in the node that the output names. */
 static void drop_operand(Ir *ir, Ref ref) { ir->nodes[ref].count--; }
 static void name_itself(Ir *ir, Ref ref) { ir->args[ir->nodes[ref].first] = ref; }
 static void name_none(Ir *ir, Ref ref) { ir->args[ir->nodes[ref].first] = 0; }

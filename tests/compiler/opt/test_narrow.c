@@ -34,8 +34,8 @@ static uint32_t lanes_of(unsigned mask, bool backwards, int *count)
     return lanes;
 }
 
-/* Of f at two points: some lanes of the one, others of the other, each order its own; all four
- * slots of the output have a number. */
+/* Calls of f at two points: some components of one, others of the other, each in its own order; all
+ * four components of the output have a number. */
 static void write_calls(Ir *ir, unsigned one, unsigned other)
 {
     static const Input at[] = {INPUT_X, INPUT_P};

@@ -169,7 +169,7 @@ static void no_word_breaks_a_program(void **state)
         }
 }
 
-/* The same document anywhere gives the same bytes, and one with another word only the word. */
+/* The same document in any file gives the same bytes; with another word only that word differs. */
 static void programs_differ_in_words_alone(void **state)
 {
     (void)state;

@@ -14,7 +14,7 @@ static const double loosened = 3e-5; /* what range.c adds for drivers, twice and
 
 /* -- one operation */
 
-/* What GLSL says of it. */
+/* Meaning of the operation in GLSL. */
 static double meaning(Op op, double a, double b, double c)
 {
     switch (op) {

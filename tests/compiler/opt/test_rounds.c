@@ -46,7 +46,7 @@ static Ref twice(Ir *ir, Ref ref, const void *user)
     return ref == *(const Ref *)user ? build_add(ir, ref, ref) : ref;
 }
 
-/* What an IR that is made by hand stands on. */
+/* Fixture of an IR that is made by hand. */
 typedef struct {
     MatcOptions options;
     Session session;
@@ -179,8 +179,8 @@ typedef struct {
     IrRewrite *rewrite;
 } AskedRule;
 
-/* Of the IR as lowering makes it, of which every rule changes something: a node that a glance
- * spares a rule, the rule leaves. */
+/* On the IR as lowering makes it, of which every rule changes something: a node that the optimizer
+ * skips for a rule is one that the rule would leave. */
 static void a_rule_leaves_what_it_is_not_asked_of(void **state)
 {
     static const AskedRule rules[] = {{opt_may_fold, opt_rewrite_fold},
@@ -234,8 +234,8 @@ static int runs_of(const char *text, const char *pass, int *nodes)
     return runs;
 }
 
-/* Of a number nothing is found at all; of a formula whose author bounded what is bounded already,
- * once. */
+/* A number has no intervals to find; a formula whose author clamped a bounded value has one round
+ * of them. */
 static void rounds_end_where_nothing_is_found(void **state)
 {
     (void)state;

@@ -4,8 +4,8 @@
 #include "compiler/opt/opt.h"
 #include "tests/rule_case.h"
 
-/* Of opt_range, whose intervals are those of fract, [0, 1], and of sums and products of it, which
- * may pass theirs by a rounding. */
+/* Rules of opt_range, with the intervals of fract, [0, 1], and of sums and products of it, which
+ * may exceed theirs by a rounding. */
 static const RuleCase ranges[] = {
     {"clamp(fract(x), 0, 1)", "fract(x)"},
     {"clamp(fract(x), 0, 0.999)", NULL},

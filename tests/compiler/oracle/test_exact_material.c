@@ -106,7 +106,7 @@ static void bump_finite(const At *at, R *want)
     tilted(at, value, value, want);
 }
 
-/* Of that map, which is smooth, the slopes are 2 (x / 2 + z) times what x / 2 + z changes by. */
+/* Slopes of that map, which is smooth, are 2 (x / 2 + z) times the change of x / 2 + z. */
 static void bump(const At *at, R *want)
 {
     R twice = plus(at->p[0], times(num(2), at->p[2]));

@@ -46,7 +46,7 @@ static double octave_sum(Test *t, Tuple tuple, bool slope)
     return sum;
 }
 
-/* What an error is divided by. */
+/* Divisor of an error. */
 static double scale_of(Test *t, int i, const double expected[CALL_LANES], int lane, int lanes)
 {
     double greatest = 0, v = fabs(expected[lane]);

@@ -1,4 +1,4 @@
-/* What the value tests rest on: a fragment program gets the very floats of a point, on either side
+/* Premise of the value tests: a fragment program gets the exact floats of a point, on either side
  * and in either context. */
 #include "tests/test.h"
 #include "tests/draw/draw.h"

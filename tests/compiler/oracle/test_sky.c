@@ -153,7 +153,7 @@ static Vector radiance(const Sky *sky, Vector view, double *least_y)
     return rgb_of_xyz(Y / y * luminance[1], Y / y * y, Y / y * (1 - luminance[1] - luminance[2]));
 }
 
-/* Of the horizontal plane, by all the sky. */
+/* Irradiance of the horizontal plane by all the sky. */
 static double sky_irradiance(const Sky *sky)
 {
     double sum = 0;
@@ -266,8 +266,8 @@ static void test_scale(void **state)
         }
 }
 
-/* What a colour is divided by, y of the chromaticity, has a floor of .001 in the product. Skies
- * that a document can ask for stay above .23: the floor is for rounding, and changes nothing. */
+/* The divisor of a color, y of the chromaticity, has a floor of .001 in the product. Skies of valid
+ * documents stay above .23: the floor is for rounding, and changes nothing. */
 static void test_least_y(void **state)
 {
     (void)state;

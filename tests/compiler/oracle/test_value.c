@@ -23,7 +23,7 @@
 enum { NOISES = REFERENCE_NOISE_COUNT };
 static const double SHARP = 1e-3;
 
-/* What all workers share. */
+/* State that all workers share. */
 typedef struct {
     DocumentList documents;
     const Point *points;
@@ -55,7 +55,7 @@ typedef struct {
     Hull *sampled[2];                     /* by side, where the driver samples pictures */
 } Subject;
 
-/* Of the material seen from behind, when nothing but normals turn. */
+/* Hulls of the material seen from behind, if only normals flip. */
 static void turn_hulls(const Hull *front, Hull *back)
 {
     static const Slot turned[] = {SLOT_normal, SLOT_coatNormal};
@@ -208,7 +208,7 @@ static void compare(Worker *w, const Case *c, bool front, const float *rgba)
                    point, at);
 }
 
-/* Of the text behind its comments, which name the slot and the choices. */
+/* Hash of the text behind its comments, which name the slot and the choices. */
 static uint64_t hash_text(const char *text, Target target)
 {
     uint64_t hash = 14695981039346656037u + (uint64_t)target;

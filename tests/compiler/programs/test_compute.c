@@ -197,7 +197,7 @@ static const Way ways[] = {{.normals = true, .groups = {4, 1}},
                            {.sections = true, .groups = {9, 1}}};
 enum { WAYS = sizeof ways / sizeof *ways };
 
-/* Of any lengths and angles, where the camera would be indifferent. */
+/* Points with any lengths and angles, where the camera does not matter. */
 static void scatter(Mass *mass)
 {
     Vertices *vertices = calloc(1, sizeof *vertices);
@@ -299,7 +299,7 @@ static void check_material(Rig *rig, const MatcDocument *document, const Mass *m
     }
 }
 
-/* What displaces nothing is written as it stands. */
+/* A vertex that is not displaced is written unchanged. */
 static void vertices_are_the_oracles(void **state)
 {
     static const char *const documents[] = {"displacement.yaml",
@@ -353,7 +353,7 @@ static void from_body(CurvedBody body, Mass *mass)
     }
 }
 
-/* What is displaced how: heights, heights where the base's normals are said to stay, vectors. */
+/* Kinds of displacement: heights, heights that keep the base's normals, vectors. */
 typedef enum { HEIGHTS, HEIGHTS_STAYING, VECTORS, MOVED } Carried;
 
 static double off_body(Rig *rig, CurvedBody body, Carried by)

@@ -12,8 +12,8 @@
 static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulence, size: 1.5, "
                            "octaves: 2, noiseRatio: 0.3 }\n"
                            "displacementScale: 0.15\n";
-/* What a mesh has besides, where its vertices say the same as their positions: the two are mixed
- * alike. */
+/* An attribute of the mesh that equals the position at the vertices: both are interpolated alike.
+ * */
 static const char with_attribute[] =
     "material: Phong\ndiffuse: \"= attribute('wetness', float, 0)\"\ndisplacement: { map: Gradient "
     "}\ndisplacementScale: 0.2\n";

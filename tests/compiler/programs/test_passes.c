@@ -27,7 +27,7 @@ typedef struct {
     int shown, hidden;           /* pixels */
 } Errors;
 
-/* What a G-buffer holds of the world's normal. */
+/* Code of the world's normal in a G-buffer. */
 static void stored_normal(const Scene *scene, const Space *space, const double world[3],
                           double stored[4])
 {

@@ -115,7 +115,7 @@ static bool is_declared(const char *text, const Fact *fact)
     return strstr(text, declaration) != NULL;
 }
 
-/* What the driver dropped cannot be compared, but stands in the text. */
+/* Inputs that the driver dropped cannot be compared, but stand in the text. */
 static void check_kept(Test *t, const char *where, const Facts *told, const char *text)
 {
     for (int i = 0; i < told->count; i++) {

@@ -35,7 +35,7 @@ static const unsigned all_stages = MATC_FRAGMENT | MATC_VERTEX | MATC_TESSVERTEX
 
 static int judged;
 
-/* What spirv-val says; true where it is not installed. */
+/* Verdict of spirv-val; true if it is not installed. */
 static bool passes(const char *words, size_t size)
 {
     static int installed = -1;
@@ -214,7 +214,7 @@ static void stages_fit_together(void **state)
     print_message("%d modules by spirv-val\n", judged);
 }
 
-/* What nobody asked for is not there, nor what has no words. */
+/* Outputs that were not requested are absent, and so are those that have no words. */
 static void words_are_those_asked_for(void **state)
 {
     (void)state;

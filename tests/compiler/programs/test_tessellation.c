@@ -11,8 +11,8 @@ static const char text[] = "material: Phong\ndisplacement: { map: VolumeTurbulen
                            "octaves: 2, noiseRatio: 0.3 }\n"
                            "displacementScale: 0.15\n";
 
-/* What a mesh has besides, where its vertices say the same as their positions: how far the two are
- * apart, and what it says. */
+/* An attribute of the mesh that equals the position at the vertices: their distance, and its value.
+ * */
 static const char with_attribute[] =
     "material: Phong\ndiffuse: \"= wet = attribute('wetness', float, 0); [abs(wet - x), wet, 1]\"\n"
     "displacement: { map: Gradient }\ndisplacementScale: 0.2\n";

@@ -179,7 +179,7 @@ static void spirv_passes_spirv_val(void **state)
     check_examples(true);
 }
 
-/* What was linked before is not asked again, and nothing else is let through for it. */
+/* Programs that were linked before are recognized, and no other is accepted for them. */
 static void linked_programs_are_told_apart(void **state)
 {
     (void)state;
