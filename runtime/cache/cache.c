@@ -2,7 +2,7 @@
  * kind. */
 #include "runtime/cache/cache_trace.h"
 #include "compiler/base/hash_index.h"
-#include "runtime/cache/exact_number.h"
+#include "runtime/cache/seen_text.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 #include <string.h>
@@ -32,7 +32,7 @@ typedef struct {
     Known meshes, kinds, casters;
     Key *file_keys; /* of the scene's meshes */
     TransparencyText transparency;
-    ExactNumberText number;
+    SeenTextAround seen;
     int *kind_of, *row_of;    /* by material; kind_of -1: not met */
     int *used_as[CACHE_USES]; /* by material, in Cache.casters; -1: not at all */
 } Maker;
@@ -103,7 +103,7 @@ static bool make_material(Maker *m, const SetProgram *program, CacheUse use, Mat
     if (use == CACHE_USE_cast && set->uses.casts == SET_CASTS_colored)
         transparency_wrap_caster(m->gl, &text);
     if (m->source->written && !program->transparent && !strcmp(program->pass, "gbuffer"))
-        exact_number_wrap(&m->number, &text);
+        seen_text_wrap(&m->seen, &text);
     return material_make(m->store, program->program, &text, made) ||
            set_fail(m->gl, m->source->scene, program->material);
 }
@@ -375,7 +375,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
                    .cache = made};
     *made = (Cache){.instances = source->set->instances};
     transparency_text(maker.gl, source->set, source->transparency, &maker.transparency);
-    exact_number_text(maker.gl, source->set, source->written, &maker.number);
+    seen_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && cache_arrange(maker.gl, source, made);
     made->displaced_anew = false; /* all is made for it afterwards */

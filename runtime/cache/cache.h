@@ -4,7 +4,7 @@
 #ifndef MATC_CACHE_CACHE_H
 #define MATC_CACHE_CACHE_H
 #include "runtime/cache/cull.h"
-#include "runtime/cache/exact_number.h"
+#include "runtime/cache/seen_text.h"
 #include "runtime/cache/transparency.h"
 #include "runtime/cache/view_space.h"
 #include "runtime/displace/displaced.h"
@@ -123,7 +123,7 @@ typedef struct {
     bool alone;
     bool casts; /* there are such maps */
     Transparency transparency;
-    ExactNumberWhat written; /* by what is opaque, beside the G-buffer */
+    const SeenText *written; /* by what is opaque, beside the G-buffer */
     bool lines;              /* surfaces are drawn as lines */
 } CacheSource;
 

@@ -152,15 +152,11 @@ static bool has_images(const GlContext *gl)
     return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
 }
 
-/* What is the same everywhere casts shadows by numbers: a plane, and a surface where all shadows
- * are exact. */
+/* What is the same everywhere casts shadows by numbers: a plane, and where shadows are found so,
+ * a surface. */
 static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
 {
-    bool exact = surface->even;
-    for (int i = 0; strcmp(surface->pass, "plane") != 0 && i < m->scene->light_count; i++)
-        exact &= m->scene->lights[i].shadows == WORD_Shadows_exact ||
-                 !scene_light_casts(&m->scene->lights[i]);
-    return exact;
+    return surface->even && (m->set->uses.even || !strcmp(surface->pass, "plane"));
 }
 
 /* What is opaque casts shadows by depth alone. */

@@ -42,6 +42,7 @@ typedef struct {
     SetCasts casts;
     /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */
     bool cuts;
+    bool even; /* surfaces that are transparent by the same everywhere cast without a program */
 } SetUses;
 
 typedef struct {

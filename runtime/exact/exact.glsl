@@ -135,8 +135,16 @@ vec3 exactShare(int light, vec3 point)
 // A direction from the eye's space.
 vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz; }
 
-#ifndef EXACT_SEEN
+#ifdef EXACT_SEEN
+vec3 exactPoint(vec3 point, vec3 normal, float pixel); // exact_seen.glsl
+#else
 // The point of something transparent is known from its depth. It is lifted to the light's side by
 // what that may be off.
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
 #endif
+
+// For shadow_text.c.
+vec3 exactLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
+{
+    return exactShare(number, exactPoint(point, side, size));
+}

@@ -131,11 +131,3 @@ void exact_lists_free(ExactLists *lists)
 }
 
 bool exact_lists_wanted(const SceneLight *light) { return light->shadows == WORD_Shadows_exact; }
-
-int exact_lists_lack(const Cache *cache)
-{
-    int count = 0;
-    for (int i = 0; i < cache->place_count; i++)
-        count += cache->places[i].caster >= 0 && !cache->places[i].even;
-    return count;
-}

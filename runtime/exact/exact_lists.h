@@ -24,8 +24,6 @@ typedef struct {
 
 /* A light's shadows are exact. */
 bool exact_lists_wanted(const SceneLight *light);
-/* Objects that lists can't have, as their transparency varies: they cast shadows by maps. */
-int exact_lists_lack(const Cache *cache);
 /* Heads with cells that are 2^coarser times as wide as they would be. False: memory ran out; *made
  * is empty then. */
 bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser,

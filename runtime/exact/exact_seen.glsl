@@ -1,7 +1,5 @@
 // The point of the opaque surface that a pixel sees, as exactly as its triangle's corners are.
 // Depth would not do: a rasteriser rounds corners to 1/256 of a pixel.
-uniform usampler2D exact_seen; // the number of the triangle that is seen, counted from 1; 0: none
-
 vec3 exact_point; // of the pixel that is lit
 
 // Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly
@@ -22,7 +20,7 @@ bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 {
     vec3 from = exact_eye.xyz + exactDirection(start), along = exactDirection(way), on;
-    uint number = texelFetch(exact_seen, pixel, 0).x;
+    uint number = texelFetch(shadow_seen, pixel, 0).x;
     float nearest = 3e38;
     exact_point = exact_eye.xyz + exactDirection(seen);
     if (number != 0u && exactOn(number - 1u, exactRay(from, along), on)) {
@@ -41,3 +39,12 @@ void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 }
 
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_point; }
+
+// For shadow_text.c.
+void exactAtPixel(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
+{
+    bool orthographic = view.y > 0.0;
+    vec3 way = vec3((vec2(2 * pixel + 1) - ray.zw) * ray.xy, -1.0);
+    exactFind(pixel, orthographic ? vec3(way.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : way, point,
+              orthographic ? 0.0 : view.x);
+}

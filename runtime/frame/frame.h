@@ -24,18 +24,16 @@ typedef struct {
     bool both_sides;
 } RenderLight;
 
-/* A debug view that draws shadow volumes, or objects as lines. */
-typedef enum { VOLUME_VIEW_none, VOLUME_VIEW_faces, VOLUME_VIEW_lines } VolumeViewHow;
+/* A debug view of the picture: how it draws the scene, and what is made for shadows. */
+typedef enum { FRAME_LOOK_none, FRAME_LOOK_faces, FRAME_LOOK_lines } FrameLookHow;
 
 typedef struct {
     const char *name;
-    VolumeViewHow scene, volume;
-} VolumeView;
+    FrameLookHow scene, shadows;
+} FrameLook;
 
 typedef struct FrameLight FrameLight;         /* light/light_state.h */
 typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
-typedef struct ExactShadows ExactShadows;     /* exact/exact_state.h */
-typedef struct FrameVolumes FrameVolumes;     /* shadow/shadow_state.h */
 typedef struct FrameVoxels FrameVoxels;       /* indirect/voxels/voxels.h */
 typedef struct FrameRadiance FrameRadiance;   /* indirect/radiance/radiance.h */
 typedef struct FrameIndirect FrameIndirect;   /* indirect/settings/indirect_state.h */
@@ -52,7 +50,7 @@ struct Render {
     RenderOptions options;
     const SurfaceModel *surface;
     char surface_lacks[SURFACE_MODEL_DEFINITIONS];
-    const VolumeView *look; /* the view, if it is one of these; or NULL */
+    const FrameLook *look; /* the view, if it is one of these; or NULL */
     const Scene *scene;
     RenderParam *params; /* that were set since the scene was given */
     int param_count;
@@ -64,8 +62,9 @@ struct Render {
     int at[2];    /* the targets' lower left corner in it */
     int margin;   /* around a tile, that its edges look at */
     bool compute, zero_to_one;
-    ExactNumberWhat number; /* what programs of surfaces write of triangles */
-    bool triangles;         /* something asks for those that are drawn, wherever they are made */
+    const SeenText *seen_text; /* what programs of surfaces write of triangles; or NULL */
+    bool triangles;            /* something asks for those that are drawn, wherever they are made */
+    bool beside;               /* shadows ask for what is beside the view as for what is in it */
     Transparency transparency;
     bool parted; /* lists of shadows are drawn in parts: shadow_parts.c */
     Set set;
@@ -77,8 +76,6 @@ struct Render {
     FrameTargets targets;
     FrameLight *light;
     ShadowMaps *shadows;
-    ExactShadows *exact;
-    FrameVolumes *volumes;
     FrameVoxels *voxels;
     FrameRadiance *radiance;
     FrameIndirect *indirect;
@@ -102,6 +99,11 @@ void frame_retired_delete(Render *render);
 static inline bool frame_has(const Render *render, FrameTarget target)
 {
     return render->targets.plan.there >> target & 1;
+}
+/* Whether the debug view shows what is made for shadows. */
+static inline bool frame_look_has_shadows(const Render *render)
+{
+    return render->look && render->look->shadows != FRAME_LOOK_none;
 }
 /* What the cache is made of. */
 CacheSource frame_source(const Render *render);

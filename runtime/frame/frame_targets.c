@@ -172,17 +172,11 @@ static bool casts(const Render *render)
     return render->scene && !render->options.no_shadows && scene_casts(render->scene);
 }
 
-/* Light that goes on asks for what is beside the view; so do shadows but by plain maps: borders of
- * bodies, and ways from within an extent, which pass beside what its points see. */
+/* The camera alone looks at the scene: indirect light and some shadows ask for what is beside the
+ * view. */
 static bool is_alone(const Render *render)
 {
-    const Scene *scene = render->scene;
-    bool alone = scene && !scene_indirect_is(scene);
-    for (int i = 0; alone && casts(render) && i < scene->light_count; i++)
-        alone = !scene_light_casts(&scene->lights[i]) ||
-                (scene->lights[i].shadows == WORD_Shadows_map &&
-                 light_from(&scene->lights[i]) != LIGHT_FROM_extent);
-    return alone;
+    return render->scene && !scene_indirect_is(render->scene) && !(casts(render) && render->beside);
 }
 
 CacheSource frame_source(const Render *render)
@@ -194,5 +188,5 @@ CacheSource frame_source(const Render *render)
         render->at,        &render->compile,
         render->triangles, is_alone(render),
         casts(render),     render->transparency,
-        render->number,    render->look && render->look->scene == VOLUME_VIEW_lines};
+        render->seen_text, render->look && render->look->scene == FRAME_LOOK_lines};
 }

@@ -24,12 +24,12 @@ void surface_draw_end(const Render *render)
 
 bool surface_draw_is_shown(const Render *render)
 {
-    return !render->look || render->look->scene != VOLUME_VIEW_none;
+    return !render->look || render->look->scene != FRAME_LOOK_none;
 }
 
 void surface_draw_objects(Render *render, bool transparent)
 {
-    const bool lines = render->look && render->look->scene == VOLUME_VIEW_lines;
+    const bool lines = render->look && render->look->scene == FRAME_LOOK_lines;
     if (!surface_draw_is_shown(render))
         return;
     if (lines)

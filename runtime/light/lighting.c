@@ -2,19 +2,12 @@
  * own, numbers, textures. */
 #include "runtime/light/lighting.h"
 #include "gen/render_text.h"
-#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/hybrid/volume.h"
 #include <stdio.h>
 
 /* Units behind those of the G-buffer. */
-enum {
-    DEPTH_UNIT = FRAMEBUFFER_COLORS,
-    LIGHTS_UNIT,
-    SKY_UNIT,
-    SHADOW_UNIT,
-    EXACT_UNIT = SHADOW_UNIT + SHADOW_UNITS
-};
+enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
+_Static_assert(SHADOW_UNIT + SHADOW_UNITS == LIGHTING_UNITS, "units");
 
 /* What stands for a layout where no surface has one. */
 static const char no_surface[] = "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 "
@@ -58,9 +51,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     }
     screen_pass_sampler(pass, "light_depth", DEPTH_UNIT);
     light_table_set(render, LIGHTS_UNIT, pass);
-    shadow_samplers(pass, SHADOW_UNIT);
-    pass_exact_set(render, EXACT_UNIT, pass);
-    screen_pass_sampler(pass, "facet_slopes", EXACT_UNIT);
+    shadow_set(render, SHADOW_UNIT, pass);
 }
 
 /* The driver's words are of texts that it put together from several. */
@@ -81,28 +72,6 @@ static void add_surface(const Render *render, bool places, ScreenPassText *text)
     screen_pass_add(text, render->surface_lacks);
     screen_pass_add(text, render->surface->text);
     screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
-}
-
-/* How lights that have a place cast shadows. */
-static void add_shadows(const Render *render, bool nearest, char defined[SHADOW_DEFINITIONS],
-                        ScreenPassText *text)
-{
-    const char *exact[EXACT_TEXTS], *shadows = shadow_text(render, nearest, defined);
-    const bool volumes = volume_lights_cast(render);
-    pass_exact_texts(render, nearest, exact);
-    if (nearest && facet_lights_cast(render)) { /* never beside exact ones */
-        exact[0] = "#define FACETS\n";
-        exact[2] = render_text_facet;
-    }
-    screen_pass_add_all(text, (const char *const[]){exact[0], exact[1], defined}, 3);
-    if (volumes)
-        screen_pass_add(text, render_text_shadow_volume);
-    screen_pass_add(text, shadows);
-    if (volumes && volume_cells_are(render) && !nearest)
-        screen_pass_add(text, render_text_volume_cells);
-    if (shadow_has_silhouettes(render))
-        screen_pass_add(text, render_text_silhouette);
-    screen_pass_add(text, exact[2]);
 }
 
 /* The sum over lights, and what it leaves to others. */
@@ -132,7 +101,8 @@ static bool make_what_it_reads(Render *render)
 
 bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
 {
-    char defined[SHADOW_DEFINITIONS], table[LIGHT_TABLE_DEFINITION], composed[LIGHT_SUM_TEXT];
+    char table[LIGHT_TABLE_DEFINITION], composed[LIGHT_SUM_TEXT];
+    ShadowText shadows;
     const bool places = own->of != LIGHTING_around,
                scattered = own->block > 0 && own->of != LIGHTING_nodes;
     ScreenPassText text = {.format = frame_format(render, FRAME_TARGET_light, 0),
@@ -142,8 +112,10 @@ bool lighting_make(Render *render, const LightingText *own, ScreenPass *made)
     if (!make_what_it_reads(render))
         return false;
     add_surface(render, places, &text);
-    if (places)
-        add_shadows(render, own->of == LIGHTING_nearest, defined, &text);
+    if (places) {
+        shadow_text(render, own->of == LIGHTING_nearest, &shadows);
+        screen_pass_add_all(&text, shadows.pieces, SHADOW_TEXT_PIECES);
+    }
     light_table_define(render, scattered, table);
     screen_pass_add(&text, table);
     add_lighting(render, own->of, composed, &text);
@@ -171,7 +143,7 @@ bool lighting_changed(Render *render, unsigned what, ScreenPass *pass)
 void lighting_moved(const Render *render, ScreenPass *pass)
 {
     if (pass->material.store)
-        pass_exact_set(render, EXACT_UNIT, pass);
+        shadow_set(render, SHADOW_UNIT, pass);
 }
 
 void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth)
@@ -181,9 +153,6 @@ void lighting_bind(const Render *render, FrameTarget surfaces, FrameTarget depth
     texture_bind(render->gl, frame_texture(render, depth, 0), DEPTH_UNIT);
     light_table_bind(render, LIGHTS_UNIT);
     shadow_bind(render, SHADOW_UNIT);
-    pass_exact_bind(render, EXACT_UNIT);
-    if (facet_lights_cast(render))
-        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_seen, 0), EXACT_UNIT);
     if (render->light->sky.map)
         light_sky_bind(render, SKY_UNIT);
 }

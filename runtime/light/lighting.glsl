@@ -81,12 +81,8 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     bool orthographic = light_view.y > 0.0;
     vec3 ray = vec3((vec2(2 * pixel + 1) - light_ray.zw) * light_ray.xy, -1.0);
     vec3 point = orthographic ? vec3(ray.xy, (depth - 1.0) * light_view.x) : ray * (light_view.x / depth);
-#ifdef FACETS
-    facetFind(pixel, depth, point, light_ray, light_view);
-#endif
-#ifdef EXACT_SEEN
-    exactFind(pixel, orthographic ? vec3(ray.xy, 0.0) : vec3(0.0), orthographic ? vec3(0.0, 0.0, -1.0) : ray, point,
-              orthographic ? 0.0 : light_view.x);
+#ifdef SHADOW_CALL_PIXEL
+    shadowAtPixel(pixel, depth, point, light_ray, light_view);
 #endif
     return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, lightToEye(pixel)));
 }
@@ -137,25 +133,29 @@ vec3 lightFromPlain(int light, Seen seen)
 vec3 lightFromOther(int light, Seen seen)
 {
     vec3 l;
+    ivec2 views = ivec2(lightTexel(light, LIGHT_CONE).zw);
 #ifdef SHADOW_PARTS
-    if (!shadowIsRead(ivec2(lightTexel(light, LIGHT_CONE).zw))) return vec3(0.0);
+    if (!shadowIsRead(views)) return vec3(0.0);
 #endif
     vec3 arrives = lightAt(light, seen.point, l);
     vec3 sent = arrives * surfaceLobe(seen.m, l);
-#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || defined EXACT
+#if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS || defined SHADOW_CALL_LIGHT
     if (sent.x + sent.y + sent.z <= 0.0) return sent;
     vec3 side = dot(seen.m.normal, l) < 0.0 ? -seen.m.normal : seen.m.normal;
 #endif
-#ifdef FACETS
-    facetTurn(seen.m.normal, l);
+#ifdef SHADOW_CALL_WAY
+    shadowWay(seen.m.normal, l);
 #endif
-#ifdef EXACT
-    float exact = lightTexel(light, LIGHT_AXIS).w;
-    if (exact > 0.0) sent *= exactShare(int(exact) - 1, exactPoint(seen.point, side, seen.pixelSize));
+#ifdef SHADOW_APART
+    shadow_apart = false;
+#endif
+#ifdef SHADOW_CALL_LIGHT
+    int method = int(lightTexel(light, LIGHT_AXIS).w);
+    sent *= shadowOfLight(method % SHADOW_METHODS, method / SHADOW_METHODS, views, seen.point, side, seen.pixelSize, seen.pixel);
     if (sent.x + sent.y + sent.z <= 0.0) return vec3(0.0);
 #endif
 #if defined SHADOW_MAPS || defined SHADOW_PLANES || defined SHADOW_SHEETS
-    sent *= shadowShare(lightTexel(light, LIGHT_PLACE), ivec2(lightTexel(light, LIGHT_CONE).zw), seen.point, side, seen.pixelSize, seen.pixel);
+    sent *= shadowShare(lightTexel(light, LIGHT_PLACE), views, seen.point, side, seen.pixelSize);
 #endif
 #ifdef SHADOW_SHEETS
     if (sent.x + sent.y + sent.z > 0.0) sent *= shadowSheets(int(lightTexel(light, LIGHT_POWER).w), seen.pixel);

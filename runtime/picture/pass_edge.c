@@ -12,7 +12,7 @@ enum { LINES_IN_ROW = 1024, GROUP = 64, DEPTH_UNIT = 0, LINES_UNIT };
 bool pass_edge_needed(const Render *render)
 {
     return render->scene && render->compute && render->options.edges == RENDER_EDGES_coverage &&
-           (!render->look || render->look->scene == VOLUME_VIEW_faces);
+           (!render->look || render->look->scene == FRAME_LOOK_faces);
 }
 
 const char *pass_edge_lacks(const Render *render)

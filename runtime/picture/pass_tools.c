@@ -5,7 +5,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/picture/tool_lines.h"
 #include <stddef.h>
 #include <stdint.h>
@@ -15,7 +15,7 @@ static bool pass_tools_needed(const Render *render)
 {
     const char *view = render->options.view;
     const SceneTools *tools = render->scene ? &render->scene->tools : NULL;
-    if (render->scene && volume_view_has_volume(render))
+    if (render->scene && frame_look_has_shadows(render))
         return true;
     return tools && (tools->grid || tools->axes || tools->lights) && !render->options.linear &&
            (!view || !strcmp(view, "shown"));
@@ -110,7 +110,7 @@ static bool pass_tools_make(Render *render)
                               .fragment = {head, render_text_tools_fragment}};
     return make_targets(render) &&
            material_make(render->store, NULL, &text, &render->picture->tools.material) &&
-           pass_tools_change(render) && volume_shown_make(render);
+           pass_tools_change(render) && shadow_methods_look_make(render);
 }
 
 static void pass_tools_draw(Render *render)
@@ -123,7 +123,7 @@ static void pass_tools_draw(Render *render)
     gl->BindVertexArray(render->picture->tools.array);
     gl->DrawArrays(GL_LINES, 0, render->picture->tools.count);
     gl->BindVertexArray(0);
-    volume_shown_draw(render);
+    shadow_methods_look_draw(render);
     surface_draw_end(render);
 }
 
@@ -155,12 +155,12 @@ static void pass_tools_delete(Render *render)
 static void pass_tools_place_all(Render *render)
 {
     pass_tools_place(render);
-    volume_shown_place(render);
+    shadow_methods_look_place(render);
 }
 
 static bool pass_tools_changed(Render *render, unsigned what)
 {
-    volume_shown_place(render);
+    shadow_methods_look_place(render);
     return !(what & (RENDER_CAMERA | RENDER_LIGHTS)) || pass_tools_change(render);
 }
 

@@ -2,17 +2,22 @@
 #include "runtime/render/displaced_stats.h"
 #include "runtime/displace/traced/displaced_traced.h"
 #include "runtime/tessellate/scene_displacement.h"
-#include "runtime/shadow/shadow_state.h"
+#include "runtime/shadow/shadow_method.h"
+#include <stdio.h>
 
 /* "voxels, edges": what sees triangles where the picture's surface is traced. */
 static void put_grids(Text *out, const Render *render)
 {
     const ShadowViews *views = &render->shadows->views;
-    bool hybrid = false, traced_maps = false, transparent = false;
+    enum { NAME_CHARS = 64 };
+    char meshes[NAME_CHARS] = "";
+    bool traced_maps = false, transparent = false;
     for (int i = 0; render->targets.plan.there >> FRAME_TARGET_shadow & 1 && i < views->count;
          i++) {
-        hybrid |= views->views[i].hybrid;
-        traced_maps |= !views->views[i].hybrid;
+        const ShadowMethod *method = views->views[i].method;
+        if (method->meshes)
+            snprintf(meshes, sizeof meshes, "%s shadows", word_table[method->word].name);
+        traced_maps |= !method->meshes;
     }
     for (int i = 0; i < render->cache.place_count; i++)
         transparent |= render->cache.places[i].transparent &&
@@ -23,7 +28,7 @@ static void put_grids(Text *out, const Render *render)
     } grids[] = {
         {render->voxels->map != 0, "voxels"},
         {render->targets.plan.there >> FRAME_TARGET_edge & 1, "edges"},
-        {hybrid, "hybrid shadows"},
+        {*meshes, meshes},
         {traced_maps && render->scene->displaced_by == WORD_Displacing_parallax, "shadow maps"},
         {transparent, "what is transparent"}};
     const char *comma = "; not so, but its grid's triangles: ";
@@ -50,11 +55,10 @@ static void put_traced(Text *out, const Render *render)
         put_grids(out, render);
     } else
         text_format(out, "none, triangles are drawn: %s",
-                    !meshes        ? "it takes OpenGL 4.5, a height with a bound, and no volume"
-                    : source.lines ? "lines are those of triangles"
-                    : source.written
-                        ? "exact shadows and silhouettes go by the triangle that a pixel sees"
-                        : "what is transparent is not traced");
+                    !meshes          ? "it takes OpenGL 4.5, a height with a bound, and no volume"
+                    : source.lines   ? "lines are those of triangles"
+                    : source.written ? "shadows go by the triangle that a pixel sees"
+                                     : "what is transparent is not traced");
     text_char(out, '\n');
 }
 

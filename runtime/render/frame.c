@@ -10,8 +10,8 @@
 #include "runtime/picture/picture.h"
 #include "runtime/render/frame_memory.h"
 #include "runtime/render/passes.h"
-#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/hybrid/volume.h"
 #include <string.h>
 
@@ -61,7 +61,7 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
-    const unsigned kept = facet_lights_seen(render) ? FRAME_BIT(seen) : 0;
+    const unsigned kept = shadow_method_sees(render) ? FRAME_BIT(seen) : 0;
     if (view && voxels_view_level(view) >= 0)
         return FRAME_BIT(cubes);
     if (pass_positions_is_view(view))

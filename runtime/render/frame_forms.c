@@ -4,7 +4,7 @@
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 
 /* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half
  * float would be the worse. So it would where many parts add up. */
@@ -32,21 +32,23 @@ static const char *format_of(const Render *render, FrameTarget target, int textu
 {
     const char *const light = is_exact(render) ? "RGBA32F" : "RGBA16F";
     const char *const open = render->options.deep ? "RGBA32F" : "RGBA16F";
-    const char *const one[FRAME_TARGET_COUNT] = {
-        [FRAME_TARGET_depth] = volume_lights_cast(render) ? "DEPTH32F_STENCIL8" : "DEPTH32F",
-        [FRAME_TARGET_mask] = volume_lights_count(render) > 8 ? "RGBA8" : "R8",
-        [FRAME_TARGET_layer_depth] = "DEPTH32F",
-        [FRAME_TARGET_light] = light,
-        [FRAME_TARGET_rays] = open,
-        [FRAME_TARGET_smooth] = open,
-        [FRAME_TARGET_open] = open,
-        [FRAME_TARGET_tools] = light,
-        [FRAME_TARGET_cubes] = "RGBA8",
-        [FRAME_TARGET_positions] = "RGBA8",
-        [FRAME_TARGET_traced] = "RGBA32UI",
-        [FRAME_TARGET_seen] = "R32UI",
-        [FRAME_TARGET_edge] = "R32UI",
-        [FRAME_TARGET_shown] = shown_format(render)};
+    const char *const one[FRAME_TARGET_COUNT] = {[FRAME_TARGET_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_mask] = "R8",
+                                                 [FRAME_TARGET_layer_depth] = "DEPTH32F",
+                                                 [FRAME_TARGET_light] = light,
+                                                 [FRAME_TARGET_rays] = open,
+                                                 [FRAME_TARGET_smooth] = open,
+                                                 [FRAME_TARGET_open] = open,
+                                                 [FRAME_TARGET_tools] = light,
+                                                 [FRAME_TARGET_cubes] = "RGBA8",
+                                                 [FRAME_TARGET_positions] = "RGBA8",
+                                                 [FRAME_TARGET_traced] = "RGBA32UI",
+                                                 [FRAME_TARGET_seen] = "R32UI",
+                                                 [FRAME_TARGET_edge] = "R32UI",
+                                                 [FRAME_TARGET_shown] = shown_format(render)};
+    const char *const own = shadow_methods_target(render, target);
+    if (own)
+        return texture == 0 ? own : NULL;
     if (target == FRAME_TARGET_layer_keys)
         return texture < 2 ? "RG32UI" : NULL;
     if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)

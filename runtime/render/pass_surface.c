@@ -3,8 +3,7 @@
 #include "runtime/cache/cache_trace.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
-#include "runtime/exact/exact.h"
-#include "runtime/shadow/shadow.h"
+#include "runtime/shadow/shadow_method.h"
 
 static bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
 static bool pass_plane_needed(const Render *render)
@@ -48,17 +47,17 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
 /* Numbers of triangles stay where they are until something moves. */
 static void pass_surface_draw(Render *render)
 {
-    const bool numbers = facet_lights_seen(render) && !render->exact->seen;
+    const bool numbers = shadow_method_sees(render) && !render->shadows->seen;
     const Framebuffer *framebuffer =
         &render->targets.draws[numbers ? FRAME_DRAW_seen : FRAME_DRAW_surface];
     surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
-    pass_exact_begin(render);
+    shadow_method_seen_bind(render);
     if (render->cache.tracing && surface_draw_is_shown(render))
         draw_traced(render, framebuffer);
     surface_draw_objects(render, false);
     surface_draw_end(render);
-    render->exact->seen |= numbers;
+    render->shadows->seen |= numbers;
 }
 
 static void pass_plane_draw(Render *render)
@@ -80,11 +79,11 @@ static void pass_sky_draw(Render *render)
     surface_draw_end(render);
 }
 
-/* The target `seen` (triangle ids) is filled only for exact or silhouette shadows, `traced` only
+/* The target `seen` (triangle ids) is filled only if a shadow technique reads it, `traced` only
  * for ray-marched displacement. */
 static void pass_surface_request(const Render *render, FramePlanPass *row)
 {
-    row->fills &= ~(facet_lights_seen(render) ? 0 : FRAME_BIT(seen)) &
+    row->fills &= ~(shadow_method_sees(render) ? 0 : FRAME_BIT(seen)) &
                   ~(render->cache.tracing ? 0 : FRAME_BIT(traced));
 }
 

@@ -3,6 +3,7 @@
 #ifndef MATC_RENDER_PASSES_H
 #define MATC_RENDER_PASSES_H
 #include "runtime/frame/frame_pass.h"
+#include "runtime/shadow/shadow_views.h"
 
 /* Sets what was set before in a scene that is made again; forgets it. render_param.c */
 void render_param_again(Render *render);
@@ -43,4 +44,6 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 void frame_request(const Render *render, FramePlanRows *made);
 
 extern const FramePass pass_surface, pass_plane, pass_sky;
+/* The shadow techniques, up to NULL. shadow_methods.c */
+extern const ShadowMethod *const shadow_methods[];
 #endif

@@ -12,9 +12,8 @@
 #include "runtime/scene/scene_area.h"
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/scene/scene_origin.h"
-#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,9 +26,17 @@ Slot render_find_slot(const char *name)
     return (Slot)slot;
 }
 
+/* A debug view; NULL: it is another one. */
+static const FrameLook *look_of(const char *view)
+{
+    static const FrameLook wireframe = {"wireframe", FRAME_LOOK_lines, FRAME_LOOK_none};
+    return view && !strcmp(view, wireframe.name) ? &wireframe
+                                                 : shadow_methods_look(shadow_methods, view);
+}
+
 bool render_view_is_picture(const char *view)
 {
-    return !strcmp(view, "shown") || volume_view_find(view) != NULL;
+    return !strcmp(view, "shown") || look_of(view) != NULL;
 }
 
 static bool is_target(const char *view)
@@ -44,8 +51,6 @@ static Render *compose(RenderState *state)
     Render *render = &state->render;
     render->light = &state->light;
     render->shadows = &state->shadows;
-    render->exact = &state->exact;
-    render->volumes = &state->volumes;
     render->voxels = &state->voxels;
     render->radiance = &state->radiance;
     render->indirect = &state->indirect;
@@ -75,7 +80,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     Render *render = compose(state);
     render->gl = gl;
     render->options = *options;
-    render->look = volume_view_find(options->view);
+    render->look = look_of(options->view);
     if (render->look)
         render->options.view = NULL; /* it is the picture */
     render->samples = options->samples ? options->samples : 1;
@@ -85,7 +90,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 &&
                       gl->DispatchCompute && gl->BindImageTexture && gl->MemoryBarrier;
     render->zero_to_one = gl->ClipControl != NULL && gl->major * 10 + gl->minor >= 45;
-    render->store = store_new(gl);
+    render->store = shadow_methods_open(render, shadow_methods) ? store_new(gl) : NULL;
     render->has_screen = render->store && screen_make(gl, &render->screen);
     if (render->has_screen)
         return render;
@@ -116,10 +121,10 @@ void render_close(Render *render)
         forget_scene(render);
         frame_retired_delete(render);
         material_delete(&render->shadows->solid);
-        exact_cover_close(&render->exact->cover);
     }
     if (render->has_screen)
         screen_delete(gl, &render->screen);
+    shadow_methods_close(render);
     store_free(render->store);
     gl->ActiveTexture(GL_TEXTURE0);
     render_param_forget(render);
@@ -173,7 +178,8 @@ static void look(Render *render)
 static bool make_set(Render *render, const Scene *scene)
 {
     const SetUses uses = {shadow_casts(render),
-                          pass_voxels_needed(render) && transparency_has_lists(render->gl)};
+                          pass_voxels_needed(render) && transparency_has_lists(render->gl),
+                          shadow_methods_need(render).even};
     render->compile.origin = scene_origin_used(scene);
     if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
@@ -192,11 +198,8 @@ static bool make_set(Render *render, const Scene *scene)
 
 static bool wants_triangles(const Render *render)
 {
-    bool wants = pass_edge_needed(render) || pass_voxels_needed(render);
-    for (int i = 0; !wants && i < render->scene->light_count; i++)
-        wants = render->scene->lights[i].shadows == WORD_Shadows_exact ||
-                render->scene->lights[i].shadows == WORD_Shadows_silhouette;
-    return wants;
+    return pass_edge_needed(render) || pass_voxels_needed(render) ||
+           shadow_methods_need(render).triangles;
 }
 
 /* What the driver cannot displace becomes meshes. */
@@ -204,6 +207,7 @@ static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
     render->triangles = wants_triangles(render);
+    render->beside = shadow_methods_need(render).beside;
     if (!scene->displaced || displaced_there(render->gl, scene->displaced_by) ||
         scene_displace_patches(scene))
         return true;
@@ -227,12 +231,11 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
         return false;
     if (shadow_sheet_needed(render))
         render->transparency = TRANSPARENCY_peeling;
-    render->number = exact_lights_number(render)  ? EXACT_NUMBER_numbers
-                     : facet_lights_write(render) ? EXACT_NUMBER_facets
-                                                  : EXACT_NUMBER_none;
+    const ShadowMethod *sees = shadow_method_seen(render);
+    render->seen_text = sees ? sees->seen : NULL;
     const CacheSource source = frame_source(render);
     return cache_make(render->store, &source, before, &render->cache) &&
-           shadow_make_views(render) && pass_exact_make(render) && frame_make(render) &&
+           shadow_make_views(render) && shadow_methods_make(render) && frame_make(render) &&
            make_reader(render);
 }
 

@@ -67,6 +67,10 @@ int render_map_count(const Render *render);
 int render_map_size(const Render *render);
 bool render_read_map(Render *render, int map, float *depths);
 
+/* Selects a variant, by its word, of a technique of the list Shadows. Its name; NULL: there is
+ * none. */
+const char *render_shadows_vary(Scene *scene, Word method, Word variant);
+
 /* The view is a slot that the scene's layout does not store: it is read as 0. */
 bool render_lacks_view(const Render *render);
 /* Warnings of the scene's programs, with their places; and that no object is in view. From

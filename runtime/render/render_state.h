@@ -2,7 +2,6 @@
  * allocates. */
 #ifndef MATC_RENDER_RENDER_STATE_H
 #define MATC_RENDER_RENDER_STATE_H
-#include "runtime/exact/exact_state.h"
 #include "runtime/glass/glass_state.h"
 #include "runtime/indirect/settings/indirect_state.h"
 #include "runtime/indirect/screen/pass_positions.h"
@@ -16,8 +15,6 @@ typedef struct {
     Render render;
     FrameLight light;
     ShadowMaps shadows;
-    ExactShadows exact;
-    FrameVolumes volumes;
     FrameVoxels voxels;
     FrameRadiance radiance;
     FrameIndirect indirect;

@@ -13,10 +13,8 @@
 #include "runtime/glass/glass.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
-#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette/silhouette.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/soft_views.h"
 #include <stdlib.h>
 #include <string.h>
@@ -84,18 +82,6 @@ static void put_glass(Text *out, const Render *render)
     text_char(out, '\n');
 }
 
-static void put_silhouettes(Text *out, const Render *render)
-{
-    const Silhouettes *silhouettes = &render->shadows->silhouettes;
-    const int size = render->scene->shadow_size, count = silhouette_layers(render);
-    text_format(out,
-                "shadow    %d of them with crossings of silhouettes, RG8, %ld bytes; %ld to find "
-                "them; %d edges, %lu bytes\n",
-                count, 2L * count * size * size, 2L * size * size * (long)sizeof(GLuint),
-                silhouettes->edge_count,
-                (unsigned long)silhouettes->edge_count * sizeof(SilhouetteEdge));
-}
-
 static void put_maps(Text *out, const Render *render)
 {
     const int size = render->scene->shadow_size, count = render->shadows->views.count;
@@ -104,25 +90,6 @@ static void put_maps(Text *out, const Render *render)
     for (int i = 0; i < count; i++)
         if (render->shadows->views.views[i].near <= 0)
             put_texel(out, i, render->shadows->views.views[i].texel);
-    volume_data_put(out, render);
-    if (silhouette_layers(render))
-        put_silhouettes(out, render);
-    if (render->shadows->glass.buffer)
-        put_glass(out, render);
-}
-
-static void put_exact(Text *out, const Render *render)
-{
-    const ExactShadows *exact = render->exact;
-    const int lack = exact_lists_lack(&render->cache);
-    text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,
-                (unsigned long)exact->triangles.count * sizeof(ExactCorners));
-    text_format(out, "exact     lists of triangles for %d lights, %lu bytes; the longest has %d\n",
-                exact->cover.light_count, (unsigned long)(exact->cover.words * sizeof(GLuint)),
-                exact_cover_longest(&exact->cover));
-    if (lack)
-        text_format(
-            out, "exact     %d objects cast shadows by maps, as their transparency varies\n", lack);
 }
 
 /* "16, 8 shared" */
@@ -185,11 +152,14 @@ static void put_unshadowed(Text *out, const Render *render)
     if (lacks_sheets(render))
         text_put(out,
                  "shadow    planes whose transparency varies cast none: it takes OpenGL 4.3\n");
-    if (volume_lights_cast(render) && render->set.uses.casts != SET_CASTS_colored &&
-        is_transparent(render))
-        text_format(out, "shadow    what is transparent casts none in hybrid light%s\n",
-                    render->scene->shadow_colored ? ": it takes OpenGL 4.3"
-                                                  : ", as shadows are not colored");
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        if ((*row)->apart && shadow_has_maps(render) &&
+            shadow_method_lights(render, (*row)->word) &&
+            render->set.uses.casts != SET_CASTS_colored && is_transparent(render))
+            text_format(out, "shadow    what is transparent casts none in %s light%s\n",
+                        word_table[(*row)->word].name,
+                        render->scene->shadow_colored ? ": it takes OpenGL 4.3"
+                                                      : ", as shadows are not colored");
     if (render->cache.caster_count && render->scene->shadow_colored &&
         render->set.uses.casts != SET_CASTS_colored)
         text_put(out,
@@ -240,6 +210,11 @@ static void put_memory(Text *out, const Render *render)
     displaced_stats_put(out, render);
     if (render->targets.plan.there >> FRAME_TARGET_shadow & 1)
         put_maps(out, render);
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        if ((*row)->put)
+            (*row)->put(out, render);
+    if (render->shadows->glass.buffer)
+        put_glass(out, render);
     if (indirect_is(render))
         indirect_methods_put(out, render);
     if (render->voxels->map)
@@ -247,8 +222,6 @@ static void put_memory(Text *out, const Render *render)
     radiance_put(out, render);
     put_soft(out, render);
     put_unshadowed(out, render);
-    if (render->exact->corners)
-        put_exact(out, render);
 }
 
 static void put_tiles(Text *out, const Render *render)
@@ -314,8 +287,8 @@ static double time_pass(Render *render, int pass)
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
-    render->shadows->drawn = render->exact->seen = render->voxels->drawn = render->radiance->drawn =
-        false; /* to be timed with the others */
+    render->shadows->drawn = render->shadows->seen = render->voxels->drawn =
+        render->radiance->drawn = false; /* to be timed with the others */
     for (int i = 0; i < frame_pass_count(); i++) {
         times[i] = (RenderPassTime){frame_pass(i)->plan.name, 0};
         if (render->targets.plan.runs >> i & 1)
@@ -332,17 +305,6 @@ int render_fragment_bytes(const Render *render)
                                        : 0;
 }
 
-/* Lists are made once more, as when a light moves. */
-static void put_exact_time(Text *out, Render *render)
-{
-    const double start = session_now();
-    const bool made = pass_exact_list(render);
-    render->gl->Finish();
-    text_put(out, "\nlists for exact shadows are made in ");
-    text_rounded(out, 1e3 * (made ? session_now() - start : 0), 3);
-    text_put(out, " milliseconds\n");
-}
-
 char *render_stats(Render *render)
 {
     Arena arena = {0};
@@ -352,8 +314,9 @@ char *render_stats(Render *render)
     put_passes(&out, render, times);
     put_memory(&out, render);
     put_tiles(&out, render);
-    if (render->exact->corners)
-        put_exact_time(&out, render);
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        if ((*row)->put_time)
+            (*row)->put_time(&out, render);
     text_format(&out,
                 "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
                 render_width(render), render_height(render), render->scene->object_count,

@@ -3,10 +3,8 @@
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_area.h"
-#include "runtime/exact/exact.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette/silhouette.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 
 enum { SHADOW_MAPS_MIB = 4096 };
 
@@ -62,16 +60,16 @@ static bool pass_shadow_count(Render *render)
     if (!shadow_glass_needed(render) || !render->shadows->maps || render->shadows->drawn)
         return true;
     shadow_draw_depths(render);
-    volume_data_write(render);
     render->shadows->drawn = shadow_parts_count(render);
     return render->shadows->drawn;
 }
 
 static bool pass_shadow_make(Render *render)
 {
-    return make_maps(render) && make_solid(render) && silhouette_make(render) &&
-           volume_blur_make(render) && volume_data_make(render) && shadow_parts_make(render) &&
-           pass_shadow_count(render);
+    bool fine = make_maps(render) && make_solid(render);
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        fine = fine && (!(*row)->make_maps || (*row)->make_maps(render));
+    return fine && shadow_parts_make(render) && pass_shadow_count(render);
 }
 
 static void pass_shadow_draw(Render *render)
@@ -79,16 +77,18 @@ static void pass_shadow_draw(Render *render)
     if (render->shadows->drawn)
         return;
     shadow_draw_depths(render);
-    volume_data_write(render);
     if (shadow_glass_needed(render) && !render->parted)
         shadow_draw_lists(render, render->shadows->glass.parts);
     render->shadows->drawn = true;
 }
 
-static void pass_shadow_delete(Render *render)
+static void pass_shadow_forget(Render *render)
 {
     const GlContext *gl = render->gl;
     ShadowMaps *maps = render->shadows;
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        if ((*row)->forget)
+            (*row)->forget(render);
     gl->DeleteFramebuffers(1, &maps->framebuffer); /* GL ignores the name 0 */
     gl->DeleteTextures(1, &maps->maps);
     gl->DeleteTextures(1, &maps->table);
@@ -96,15 +96,14 @@ static void pass_shadow_delete(Render *render)
     shadow_views_free(&maps->views);
     shadow_glass_delete(render);
     shadow_sheet_delete(render);
-    silhouette_delete(render);
-    *maps = (ShadowMaps){.solid = maps->solid};
+    *maps = (ShadowMaps){.solid = maps->solid, .methods = maps->methods};
 }
 
-/* -- the row, which also updates exact shadows */
+/* -- the row, which also updates what techniques keep */
 
 static void pass_shadow_place(Render *render)
 {
-    render->exact->seen = false;
+    render->shadows->seen = false;
     shadow_sheet_place(render);
 }
 
@@ -114,12 +113,21 @@ static bool pass_shadow_changed(Render *render, unsigned what)
                         (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
     if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may differ */
         render->shadows->drawn = false;
-    return shadow_change(render, fitted || what & RENDER_LIGHTS) && pass_exact_change(render, what);
+    if (what & RENDER_CAMERA)
+        render->shadows->seen = false;
+    bool fine = shadow_change(render, fitted || what & RENDER_LIGHTS);
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        fine = fine && (!(*row)->changed || (*row)->changed(render, what));
+    return fine;
 }
 
 static bool pass_shadow_moved(Render *render, int first, int count)
 {
-    return shadow_change(render, true) && pass_exact_move(render, first, count);
+    bool fine = shadow_change(render, true);
+    render->shadows->seen = false;
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        fine = fine && (!(*row)->moved || (*row)->moved(render, first, count));
+    return fine;
 }
 
 static bool pass_shadow_fall_back(Render *render)
@@ -128,12 +136,6 @@ static bool pass_shadow_fall_back(Render *render)
         return false;
     render->parted = true;
     return true;
-}
-
-static void pass_shadow_forget(Render *render)
-{
-    pass_shadow_delete(render);
-    pass_exact_delete(render);
 }
 
 const FramePass pass_shadow = {

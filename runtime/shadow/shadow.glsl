@@ -56,12 +56,13 @@ SHARE shadowNone()
 #endif
 }
 
+#ifdef SHADOW_SEEN
+uniform usampler2D shadow_seen; // what programs of opaque surfaces wrote at each pixel
+#endif
+
 #ifdef SHADOW_MAPS
 uniform sampler2DArray shadow_maps;
 uniform sampler2D shadow_views;
-#if defined SHADOW_SILHOUETTES || defined SHADOW_CUT
-uniform sampler2DArray silhouette_crossings;
-#endif
 
 const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25; // texels
 
@@ -130,15 +131,16 @@ vec3 shadowThrough(int map, ivec2 texel, float depth)
 }
 #endif
 
-#ifdef SHADOW_HYBRID
-bool shadow_counted = false; // a volume has what is opaque: maps are asked for what is transparent alone
+// Opaque casters are the technique's own: maps are asked for transparent ones alone.
+#ifdef SHADOW_APART
+bool shadow_apart = false;
 #else
-const bool shadow_counted = false;
+const bool shadow_apart = false;
 #endif
 
 SHARE shadowTexel(int map, ivec2 texel, float depth)
 {
-    if (!shadow_counted && depth < texelFetch(shadow_maps, ivec3(texel, map), 0).x) return SHARE(0.0);
+    if (!shadow_apart && depth < texelFetch(shadow_maps, ivec3(texel, map), 0).x) return SHARE(0.0);
 #ifdef SHADOW_GLASS
     return shadowThrough(map, texel, depth);
 #else
@@ -146,7 +148,7 @@ SHARE shadowTexel(int map, ivec2 texel, float depth)
 #endif
 }
 
-// Half the edge of a face at distance 1: 1, but of a hybrid light, whose faces overlap.
+// Half the edge of a face at distance 1: 1, or more where faces overlap by a border.
 float shadowWide(vec4 how) { return 0.5 * how.y * float(SHADOW_SIZE); }
 
 // A texel beyond the edge of a face is one of a neighbour's: that which its centre falls into.
@@ -191,16 +193,16 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
-#ifdef SHADOW_SILHOUETTES
-SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel);
+#ifdef SHADOW_CALL_VIEW // of shadow_method.h
+SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, float pixel);
 #endif
 
 // A view, or those of a cube.
 SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, 3);
-#ifdef SHADOW_SILHOUETTES
-    if (how.z > 0.0) return silhouetteShare(first, count, point, normal, pixel);
+#ifdef SHADOW_CALL_VIEW
+    if (how.z > 0.0) return shadowOfView(int(how.z), first, count, point, normal, pixel);
 #endif
     vec3 place = shadowPlace(first, vec4(point, 1.0));
     vec3 size = abs(place);
@@ -242,64 +244,6 @@ SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
     return shadowRow(first, 3).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
                                         : shadowViewed(first, count, point, normal, pixel);
 }
-#endif
-
-#ifdef SHADOW_HYBRID
-#ifdef SHADOW_MASK
-uniform sampler2D shadow_mask;
-
-// Of what is opaque, its volume was counted at the pixel: a bit for each light.
-float volumeShare(int first, int how, vec3 point, ivec2 at)
-{
-    int bit = how / 8;
-    return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
-}
-#else
-// A triangle's depth over a place between three texels: b is beside a, c beyond b. Of parallel
-// light it is as high as the map if one of them is far.
-float volumeHeight(vec3 abc, vec2 part, bool parallel)
-{
-    return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
-}
-
-#ifdef SHADOW_CUT
-bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel); // volume_cells.glsl
-#endif
-
-// Whether the volume of a view has a point in it: the same triangles.
-bool volumeHas(int view, vec3 point)
-{
-    vec4 how = shadowRow(view, 3);
-    vec3 place = shadowPlace(view, vec4(point, 1.0));
-    bool parallel = how.x <= 0.0;
-    if (!parallel && place.z <= 0.0) return false;
-    float depth = parallel ? place.z : how.x / place.z, size = float(SHADOW_SIZE);
-    vec2 at = (parallel ? place.xy : place.xy / place.z) * 0.5 + 0.5;
-    at = SHADOW_STRETCHED ? at * (size - 1.0) : at * size - 0.5;
-    if (!all(greaterThanEqual(at, vec2(0.0))) || !all(lessThan(at, vec2(size - 1.0)))) return false;
-#ifdef SHADOW_CUT
-    return volumeCellHas(ivec2(view, int(how.w) - 1), at, depth, parallel);
-#else
-    ivec2 texel = ivec2(at);
-    vec2 part = at - vec2(texel);
-    vec4 quad = vec4(texelFetch(shadow_maps, ivec3(texel, view), 0).x,
-                     texelFetch(shadow_maps, ivec3(texel + ivec2(1, 0), view), 0).x,
-                     texelFetch(shadow_maps, ivec3(texel + ivec2(1, 1), view), 0).x,
-                     texelFetch(shadow_maps, ivec3(texel + ivec2(0, 1), view), 0).x);
-    if (SHADOW_QUADS && !volumeTurned(quad)) // b-d: mirrored, it is a-c
-        quad = quad.yxwz, part.x = 1.0 - part.x;
-    return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel) : volumeHeight(quad.xwz, part.yx, parallel));
-#endif
-}
-
-// What is transparent is in no pixel's count.
-float volumeShare(int first, int how, vec3 point, ivec2 at)
-{
-    for (int view = first; view < first + how % 8; view++)
-        if (volumeHas(view, point)) return 0.0;
-    return 1.0;
-}
-#endif
 #endif
 
 #ifdef SHADOW_PLANES
@@ -347,28 +291,19 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 }
 #endif
 
-// The share of a light that reaches a point. `views` has the first of its views, or -1, and how
-// many; it casts no shadow if that is less.
-SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel, ivec2 at)
+// The share of a light that reaches a point, by planes and maps. `views` has the first of its views,
+// and how many; it casts no shadow if that is less than 0.
+SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {
     SHARE share = SHARE(1.0);
-    if (views.y == -1) return shadowNone();
+    if (views.y < 0) return shadowNone();
 #ifdef SHADOW_PLANES
     share = shadowPlanes(light, point);
     if (share == SHARE(0.0)) return share;
 #endif
 #ifdef SHADOW_MAPS
-#ifdef SHADOW_HYBRID
-    shadow_counted = views.y < -1;
-    if (shadow_counted) {
-        int how = -2 - views.y;
-        share *= volumeShare(views.x, how, point, at);
-#ifdef SHADOW_GLASS
-        return share == SHARE(0.0) ? share : share * shadowMapped(views.x, how % 8, point, normal, pixel);
-#else
-        return share * shadowNone();
-#endif
-    }
+#ifndef SHADOW_GLASS
+    if (shadow_apart) return share * shadowNone();
 #endif
     if (views.y > 0) return share * shadowMapped(views.x, views.y, point, normal, pixel);
 #endif

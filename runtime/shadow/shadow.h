@@ -28,9 +28,13 @@ void shadow_glass_end(const Render *render);
 bool shadow_glass_count(Render *render, GLuint *count);
 void shadow_glass_delete(Render *render);
 
-/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). */
+/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). While a map is drawn:
+ * its layer becomes the target of depth; casters of a view are drawn, opaque or transparent ones.
+ */
 void shadow_draw_depths(Render *render);
 void shadow_draw_lists(Render *render, const ShadowPart *part);
+void shadow_draw_layer(const Render *render, int view);
+void shadow_draw_cast(Render *render, const CacheSource *source, int view, bool transparent);
 
 /* The lists, in one piece, or in parts with room for the largest (shadow_parts.c): made; counted,
  * and in one piece drawn. False: there may not be so much, or, in parts, not even for one texel. In
@@ -65,26 +69,32 @@ bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights
  * cast shadows by more or fewer maps. */
 bool shadow_change(Render *render, bool drawn_again);
-/* Shadows, for lighting.c: definitions, and the GLSL that goes by them; "": no light casts any, and
- * nothing is computed. */
-enum { SHADOW_DEFINITIONS = 512, SHADOW_UNITS = 6 };
-bool shadow_has_silhouettes(const Render *render);
-const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS]);
+/* GLSL of shadows for a program that lights surfaces (shadow_text.c): pieces that stay valid as
+ * long as this; none if no light casts shadows. `nearest`: what the depth buffer has is lit. */
+enum {
+    SHADOW_TEXT_CHARS = 1536,
+    SHADOW_TEXT_PIECES = 12,
+    SHADOW_OWN_UNITS = 2, /* for the samplers of techniques */
+    SHADOW_UNITS = 5 + SHADOW_OWN_UNITS
+};
+typedef struct {
+    char defined[SHADOW_TEXT_CHARS], calls[SHADOW_TEXT_CHARS];
+    const char *pieces[SHADOW_TEXT_PIECES];
+} ShadowText;
+void shadow_text(const Render *render, bool nearest, ShadowText *made);
+/* Infinite planes cast shadows: how many are transparent by the same everywhere. */
+bool shadow_has_planes(const Render *render);
+int shadow_count_panes(const Render *render);
 bool shadow_make_tables(Render *render);
 /* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it
- * casts no shadows. Behind its light: 1 + the layer of what sheets let through of it, or 0. */
+ * casts no shadows. Behind its light: 1 + the layer of what sheets let through of it, or 0. Behind
+ * its direction: the number of its technique, plus SHADOW_METHODS_MAX for each light before it that
+ * has the same. */
 void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
                        float (*texels)[4]);
-/* SHADOW_UNITS units from `unit` on. */
-void shadow_samplers(ScreenPass *pass, int unit);
+/* SHADOW_UNITS units from `unit` on, and uniforms, after each change; textures and buffers. */
+void shadow_set(const Render *render, int unit, ScreenPass *pass);
 void shadow_bind(const Render *render, int unit);
-
-/* Silhouettes find shadows, and light is drawn: so are facets, if the driver can. And something
- * casts, so that the target is there. facet_lights.c */
-bool facet_lights_write(const Render *render);
-bool facet_lights_cast(const Render *render);
-/* These, or numbers of triangles: there is the target seen. */
-bool facet_lights_seen(const Render *render);
 /* Some light has a shadow map. */
 bool shadow_has_maps(const Render *render);
 extern const FramePass pass_shadow;

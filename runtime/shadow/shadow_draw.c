@@ -2,8 +2,7 @@
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/silhouette/silhouette.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 
@@ -72,14 +71,12 @@ typedef struct {
     CacheLightTrace trace;
 } Casting;
 
-/* What a view shows of what is opaque, or of the rest. Hybrid shadows and silhouettes go by
- * triangles, so these are what they see. */
+/* What a view shows of what is opaque, or of the rest. */
 static void cast_view(Render *render, const CacheSource *source, const Casting *casting,
                       bool transparent)
 {
     const ShadowView *view = casting->view;
     const CullVolume volume = shadow_views_volume(view);
-    const bool traced = !view->hybrid && !view->silhouettes;
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
     cache_cast(render->gl, source, &render->cache,
@@ -88,8 +85,8 @@ static void cast_view(Render *render, const CacheSource *source, const Casting *
                              .mirrored = view->mirrored,
                              .solid = &render->shadows->solid,
                              .number = casting->number,
-                             .varying = view->transparent,
-                             .traced = traced ? &casting->trace : NULL},
+                             .varying = view->method->even,
+                             .traced = view->method->meshes ? NULL : &casting->trace},
                transparent);
 }
 
@@ -116,7 +113,7 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
     push(render);
 }
 
-static void cast(Render *render, const CacheSource *source, int number, bool transparent)
+void shadow_draw_cast(Render *render, const CacheSource *source, int number, bool transparent)
 {
     const ShadowView *view = &render->shadows->views.views[number];
     if (view->soft)
@@ -129,39 +126,10 @@ static void cast(Render *render, const CacheSource *source, int number, bool tra
     }
 }
 
-static void use_layer(const Render *render, int number)
+void shadow_draw_layer(const Render *render, int number)
 {
     render->gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps,
                                         0, number);
-}
-
-/* Of a hybrid light: one side of what is opaque, and nothing at the border, so that the volume that
- * is made of it is closed. */
-static void draw_hybrid(Render *render, const CacheSource *source, int number)
-{
-    const GlContext *gl = render->gl;
-    const Scene *scene = render->scene;
-    const bool blurred = scene->shadow_volume == WORD_Volume_blurred;
-    const int inner = scene->shadow_size - 2;
-    if (blurred)
-        volume_blur_use(render);
-    else
-        use_layer(render, number);
-    gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-    gl->Enable(GL_CULL_FACE);
-    gl->CullFace(blurred ? GL_BACK : GL_FRONT);
-    gl->Enable(GL_SCISSOR_TEST);
-    gl->Scissor(1, 1, inner, inner);
-    gl->PolygonOffset((blurred ? -(float)scene->shadow_offset : 0) - 1.0f / 64, -2);
-    cast(render, source, number, false);
-    gl->Disable(GL_CULL_FACE);
-    gl->CullFace(GL_BACK);
-    gl->Disable(GL_SCISSOR_TEST);
-    if (blurred) {
-        use_layer(render, number);
-        volume_blur_draw(render);
-    }
-    push(render);
 }
 
 void shadow_draw_depths(Render *render)
@@ -169,22 +137,21 @@ void shadow_draw_depths(Render *render)
     const CacheSource source = frame_source(render);
     begin(render);
     for (int i = 0; i < render->shadows->views.count; i++) {
-        if (render->shadows->views.views[i].hybrid) {
-            draw_hybrid(render, &source, i);
-            continue;
-        }
-        use_layer(render, i);
+        const ShadowMethod *method = render->shadows->views.views[i].method;
+        shadow_draw_layer(render, i);
         render->gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
-        if (render->shadows->views.views[i].silhouettes)
-            render->gl->PolygonOffset(-1.0f / 64, -2); /* silhouette.glsl compares with planes */
-        if (!render->shadows->views.views[i].transparent)
-            cast(render, &source, i, false);
+        if (method->draw)
+            method->draw(render, &source, i);
+        else if (!method->even)
+            shadow_draw_cast(render, &source, i, false);
         push(render);
-        if (!shadow_glass_needed(render))
-            cast(render, &source, i, true);
+        if (!shadow_glass_needed(render) && !method->apart)
+            shadow_draw_cast(render, &source, i, true);
     }
     end(render);
-    silhouette_find(render);
+    for (const ShadowMethod *const *row = shadow_methods_of(render); *row; row++)
+        if ((*row)->drawn)
+            (*row)->drawn(render);
 }
 
 /* Texels of a part in a map; beyond the map's end there are none to cut off. */
@@ -205,12 +172,11 @@ void shadow_draw_lists(Render *render, const ShadowPart *part)
     render->gl->Enable(GL_SCISSOR_TEST);
     shadow_glass_begin(render, part);
     for (GLuint i = part->row / size; i * size < part->row + part->rows; i++) {
-        use_layer(render, (int)i);
+        shadow_draw_layer(render, (int)i);
         cut(render->gl, part, i * size);
-        render->gl->DepthFunc(
-            /* blurred: not the surface */
-            render->shadows->views.views[i].hybrid ? GL_ALWAYS : GL_GREATER);
-        cast(render, &source, (int)i, true);
+        render->gl->DepthFunc(render->shadows->views.views[i].method->apart ? GL_ALWAYS
+                                                                            : GL_GREATER);
+        shadow_draw_cast(render, &source, (int)i, true);
     }
     shadow_glass_end(render);
     render->gl->Disable(GL_SCISSOR_TEST);

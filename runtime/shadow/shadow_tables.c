@@ -1,12 +1,9 @@
-/* What the lighting of surfaces reads of shadows: views and planes as texels, and what shadow.glsl
- * goes by. */
-#include "gen/render_text.h"
-#include "runtime/exact/exact_lists.h"
+/* What the lighting of surfaces reads of shadows: views and planes as texels. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
-#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 #include <stdio.h>
@@ -32,12 +29,13 @@ static void from_eye(const double *eye_from_world, const double row[4], float ou
 /* `layer` is 1 + that of its crossings, or 0. */
 static void put_view(const Render *render, const ShadowView *view, int layer, float (*texels)[4])
 {
+    const float last[4] = {
+        (float)view->near, (float)view->texel,
+        view->method->views ? (float)shadow_method_number(render, view->method->word) : 0,
+        (float)layer};
     for (int row = 0; row < 3; row++)
         from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
-    memcpy(texels[3],
-           (float[4]){(float)view->near, (float)view->texel, view->hybrid ? 0 : (float)layer,
-                      (float)layer},
-           sizeof texels[3]);
+    memcpy(texels[3], last, sizeof texels[3]);
 }
 
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
@@ -72,7 +70,7 @@ static bool write_views(Render *render)
         return gl_fail(render->gl, "out of memory");
     for (int i = 0, layer = 0; i < maps->views.count; i++) {
         const ShadowView *view = &maps->views.views[i];
-        put_view(render, view, view->silhouettes ? ++layer : 0, texels + (size_t)i * VIEW_TEXELS);
+        put_view(render, view, view->crossed ? ++layer : 0, texels + (size_t)i * VIEW_TEXELS);
     }
     const bool done = write_table(render->gl, (const float(*)[4])texels,
                                   (int[]){maps->views.count, VIEW_TEXELS}, &maps->table);
@@ -83,7 +81,7 @@ static bool write_views(Render *render)
 /* Such a plane has a shadow that is known without a map: that of what is the same everywhere. */
 static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
 
-static int count_glass(const Render *render)
+int shadow_count_panes(const Render *render)
 {
     int count = 0;
     for (int i = 0; i < render->cache.plane_count; i++)
@@ -143,29 +141,25 @@ bool shadow_is_soft(const Render *render)
 
 SetCasts shadow_casts(const Render *render)
 {
-    bool maps = false; /* volumes have no cut-outs */
-    for (int i = 0; i < render->scene->light_count; i++)
-        maps |= scene_light_casts(&render->scene->lights[i]) &&
-                render->scene->lights[i].shadows != WORD_Shadows_hybrid;
     if (!shadow_is_cast(render))
         return SET_CASTS_none;
     if (render->scene->shadow_colored && transparency_has_lists(render->gl))
         return SET_CASTS_colored;
-    return maps ? SET_CASTS_cut : SET_CASTS_none;
+    return shadow_methods_need(render).cuts ? SET_CASTS_cut : SET_CASTS_none;
 }
 
 /* Infinite planes need no map. */
-static bool has_planes(const Render *render)
+bool shadow_has_planes(const Render *render)
 {
     return shadow_is_cast(render) &&
-           (render->cache.opaque_plane_count > 0 || count_glass(render) > 0);
+           (render->cache.opaque_plane_count > 0 || shadow_count_panes(render) > 0);
 }
 
 bool shadow_make_views(Render *render)
 {
     return render->options.no_shadows ||
-           shadow_views_make(render->scene, &render->cache, render->whole,
-                             &render->shadows->views) ||
+           shadow_views_make(shadow_methods_of(render), render->scene, &render->cache,
+                             render->whole, &render->shadows->views) ||
            gl_fail(render->gl, "out of memory");
 }
 
@@ -173,7 +167,7 @@ bool shadow_make_tables(Render *render)
 {
     const ShadowMaps *maps = render->shadows;
     return (!shadow_has_maps(render) || maps->table || write_views(render)) &&
-           (!has_planes(render) || maps->planes || write_planes(render)) &&
+           (!shadow_has_planes(render) || maps->planes || write_planes(render)) &&
            shadow_sheet_make(render);
 }
 
@@ -189,71 +183,12 @@ bool shadow_change(Render *render, bool drawn_again)
         render->uncounted |= shadow_glass_needed(render);
     }
     if (maps->views.count != before ||
-        (has_planes(render) && !maps->planes && frame_has(render, FRAME_TARGET_light)))
+        (shadow_has_planes(render) && !maps->planes && frame_has(render, FRAME_TARGET_light)))
         return gl_fail(render->gl,
                        "the lights' shadows take %d maps, not %d: this is another scene",
                        maps->views.count, before);
     shadow_sheet_change(render);
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
-}
-
-/* Some view is looked up in with its crossings, rather than made a volume of. */
-bool shadow_has_silhouettes(const Render *render)
-{
-    bool has = false;
-    for (int i = 0; i < render->shadows->views.count; i++)
-        has |=
-            render->shadows->views.views[i].silhouettes && !render->shadows->views.views[i].hybrid;
-    return has;
-}
-
-/* What is transparent asks a volume's cells; for the rest it is counted. */
-static const char *cells_text(const Render *render, bool opaque)
-{
-    return volume_cells_are(render) && !opaque
-               ? "#define SHADOW_CUT\n#define VOLUME_HAS\n#define VOLUME_DEPTHS shadow_maps\n"
-                 "#define VOLUME_CROSSINGS silhouette_crossings\n"
-               : "";
-}
-
-const char *shadow_text(const Render *render, bool opaque, char defined[SHADOW_DEFINITIONS])
-{
-    const bool maps = shadow_has_maps(render), planes = has_planes(render),
-               sheets = shadow_sheet_needed(render);
-    const bool glass = shadow_glass_needed(render), panes = planes && count_glass(render) > 0;
-    int size = 0;
-    *defined = 0;
-    if (glass || panes)
-        size += snprintf(defined, SHADOW_DEFINITIONS, "#define SHADOW_COLORED\n%s%s",
-                         glass ? "#define SHADOW_GLASS\n" : "",
-                         glass && render->parted ? "#define SHADOW_PARTS\n" : "");
-    if (maps)
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_MAPS\n#define SHADOW_SIZE %d\n#define SHADOW_FILTER %d\n",
-                         render->scene->shadow_size, render->scene->shadow_filter);
-    if (shadow_has_silhouettes(render))
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_SILHOUETTES\n");
-    if (volume_lights_cast(render))
-        size += snprintf(
-            defined + size, SHADOW_DEFINITIONS - (size_t)size,
-            "#define SHADOW_HYBRID\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
-            opaque ? "#define SHADOW_MASK\n" : "", cells_text(render, opaque),
-            render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
-            render->scene->shadow_stretched ? "true" : "false");
-    if (shadow_is_soft(render))
-        size +=
-            snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                     "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
-    if (planes)
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_PLANES %d\n", render->cache.opaque_plane_count);
-    if (panes)
-        size += snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size,
-                         "#define SHADOW_GLASS_PLANES %d\n", count_glass(render));
-    if (sheets)
-        snprintf(defined + size, SHADOW_DEFINITIONS - (size_t)size, "#define SHADOW_SHEETS\n");
-    return maps || planes || sheets ? render_text_shadow : "";
 }
 
 /* Of an extent, behind its first edge: 1 + the first of its layers, or 0 if it casts no shadow. */
@@ -271,9 +206,10 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
     const Scene *scene = render->scene;
     const bool shadows = !render->options.no_shadows;
     float(*places[VIEW_SPACE_SECTIONS])[4];
+    int before[SHADOW_METHODS_MAX] = {0};
     for (int section = 0; section < VIEW_SPACE_SECTIONS; section++)
         places[section] = texels + view_space_texels(counts, section);
-    for (int i = 0, layer = 0, bit = 0, exact = 0; i < scene->light_count; i++) {
+    for (int i = 0, layer = 0; i < scene->light_count; i++) {
         const int section = view_space_section(&scene->lights[i], shadows);
         layer += shadow_sheet_reads(&scene->lights[i]);
         if (section == VIEW_SPACE_PLAIN || section == VIEW_SPACE_SECTIONS)
@@ -284,50 +220,15 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
             put_extent(render, i, next);
             continue;
         }
-        const bool casts = scene_light_casts(&scene->lights[i]) && shadows;
+        const ShadowMethod *method = shadow_method_of(shadow_methods_of(render), &scene->lights[i]);
+        const bool casts = method && shadows;
+        const int number = casts ? shadow_method_number(render, method->word) : 0;
         const bool mapped = casts && shadow_has_maps(render);
-        next[LIGHT_AXIS][3] = casts && exact_lists_wanted(&scene->lights[i]) ? (float)++exact : 0;
+        next[LIGHT_AXIS][3] = casts ? (float)(number + SHADOW_METHODS_MAX * before[number]++) : 0;
         next[LIGHT_CONE][2] = mapped ? (float)render->shadows->views.lights[i].first : 0;
         next[LIGHT_CONE][3] = mapped  ? (float)render->shadows->views.lights[i].count
                               : casts ? 0
                                       : -1;
         next[LIGHT_POWER][3] = casts ? (float)layer : 0;
-        if (mapped && scene->lights[i].shadows == WORD_Shadows_hybrid)
-            next[LIGHT_CONE][3] = -2 - next[LIGHT_CONE][3] - 8.0f * (float)bit++;
     }
-}
-
-void shadow_samplers(ScreenPass *pass, int unit)
-{
-    screen_pass_sampler(pass, "shadow_maps", unit);
-    screen_pass_sampler(pass, "shadow_views", unit + 1);
-    screen_pass_sampler(pass, "shadow_planes", unit + 2);
-    screen_pass_sampler(pass, "shadow_sheets", unit + 3);
-    screen_pass_sampler(pass, "shadow_mask", unit + 4);
-    screen_pass_sampler(pass, "silhouette_crossings", unit + 5);
-}
-
-void shadow_bind(const Render *render, int unit)
-{
-    const GlContext *gl = render->gl;
-    const ShadowMaps *maps = render->shadows;
-    if (maps->table) {
-        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->maps);
-        texture_bind(gl, maps->table, unit + 1);
-    }
-    if (maps->silhouettes.crossings) {
-        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 5);
-        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->silhouettes.crossings);
-    }
-    if (maps->planes)
-        texture_bind(gl, maps->planes, unit + 2);
-    if (maps->sheets.layers) {
-        gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit + 3);
-        gl->BindTexture(GL_TEXTURE_2D_ARRAY, maps->sheets.layers);
-    }
-    if (frame_texture(render, FRAME_TARGET_mask, 0))
-        texture_bind(gl, frame_texture(render, FRAME_TARGET_mask, 0), unit + 4);
-    if (maps->glass.buffer)
-        gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, maps->glass.buffer);
 }

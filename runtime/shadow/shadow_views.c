@@ -1,5 +1,5 @@
 /* Fits views to lights and to the boxes around what casts shadows. */
-#include "runtime/exact/exact_lists.h"
+#include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -15,6 +15,7 @@ static const double coarser = 4; /* a cascade ends at so many times the depth of
 static const double steps = 4;   /* of sizes of a cascade's texels from one to twice it */
 
 typedef struct {
+    const ShadowMethod *const *methods;
     const Scene *scene;
     ShadowViews *made;
     const int *size;      /* of the picture */
@@ -73,20 +74,18 @@ static double near_of(const Fit *fit, const double position[3])
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
-/* Half the edge of a cube's face, at distance 1. A hybrid light's border has no shadow, and
- * silhouettes have none beyond a border's centres: faces overlap by it. */
-static double face_of(const Scene *scene, const SceneLight *light)
+/* Half the edge of a cube's face, at distance 1: more where faces overlap by a border. */
+static double face_of(const Fit *fit, const SceneLight *light)
 {
     /* texels, of both sides: the border, and half of one to the centre of the next */
     enum { BORDER = 4 };
-    const bool wide =
-        light->shadows == WORD_Shadows_hybrid || light->shadows == WORD_Shadows_silhouette;
-    return wide ? (double)scene->shadow_size / (scene->shadow_size - BORDER) : 1;
+    const double size = fit->scene->shadow_size;
+    return shadow_method_of(fit->methods, light)->border ? size / (size - BORDER) : 1;
 }
 
 static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[SHADOW_VIEWS_CUBE])
 {
-    const double half = face_of(fit->scene, light);
+    const double half = face_of(fit, light);
     const double near = near_of(fit, light->position) / half;
     for (int face = 0; face < SHADOW_VIEWS_CUBE; face++) {
         const int axis = face / 2;
@@ -261,8 +260,10 @@ static void fit_area(Fit *fit, int number)
         soft_views_place(fit->scene, light, i, position);
         near = fmin(near, near_of(fit, position));
     }
-    for (int i = 0; i < count; i++)
+    for (int i = 0; i < count; i++) {
         soft_views_make(fit->scene, light, i, near, &fit->made->views[first + i]);
+        fit->made->views[first + i].method = shadow_method_of(fit->methods, light);
+    }
     fit->made->lights[number] = (ShadowLight){first, count};
     fit->made->count += count;
 }
@@ -274,9 +275,9 @@ static void fit_light(Fit *fit, int number)
     const SceneLight *light = &fit->scene->lights[number];
     ShadowView *views = fit->made->views + fit->made->count;
     const LightFrom from = light_from(light);
-    const bool cube = light_kind_is_wide(light), hybrid = light->shadows == WORD_Shadows_hybrid;
-    const bool exact = exact_lists_wanted(light);
-    if (!scene_light_casts(light) || (exact && !fit->varying))
+    const ShadowMethod *method = shadow_method_of(fit->methods, light);
+    const bool cube = light_kind_is_wide(light);
+    if (!method || (method->even && !fit->varying))
         return;
     if (from == LIGHT_FROM_extent) {
         fit_area(fit, number);
@@ -286,20 +287,17 @@ static void fit_light(Fit *fit, int number)
         fit_cube(fit, light, views);
     else if (from == LIGHT_FROM_point)
         fit_cone(fit, light, views);
-    else if (hybrid)
+    else if (method->single)
         fit_box(fit, light, NULL, views);
     else
         fit_cascades(fit, light, views);
-    const int flat = from == LIGHT_FROM_point || hybrid ? 1 : fit->scene->shadow_cascades;
+    const int flat = from == LIGHT_FROM_point || method->single ? 1 : fit->scene->shadow_cascades;
     fit->made->lights[number] = (ShadowLight){fit->made->count, cube ? SHADOW_VIEWS_CUBE : flat};
     for (int i = 0; i < fit->made->lights[number].count; i++) {
-        views[i].transparent = exact;
-        views[i].silhouettes = light->shadows == WORD_Shadows_silhouette ||
-                               (hybrid && fit->scene->shadow_volume == WORD_Volume_silhouette);
+        views[i].method = method;
+        views[i].crossed = method->crossed && method->crossed(fit->scene);
     }
     fit->made->count += fit->made->lights[number].count;
-    for (ShadowView *view = views; hybrid && view < fit->made->views + fit->made->count; view++)
-        view->hybrid = true;
 }
 
 /* Views that there may be, at most. */
@@ -311,9 +309,22 @@ static size_t room_for(const Scene *scene)
     return room;
 }
 
-bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2], ShadowViews *made)
+int shadow_views_varying(const Cache *cache)
 {
-    Fit fit = {.scene = scene, .made = made, .size = size, .varying = exact_lists_lack(cache) > 0};
+    int count = 0;
+    for (int i = 0; i < cache->place_count; i++)
+        count += cache->places[i].caster >= 0 && !cache->places[i].even;
+    return count;
+}
+
+bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
+                       const int size[2], ShadowViews *made)
+{
+    Fit fit = {.methods = methods,
+               .scene = scene,
+               .made = made,
+               .size = size,
+               .varying = shadow_views_varying(cache) > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
     made->views = calloc(room_for(scene), sizeof *made->views);

@@ -10,23 +10,23 @@
 
 enum { SHADOW_VIEWS_CUBE = 6 };
 
+typedef struct ShadowMethod ShadowMethod; /* shadow_method.h */
+
 typedef struct {
     double rows[3][4]; /* from the world */
     double near;       /* 0: directional */
     double texel;      /* its longer edge: where z is 1; directional: everywhere */
-    bool hybrid;       /* its depths become a volume: at its border they are 0 */
-    bool silhouettes;  /* with crossings: silhouette.h */
-    bool mirrored;     /* left-handed: triangles turn the other way round */
-    bool soft;         /* of an area light's point: soft_views.h */
-    /* it has what varies in its transparency alone: exact_lists.h has the rest */
-    bool transparent;
+    const ShadowMethod *method;
+    bool crossed;  /* crossings of silhouettes are found in it, too */
+    bool mirrored; /* left-handed: triangles turn the other way round */
+    bool soft;     /* of an area light's point: soft_views.h */
 } ShadowView;
 
 /* Views of a light: none; one; of a directional light as many as cascades, from the finest on, the
  * last of which has all objects; or SHADOW_VIEWS_CUBE: face 2 k looks along axis k of the world, 2
- * k + 1 against it, with the axes k + 1 and k + 2 (modulo 3) as x and y. Those of a light by hybrid
- * shadows or silhouettes are wider than 90 degrees, by a border of two texels. An area light has as
- * many as points, twice that where it shines to both sides. */
+ * k + 1 against it, with the axes k + 1 and k + 2 (modulo 3) as x and y. Those of some
+ * methods are wider than 90 degrees, by a border of two texels. An area light has as many as
+ * points, twice that where it shines to both sides. */
 typedef struct {
     int first, count;
 } ShadowLight;
@@ -37,10 +37,12 @@ typedef struct {
     ShadowLight *lights; /* of each light of the scene */
 } ShadowViews;
 
-/* Of a picture of that size, which cascades are fitted to. False: memory ran out; *made is empty
- * then. */
-bool shadow_views_make(const Scene *scene, const Cache *cache, const int size[2],
-                       ShadowViews *made);
+/* Of a picture of that size, which cascades are fitted to; `methods` are the rows of techniques, up
+ * to NULL. False: memory ran out; *made is empty then. */
+bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
+                       const int size[2], ShadowViews *made);
+/* How many casters have a transparency that varies. */
+int shadow_views_varying(const Cache *cache);
 /* Half spaces that a view's map shows. */
 CullVolume shadow_views_volume(const ShadowView *view);
 /* Safe on an empty one, which it leaves behind. */

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a cell is drawn by: a word of the list, and with hybrid shadows a volume. */
+/* What a cell is drawn by: a word of the list, and a variant of some techniques of shadows. */
 typedef struct {
-    Word method, volume; /* WORD_COUNT: of none */
+    Word method, variant; /* WORD_COUNT: none */
 } Way;
 
 typedef struct {
@@ -34,8 +34,8 @@ static bool use_shadows(Comparison *c, Way way)
     memcpy(c->scene.lights, c->given->lights,
            (size_t)c->given->light_count * sizeof *c->scene.lights);
     scene_lights_shadow(&c->scene, way.method);
-    if (way.volume != WORD_COUNT)
-        c->scene.shadow_volume = way.volume;
+    if (way.variant != WORD_COUNT)
+        render_shadows_vary(&c->scene, way.method, way.variant);
     return true;
 }
 
@@ -64,13 +64,13 @@ static const Listing listings[] = {{"shadows", scene_shadows_name, use_shadows},
 
 static void add_way(Comparison *c, Word method)
 {
-    if (method != WORD_Shadows_hybrid) {
-        c->ways[c->count++] = (Way){method, WORD_COUNT};
-        return;
-    }
+    Scene varied = c->scene;
+    const int before = c->count;
     for (int i = 0; i < WORD_COUNT; i++)
-        if (scene_volume_name((Word)i))
+        if (render_shadows_vary(&varied, method, (Word)i))
             c->ways[c->count++] = (Way){method, (Word)i};
+    if (c->count == before)
+        c->ways[c->count++] = (Way){method, WORD_COUNT};
 }
 
 static void find_ways(Comparison *c, const Listing *listing)
@@ -114,9 +114,9 @@ static void fit_displacement(const Sheet *sheet, Scene *scene)
 static bool draw_way(Comparison *c, const Listing *listing, Way way)
 {
     char name[SHEET_NAME];
-    const bool volume = way.volume != WORD_COUNT;
-    snprintf(name, sizeof name, "%s%s%s", listing->name(way.method), volume ? ", " : "",
-             volume ? scene_volume_name(way.volume) : "");
+    const bool varied = way.variant != WORD_COUNT;
+    snprintf(name, sizeof name, "%s%s%s", listing->name(way.method), varied ? ", " : "",
+             varied ? render_shadows_vary(&c->scene, way.method, way.variant) : "");
     if (!sheet_has_room(c->sheet))
         return gl_fail(c->gl, "%s", sheet_too_large);
     if (!listing->use(c, way) || !scene_pictures_show(c->pictures, &c->scene) ||

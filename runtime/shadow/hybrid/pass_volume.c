@@ -133,7 +133,7 @@ const char *pass_volume_head(const Render *render)
 
 static bool make_view(Render *render, int number)
 {
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const char *const head = pass_volume_head(render);
     const char *const maps = volume_cells_are(render) ? volume_cells_maps() : "",
                       *const cells = volume_cells_are(render) ? render_text_volume_cells : "";
@@ -165,8 +165,8 @@ static bool make_mark(Render *render, int number)
     const ProgramText mark = {.vertex = {head, screen_text}, .fragment = {head, text}};
     float bit[4] = {0};
     bit[number / BITS] = (float)(1 << number % BITS) / 255;
-    return material_make(render->store, NULL, &mark, &render->volumes->marks[number]) &&
-           material_set(&render->volumes->marks[number], &(MaterialValue){"mark_bit", 4, bit});
+    return material_make(render->store, NULL, &mark, &volume_state(render)->marks[number]) &&
+           material_set(&volume_state(render)->marks[number], &(MaterialValue){"mark_bit", 4, bit});
 }
 
 static bool check(const Render *render)
@@ -181,7 +181,7 @@ static bool check(const Render *render)
 
 static bool pass_volume_make(Render *render)
 {
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const int views = render->shadows->views.count, lights = volume_lights_count(render);
     if (!check(render))
         return false;
@@ -195,7 +195,7 @@ static bool pass_volume_make(Render *render)
     render->gl->GenVertexArrays(1, &volumes->array);
     bool fine = true;
     for (int i = 0; fine && i < views; i++)
-        fine = !render->shadows->views.views[i].hybrid || make_view(render, i);
+        fine = !volume_has_view(render, i) || make_view(render, i);
     for (int i = 0; fine && i < lights; i++)
         fine = make_mark(render, i);
     return fine;
@@ -204,11 +204,11 @@ static bool pass_volume_make(Render *render)
 /* Updates matrices after a change of the camera's or the lights' views. */
 static void pass_volume_change(Render *render)
 {
-    for (int i = 0; i < render->volumes->view_count; i++) {
-        if (render->volumes->sheets[i].store)
-            pass_volume_place(render, i, &render->volumes->sheets[i]);
-        if (render->volumes->caps[i].store)
-            pass_volume_place(render, i, &render->volumes->caps[i]);
+    for (int i = 0; i < volume_state(render)->view_count; i++) {
+        if (volume_state(render)->sheets[i].store)
+            pass_volume_place(render, i, &volume_state(render)->sheets[i]);
+        if (volume_state(render)->caps[i].store)
+            pass_volume_place(render, i, &volume_state(render)->caps[i]);
     }
 }
 
@@ -217,7 +217,7 @@ static void pass_volume_change(Render *render)
 static void draw_view(Render *render, int view)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     gl->FrontFace(render->shadows->views.views[view].mirrored ? GL_CW : GL_CCW);
     volume_data_draw(render, view, false);
     if (volumes->caps[view].store) {
@@ -254,7 +254,7 @@ static void mark(Render *render, int number)
     gl->StencilOp(GL_KEEP, GL_KEEP, GL_ZERO);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE);
-    material_use(&render->volumes->marks[number]);
+    material_use(&volume_state(render)->marks[number]);
     screen_draw(gl, &render->screen);
     gl->BlendFunc(GL_ONE, GL_ZERO);
     gl->Disable(GL_BLEND);
@@ -273,7 +273,7 @@ static void pass_volume_draw(Render *render)
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     for (int i = 0; i < render->scene->light_count; i++)
-        if (volume_lights_has(render, i)) {
+        if (render->scene->lights[i].shadows == WORD_Shadows_hybrid) {
             count_faces(render, &render->shadows->views.lights[i]);
             mark(render, number++);
         }
@@ -296,7 +296,7 @@ static void delete_all(Material *materials, int count)
 static void pass_volume_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     delete_all(volumes->sheets, volumes->view_count);
     delete_all(volumes->caps, volumes->view_count);
     delete_all(volumes->marks, volumes->light_count);

@@ -7,7 +7,7 @@
 bool volume_blur_make(Render *render)
 {
     GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const int size = render->scene->shadow_size;
     const ProgramText text = {.vertex = {"#version 330 core\n", screen_text},
                               .fragment = {"#version 330 core\n", render_text_volume_blur}};
@@ -20,7 +20,7 @@ bool volume_blur_make(Render *render)
 void volume_blur_use(const Render *render)
 {
     render->gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D,
-                                     render->volumes->sharp, 0);
+                                     volume_state(render)->sharp, 0);
 }
 
 void volume_blur_draw(Render *render)
@@ -32,8 +32,8 @@ void volume_blur_draw(Render *render)
     gl->Scissor(1, 1, inner, inner);
     gl->DepthFunc(GL_ALWAYS);
     gl->Disable(GL_POLYGON_OFFSET_FILL);
-    texture_bind(gl, render->volumes->sharp, 0);
-    material_use(&render->volumes->blur);
+    texture_bind(gl, volume_state(render)->sharp, 0);
+    material_use(&volume_state(render)->blur);
     screen_draw(gl, &render->screen);
     gl->Enable(GL_POLYGON_OFFSET_FILL);
     gl->DepthFunc(GL_GREATER);
@@ -42,7 +42,7 @@ void volume_blur_draw(Render *render)
 
 void volume_blur_delete(Render *render)
 {
-    if (render->volumes->blur.store)
-        material_delete(&render->volumes->blur);
-    render->gl->DeleteTextures(1, &render->volumes->sharp); /* GL ignores the name 0 */
+    if (volume_state(render)->blur.store)
+        material_delete(&volume_state(render)->blur);
+    render->gl->DeleteTextures(1, &volume_state(render)->sharp); /* GL ignores the name 0 */
 }

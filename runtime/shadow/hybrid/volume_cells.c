@@ -35,7 +35,7 @@ static int views_of(const Render *render)
 {
     int count = 0;
     for (int i = 0; i < render->shadows->views.count; i++)
-        count += render->shadows->views.views[i].hybrid;
+        count += volume_has_view(render, i);
     return count;
 }
 
@@ -57,7 +57,7 @@ static bool check(const Render *render)
     GlContext *gl = render->gl;
     const size_t bytes = volume_cells_bytes(render), most = transparency_most_bytes(render);
     GLint blocks = 0;
-    if (render->volumes->path != WORD_Path_compute)
+    if (volume_state(render)->path != WORD_Path_compute)
         return gl_fail(gl, "shadow volumes that silhouettes cut come by the path compute, or auto");
     if (!gl->DrawArraysIndirect || !gl->DispatchCompute)
         return gl_fail(gl, "shadow volumes that silhouettes cut take OpenGL 4.5");
@@ -82,7 +82,7 @@ static GLuint make_buffer(const GlContext *gl, size_t bytes)
 
 bool volume_cells_make(Render *render)
 {
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const ProgramText list = {.compute = {"#version 450 core\n", maps_text,
                                           render_text_shadow_volume, render_text_volume_cells,
                                           render_text_volume_list}};
@@ -106,7 +106,7 @@ void volume_cells_delete(Render *render)
 {
     const GlContext *gl = render->gl;
     /* GL ignores the name 0 */
-    gl->DeleteBuffers(2, (GLuint[]){render->volumes->cells, render->volumes->commands});
+    gl->DeleteBuffers(2, (GLuint[]){volume_state(render)->cells, volume_state(render)->commands});
 }
 
 /* -- lists */
@@ -114,9 +114,9 @@ void volume_cells_delete(Render *render)
 static void bind(const Render *render)
 {
     const GlContext *gl = render->gl;
-    const FrameVolumes *volumes = render->volumes;
+    const FrameVolumes *volumes = volume_state(render);
     gl->ActiveTexture(GL_TEXTURE0 + CROSSINGS_UNIT);
-    gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->silhouettes.crossings);
+    gl->BindTexture(GL_TEXTURE_2D_ARRAY, silhouette_state(render)->crossings);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LIST, volumes->cells);
@@ -125,7 +125,7 @@ static void bind(const Render *render)
 static void list_view(Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
-    Material *list = &render->volumes->writer;
+    Material *list = &volume_state(render)->writer;
     const bool parallel = render->shadows->views.views[view].near <= 0;
     const float listed[4] = {(float)view, (float)silhouette_layer(render, view), (float)number,
                              parallel};
@@ -140,12 +140,12 @@ void volume_cells_write(Render *render)
 {
     const GlContext *gl = render->gl;
     bind(render);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, render->volumes->commands);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, COMMANDS, volume_state(render)->commands);
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, 0,
                            (GLsizeiptr)((size_t)views_of(render) * PARTS * sizeof(Command)),
                            GL_RGBA_INTEGER, GL_UNSIGNED_INT, (GLuint[]){0, 1, 0, 0});
     for (int view = 0, number = 0; view < render->shadows->views.count; view++)
-        if (render->shadows->views.views[view].hybrid)
+        if (volume_has_view(render, view))
             list_view(render, view, number++);
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
 }
@@ -165,10 +165,10 @@ void volume_cells_draw(const Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
     bind(render);
-    gl->BindVertexArray(render->volumes->array);
-    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, render->volumes->commands);
+    gl->BindVertexArray(volume_state(render)->array);
+    gl->BindBuffer(GL_DRAW_INDIRECT_BUFFER, volume_state(render)->commands);
     for (int part = 0; part < PARTS; part++) {
-        set_cells(render, view, &render->volumes->sheets[view], (int[]){number, part});
+        set_cells(render, view, &volume_state(render)->sheets[view], (int[]){number, part});
         gl->DrawArraysIndirect(
             GL_TRIANGLES,
             (const void *)(uintptr_t)((size_t)(PARTS * number + part) * sizeof(Command)));
@@ -180,7 +180,7 @@ void volume_cells_draw_all(const Render *render, int view, int number)
 {
     enum { VERTICES = 30 /* of a cell: VOLUME_MOST triangles */ };
     bind(render);
-    render->gl->BindVertexArray(render->volumes->array);
-    set_cells(render, view, &render->volumes->shown[view], (int[]){number, 0});
+    render->gl->BindVertexArray(volume_state(render)->array);
+    set_cells(render, view, &volume_state(render)->shown[view], (int[]){number, 0});
     render->gl->DrawArrays(GL_TRIANGLES, 0, (GLsizei)(VERTICES * cells_of(render)));
 }

@@ -76,15 +76,15 @@ static bool has_compute(const GlContext *gl)
 /* The indices of a view are its own: the program that writes them has decided diagonals. */
 static bool writes_indices(const Render *render)
 {
-    return render->volumes->path == WORD_Path_compute && is_perfect(render);
+    return volume_state(render)->path == WORD_Path_compute && is_perfect(render);
 }
 
 static size_t vertices_of(const Render *render)
 {
     const size_t size = (size_t)render->scene->shadow_size;
-    if (render->volumes->path == WORD_Path_fetch)
+    if (volume_state(render)->path == WORD_Path_fetch)
         return 0;
-    return is_perfect(render) && render->volumes->path == WORD_Path_copy
+    return is_perfect(render) && volume_state(render)->path == WORD_Path_copy
                ? 4 * (size - 1) * (size - 1)
                : size * size;
 }
@@ -93,7 +93,7 @@ static int hybrid_views(const Render *render)
 {
     int count = 0;
     for (int i = 0; i < render->shadows->views.count; i++)
-        count += render->shadows->views.views[i].hybrid;
+        count += volume_has_view(render, i);
     return count;
 }
 
@@ -107,7 +107,7 @@ static size_t bytes_of(const Render *render)
 static bool choose(Render *render)
 {
     const size_t most = (size_t)VOLUME_AUTO_MIB << 20;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     volumes->path = render->scene->shadow_path;
     if (volumes->path == WORD_Path_compute && !has_compute(render->gl))
         return gl_fail(render->gl, "shadow volumes by compute take OpenGL 4.3");
@@ -123,7 +123,7 @@ static bool choose(Render *render)
 
 const char *volume_data_text(const Render *render, bool shown)
 {
-    const Word path = render->volumes->path;
+    const Word path = volume_state(render)->path;
     if (volume_cells_are(render))
         return volume_cells_head(!shown);
     if (path == WORD_Path_copy)
@@ -139,7 +139,7 @@ const char *volume_data_text(const Render *render, bool shown)
 static bool make_indices(Render *render)
 {
     GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const GLuint size = (GLuint)render->scene->shadow_size;
     const size_t most = (size_t)size * size * QUAD_INDICES;
     GLuint *indices = malloc(most * sizeof *indices);
@@ -169,8 +169,8 @@ static bool make_vertices(Render *render)
     const size_t bytes = vertices_of(render) * (size_t)hybrid_views(render) * sizeof(float);
     if (!bytes)
         return true;
-    gl->GenBuffers(1, &render->volumes->vertices);
-    gl->BindBuffer(GL_ARRAY_BUFFER, render->volumes->vertices);
+    gl->GenBuffers(1, &volume_state(render)->vertices);
+    gl->BindBuffer(GL_ARRAY_BUFFER, volume_state(render)->vertices);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, NULL, GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
     return gl_check(gl, "making vertices of shadow volumes");
@@ -186,9 +186,9 @@ static void make_array(const Render *render, int number, GLuint array)
 {
     const GlContext *gl = render->gl;
     gl->BindVertexArray(array);
-    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, render->volumes->indices);
-    if (render->volumes->vertices) {
-        gl->BindBuffer(GL_ARRAY_BUFFER, render->volumes->vertices);
+    gl->BindBuffer(GL_ELEMENT_ARRAY_BUFFER, volume_state(render)->indices);
+    if (volume_state(render)->vertices) {
+        gl->BindBuffer(GL_ARRAY_BUFFER, volume_state(render)->vertices);
         gl->EnableVertexAttribArray(0);
         gl->VertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0,
                                 offset_of((size_t)number * vertices_of(render)));
@@ -199,7 +199,7 @@ static void make_array(const Render *render, int number, GLuint array)
 
 static bool make_arrays(Render *render)
 {
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     volumes->array_count = volumes->vertices ? hybrid_views(render) : 1;
     volumes->arrays = calloc((size_t)volumes->array_count, sizeof *volumes->arrays);
     if (!volumes->arrays)
@@ -213,7 +213,7 @@ static bool make_arrays(Render *render)
 /* What decides diagonals, or writes all. */
 static bool make_writer(Render *render)
 {
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const char *const quads = is_perfect(render) ? "#define QUADS\n" : "";
     const ProgramText compute = {.compute = {"#version 430 core\n", quads,
                                              render_text_shadow_volume, render_text_volume_write}};
@@ -254,7 +254,7 @@ static void copy_depths(const Render *render, int view, size_t first)
     gl->BindFramebuffer(GL_FRAMEBUFFER, render->shadows->framebuffer);
     gl->FramebufferTextureLayer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, render->shadows->maps, 0,
                                 view);
-    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, render->volumes->vertices);
+    gl->BindBuffer(GL_PIXEL_PACK_BUFFER, volume_state(render)->vertices);
     gl->ReadPixels(0, 0, size, size, GL_DEPTH_COMPONENT, GL_FLOAT,
                    (void *)(uintptr_t)offset_of(first));
     gl->BindBuffer(GL_PIXEL_PACK_BUFFER, 0);
@@ -263,7 +263,7 @@ static void copy_depths(const Render *render, int view, size_t first)
 static void copy_corners(Render *render, int view, size_t first)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const int edge = volumes->corners.spec.width;
     framebuffer_use(gl, &volumes->corners);
     material_set_number(&volumes->writer, "volume_layer", (float)view);
@@ -277,7 +277,7 @@ static void copy_corners(Render *render, int view, size_t first)
 static void compute(Render *render, int view, int number)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     const GLuint groups = (GLuint)(render->scene->shadow_size + GROUP - 1) / GROUP;
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, DEPTHS, volumes->vertices);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INDICES, volumes->indices);
@@ -290,16 +290,16 @@ static void compute(Render *render, int view, int number)
 void volume_data_write(Render *render)
 {
     const GlContext *gl = render->gl;
-    const Word path = render->volumes->path;
+    const Word path = volume_state(render)->path;
     int number = 0;
-    if (render->volumes->cells)
+    if (volume_state(render)->cells)
         volume_cells_write(render);
-    if (!render->volumes->vertices)
+    if (!volume_state(render)->vertices)
         return;
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     for (int view = 0; view < render->shadows->views.count; view++) {
-        if (!render->shadows->views.views[view].hybrid)
+        if (!volume_has_view(render, view))
             continue;
         const size_t first = (size_t)number * vertices_of(render);
         if (path == WORD_Path_compute)
@@ -321,14 +321,14 @@ static int number_of(const Render *render, int view)
 {
     int number = 0;
     for (int i = 0; i < view; i++)
-        number += render->shadows->views.views[i].hybrid;
+        number += volume_has_view(render, i);
     return number;
 }
 
 void volume_data_draw(const Render *render, int view, bool shown)
 {
     const GlContext *gl = render->gl;
-    const FrameVolumes *volumes = render->volumes;
+    const FrameVolumes *volumes = volume_state(render);
     const int number = number_of(render, view);
     if (volumes->cells) {
         (shown ? volume_cells_draw_all : volume_cells_draw)(render, view, number);
@@ -343,18 +343,18 @@ void volume_data_draw(const Render *render, int view, bool shown)
 
 void volume_data_put(Text *out, const Render *render)
 {
-    if (render->volumes->cells)
+    if (volume_state(render)->cells)
         text_format(out, "shadow    volumes cut by silhouettes: %lu bytes of cells\n",
                     (unsigned long)volume_cells_bytes(render));
-    if (render->volumes->arrays)
+    if (volume_state(render)->arrays)
         text_format(out, "shadow    volumes by the path %s: %lu bytes\n",
-                    word_table[render->volumes->path].name, (unsigned long)bytes_of(render));
+                    word_table[volume_state(render)->path].name, (unsigned long)bytes_of(render));
 }
 
 void volume_data_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    FrameVolumes *volumes = render->volumes;
+    FrameVolumes *volumes = volume_state(render);
     if (volumes->arrays)
         gl->DeleteVertexArrays(volumes->array_count, volumes->arrays);
     free(volumes->arrays);

@@ -5,19 +5,38 @@
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/hybrid/volume.h"
 #include <stdlib.h>
+#include <string.h>
+
+/* Views of the picture with volumes in it. */
+static const FrameLook views[] = {
+    /* name                   scene              volume */
+    {"volume", FRAME_LOOK_faces, FRAME_LOOK_faces},
+    {"volumeWireframe", FRAME_LOOK_faces, FRAME_LOOK_lines},
+    {"wireframes", FRAME_LOOK_lines, FRAME_LOOK_lines},
+    {"volumeAlone", FRAME_LOOK_none, FRAME_LOOK_faces},
+    {"volumeWireframeAlone", FRAME_LOOK_none, FRAME_LOOK_lines},
+};
+
+const FrameLook *volume_shown_find(const char *name)
+{
+    for (size_t i = 0; name && i < sizeof views / sizeof *views; i++)
+        if (!strcmp(name, views[i].name))
+            return &views[i];
+    return NULL;
+}
 
 static void place(const Render *render, int view)
 {
-    Material *material = &render->volumes->shown[view];
+    Material *material = &volume_state(render)->shown[view];
     pass_volume_place(render, view, material);
     material_set(material, &(MaterialValue){"look_ray", 4, render->space.ray});
     material_set(material, &(MaterialValue){"look_view", 4, render->space.depth});
 }
 
-void volume_shown_place(const Render *render)
+void volume_shown_place(Render *render)
 {
-    for (int i = 0; render->volumes->shown && i < render->shadows->views.count; i++)
-        if (render->volumes->shown[i].store)
+    for (int i = 0; volume_state(render)->shown && i < render->shadows->views.count; i++)
+        if (volume_state(render)->shown[i].store)
             place(render, i);
 }
 
@@ -25,10 +44,10 @@ void volume_shown_place(const Render *render)
  * looks through faces. */
 static const char *define_look(const Render *render)
 {
-    const VolumeView *look = render->look;
-    if (look->volume == VOLUME_VIEW_lines)
+    const FrameLook *look = render->look;
+    if (look->shadows == FRAME_LOOK_lines)
         return "#define LINES\n#define VIEWED\n";
-    return look->scene == VOLUME_VIEW_none ? "#define SOLID\n#define VIEWED\n" : "#define VIEWED\n";
+    return look->scene == FRAME_LOOK_none ? "#define SOLID\n#define VIEWED\n" : "#define VIEWED\n";
 }
 
 static bool make_view(Render *render, int view)
@@ -40,7 +59,7 @@ static bool make_view(Render *render, int view)
                                          render_text_shadow_volume, cells,
                                          render_text_volume_vertex},
                               .fragment = {head, defined, render_text_volume_shown}};
-    if (!material_make(render->store, NULL, &text, &render->volumes->shown[view]))
+    if (!material_make(render->store, NULL, &text, &volume_state(render)->shown[view]))
         return false;
     place(render, view);
     return true;
@@ -50,7 +69,7 @@ bool volume_shown_make(Render *render)
 {
     const int count = render->shadows->views.count;
     bool fine = true;
-    if (!volume_view_has_volume(render))
+    if (!frame_look_has_shadows(render))
         return true;
     if (render->options.linear)
         return gl_fail(render->gl,
@@ -59,11 +78,11 @@ bool volume_shown_make(Render *render)
     if (!volume_lights_cast(render))
         return gl_fail(render->gl, "there is no view '%s': no light casts hybrid shadows here",
                        render->look->name);
-    render->volumes->shown = calloc((size_t)count, sizeof *render->volumes->shown);
-    if (!render->volumes->shown)
+    volume_state(render)->shown = calloc((size_t)count, sizeof *volume_state(render)->shown);
+    if (!volume_state(render)->shown)
         return gl_fail(render->gl, "out of memory");
     for (int i = 0; fine && i < count; i++)
-        fine = !render->shadows->views.views[i].hybrid || make_view(render, i);
+        fine = !volume_has_view(render, i) || make_view(render, i);
     return fine;
 }
 
@@ -75,10 +94,10 @@ static void begin(const Render *render)
     gl->Enable(GL_PRIMITIVE_RESTART);
     gl->PrimitiveRestartIndex(~0u);
     gl->DepthFunc(GL_GEQUAL);
-    gl->DepthMask(render->look->scene == VOLUME_VIEW_none);
+    gl->DepthMask(render->look->scene == FRAME_LOOK_none);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    if (render->look->volume == VOLUME_VIEW_lines)
+    if (render->look->shadows == FRAME_LOOK_lines)
         gl->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
@@ -98,11 +117,11 @@ static void end(const Render *render)
 
 void volume_shown_draw(Render *render)
 {
-    if (!volume_view_has_volume(render))
+    if (!frame_look_has_shadows(render))
         return;
     begin(render);
     for (int i = 0; i < render->shadows->views.count; i++) {
-        if (!render->volumes->shown[i].store)
+        if (!volume_state(render)->shown[i].store)
             continue;
         render->gl->FrontFace(render->shadows->views.views[i].mirrored ? GL_CW : GL_CCW);
         volume_data_draw(render, i, true);

@@ -1,6 +1,5 @@
 // The plane of the triangle that a pixel sees, where shadows are found by silhouettes;
 // facet_slopes.glsl writes it.
-uniform usampler2D facet_slopes;
 
 vec3 facet_normal = vec3(0.0); // of the pixel that is lit, towards the eye; 0: it is not known, and the surface's own normal is taken
 
@@ -12,7 +11,7 @@ vec3 facet_normal = vec3(0.0); // of the pixel that is lit, towards the eye; 0: 
 //     (0, 0, 1)
 void facetFind(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
-    uint word = texelFetch(facet_slopes, pixel, 0).x;
+    uint word = texelFetch(shadow_seen, pixel, 0).x;
     facet_normal = vec3(0.0);
     if (word == 0u) return;
 #ifdef SHADOW_PLANES

@@ -2,7 +2,7 @@
 // that is drawn, beside the G-buffer. A surface's normal is the mean of its corners', and may look
 // to the light where the triangle looks away. Slopes are those of depth from pixel to pixel, over
 // depth: halves.
-layout(location = EXACT_TARGET) out uint facet_slopes;
+layout(location = SEEN_TARGET) out uint facet_slopes;
 
 void main()
 {

@@ -1,7 +1,6 @@
 /* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of
  * whole numbers, and from there into a texture. */
 #include "gen/render_text.h"
-#include "runtime/shadow/shadow_state.h"
 #include "runtime/shadow/silhouette/silhouette.h"
 #include "runtime/cache/instances.h"
 #include "runtime/frame/frame.h"
@@ -24,7 +23,7 @@ int silhouette_layer(const Render *render, int view)
 {
     int count = 0;
     for (int i = 0; i < view; i++)
-        count += render->shadows->views.views[i].silhouettes;
+        count += render->shadows->views.views[i].crossed;
     return count;
 }
 
@@ -146,7 +145,7 @@ static bool make_textures(Render *render, Silhouettes *made)
 bool silhouette_make(Render *render)
 {
     static const char head[] = "#version 450 core\n";
-    Silhouettes *made = &render->shadows->silhouettes;
+    Silhouettes *made = silhouette_state(render);
     if (!silhouette_layers(render))
         return true;
     if (!render->cache.instances || !render->gl->DispatchCompute)
@@ -164,7 +163,7 @@ bool silhouette_make(Render *render)
 void silhouette_delete(Render *render)
 {
     const GlContext *gl = render->gl;
-    Silhouettes *made = &render->shadows->silhouettes;
+    Silhouettes *made = silhouette_state(render);
     gl->DeleteTextures(1, &made->crossings); /* GL ignores the name 0 */
     gl->DeleteBuffers(3, (GLuint[]){made->extents, made->edges, made->places});
     free(made->meshes);
@@ -206,7 +205,7 @@ static int list_places(Render *render, const ShadowView *view)
                       &render->scene->objects[place->object].world_from_local))
             list[count++] = cache->cast_order[i];
     }
-    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, render->shadows->silhouettes.places);
+    gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, silhouette_state(render)->places);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list,
                    GL_DYNAMIC_DRAW);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
@@ -215,7 +214,7 @@ static int list_places(Render *render, const ShadowView *view)
 
 static void find_of_mesh(Render *render, const SilhouetteMesh *mesh, int first, int count)
 {
-    Silhouettes *made = &render->shadows->silhouettes;
+    Silhouettes *made = silhouette_state(render);
     const GLuint groups = ((GLuint)mesh->count + GROUP - 1) / GROUP;
     for (int done = 0; groups && done < count; done += MOST_GROUPS) {
         const int next = count - done < MOST_GROUPS ? count - done : MOST_GROUPS;
@@ -229,7 +228,7 @@ static void find_of_mesh(Render *render, const SilhouetteMesh *mesh, int first, 
 static void bind(const Render *render)
 {
     const GlContext *gl = render->gl;
-    const Silhouettes *made = &render->shadows->silhouettes;
+    const Silhouettes *made = silhouette_state(render);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, render->cache.matrices);
@@ -243,7 +242,7 @@ static void bind(const Render *render)
 static void pack(Render *render, int layer)
 {
     const GlContext *gl = render->gl;
-    Silhouettes *made = &render->shadows->silhouettes;
+    Silhouettes *made = silhouette_state(render);
     const GLuint groups = ((GLuint)render->scene->shadow_size + SQUARE - 1) / SQUARE;
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     material_use(&made->pack);
@@ -255,7 +254,7 @@ static void pack(Render *render, int layer)
 static void find_in_view(Render *render, int number, int layer)
 {
     const Cache *cache = &render->cache;
-    Silhouettes *made = &render->shadows->silhouettes;
+    Silhouettes *made = silhouette_state(render);
     const int count = list_places(render, &render->shadows->views.views[number]);
     const uint32_t *list = cache->list + (size_t)(CACHE_LISTS - 1) * (size_t)cache->place_count;
     set_view(render, number, &made->find);
@@ -273,6 +272,6 @@ static void find_in_view(Render *render, int number, int layer)
 void silhouette_find(Render *render)
 {
     for (int i = 0, layer = 0; i < render->shadows->views.count; i++)
-        if (render->shadows->views.views[i].silhouettes)
+        if (render->shadows->views.views[i].crossed)
             find_in_view(render, i, layer++);
 }

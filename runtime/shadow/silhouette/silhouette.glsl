@@ -101,7 +101,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
     vec4 depths = textureGather(shadow_maps, middle), free = silhouetteFree(place, part, depths, pixel);
     if (free == vec4(0.0) || free == vec4(1.0)) return free.x > 0.0;
-    middle.z = shadowRow(view, 3).z - 1.0;
+    middle.z = shadowRow(view, 3).w - 1.0;
     vec4 rows = textureGather(silhouette_crossings, middle, 0), columns = textureGather(silhouette_crossings, middle, 1);
     vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0))); // from each centre to the next around the cell
     for (int i = 0; i < 3; i++)

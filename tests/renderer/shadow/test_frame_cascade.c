@@ -3,6 +3,7 @@
  * says. */
 #include "runtime/tessellate/scene_solid.h"
 #include "tests/test.h"
+#include "runtime/render/passes.h"
 #include "runtime/shadow/shadow_views.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_draw.h"
@@ -29,7 +30,7 @@ static ShadowViews views_of(const Scene *scene)
     }
     const Cache cache = {.places = places, .place_count = 2, .boxes = boxes};
     ShadowViews views;
-    assert_true(shadow_views_make(scene, &cache, picture, &views));
+    assert_true(shadow_views_make(shadow_methods, scene, &cache, picture, &views));
     assert_int_equal(views.count, CASCADES);
     return views;
 }

@@ -1,0 +1,119 @@
+/* The row of exact shadows. */
+#include "gen/render_text.h"
+#include "compiler/base/session.h"
+#include "runtime/exact/exact.h"
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/shadow_method.h"
+#include <stdio.h>
+
+enum {
+    FIRSTS_BINDING = 5,
+    TRIANGLES_BINDING,
+    LISTS_BINDING
+}; /* as exact_number.glsl, exact.glsl */
+
+static void seen_bind(const Render *render)
+{
+    if (exact_state(render)->corners)
+        render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, FIRSTS_BINDING,
+                                   exact_state(render)->firsts);
+}
+
+/* Its programs outlive a scene. */
+static void close_cover(Render *render) { exact_cover_close(&exact_state(render)->cover); }
+
+/* -- for the lighting of surfaces */
+
+static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
+{
+    if (!pass_exact_needed(render))
+        return;
+    snprintf(made->defined, sizeof made->defined, "%s", nearest ? "#define EXACT_SEEN\n" : "");
+    made->texts[0] = render_text_exact;
+    made->texts[1] = nearest ? render_text_exact_seen : NULL;
+    made->calls[SHADOW_CALL_light] = "exactLight";
+    made->calls[SHADOW_CALL_pixel] = nearest ? "exactAtPixel" : NULL;
+}
+
+static void set(const Render *render, ScreenPass *pass)
+{
+    static const char *const names[4] = {"exact_right", "exact_up", "exact_back", "exact_eye"};
+    const SceneCamera *camera = &render->scene->camera;
+    const double *const axes[3] = {camera->right, camera->up, camera->back};
+    for (int i = 0; i < 4; i++) {
+        float lanes[4] = {0, 0, 0, i == 3 ? (float)exact_state(render)->triangles.reach : 0};
+        for (int k = 0; k < 3; k++)
+            lanes[k] =
+                (float)(i < 3 ? axes[i][k]
+                              : camera->position[k] - exact_state(render)->triangles.origin[k]);
+        material_set(&pass->material, &(MaterialValue){names[i], 4, lanes});
+    }
+}
+
+static void bind(const Render *render, int unit)
+{
+    const GlContext *gl = render->gl;
+    const ExactShadows *exact = exact_state(render);
+    (void)unit;
+    if (!exact->corners)
+        return;
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRIANGLES_BINDING, exact->corners);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, exact->cover.lists);
+}
+
+/* -- for --stats */
+
+static void put(Text *out, const Render *render)
+{
+    const ExactShadows *exact = exact_state(render);
+    const int varying = shadow_views_varying(&render->cache);
+    if (!exact->corners)
+        return;
+    text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,
+                (unsigned long)exact->triangles.count * sizeof(ExactCorners));
+    text_format(out, "exact     lists of triangles for %d lights, %lu bytes; the longest has %d\n",
+                exact->cover.light_count, (unsigned long)(exact->cover.words * sizeof(GLuint)),
+                exact_cover_longest(&exact->cover));
+    if (varying)
+        text_format(out,
+                    "exact     %d objects cast shadows by maps, as their transparency varies\n",
+                    varying);
+}
+
+/* Lists are made once more, as when a light moves. */
+static void put_time(Text *out, Render *render)
+{
+    if (!exact_state(render)->corners)
+        return;
+    const double start = session_now();
+    const bool made = pass_exact_list(render);
+    render->gl->Finish();
+    text_put(out, "\nlists for exact shadows are made in ");
+    text_rounded(out, 1e3 * (made ? session_now() - start : 0), 3);
+    text_put(out, " milliseconds\n");
+}
+
+static const SeenText seen = {.fragment = render_text_exact_number, .places = true};
+
+extern const ShadowMethod shadow_exact;
+const ShadowMethod shadow_exact = {
+    .word = WORD_Shadows_exact,
+    .state = sizeof(ExactShadows),
+    .triangles = true,
+    .beside = true,
+    .even = true,
+    .seen = &seen,
+    .seen_wanted = pass_exact_wanted,
+    .seen_needed = pass_exact_needed,
+    .seen_bind = seen_bind,
+    .make = pass_exact_make,
+    .changed = pass_exact_change,
+    .moved = pass_exact_move,
+    .forget = pass_exact_delete,
+    .close = close_cover,
+    .text = write_text,
+    .set = set,
+    .bind = bind,
+    .put = put,
+    .put_time = put_time,
+};

@@ -1,0 +1,117 @@
+/* The row of hybrid shadows. */
+#include "gen/render_text.h"
+#include "runtime/frame/frame.h"
+#include "runtime/shadow/hybrid/volume.h"
+#include "runtime/shadow/shadow.h"
+#include <stdio.h>
+
+enum { LANE_LIGHTS = 8 /* bits of a lane of the mask */ };
+
+static bool crossed(const Scene *scene) { return scene->shadow_volume == WORD_Volume_silhouette; }
+
+/* A stencil, and a bit for each light. */
+static const char *target(const Render *render, FrameTarget target)
+{
+    if (target == FRAME_TARGET_depth && volume_lights_cast(render))
+        return "DEPTH32F_STENCIL8";
+    return target == FRAME_TARGET_mask && volume_lights_count(render) > LANE_LIGHTS ? "RGBA8"
+                                                                                    : NULL;
+}
+
+static bool make_maps(Render *render)
+{
+    return volume_blur_make(render) && volume_data_make(render);
+}
+
+/* One side of what is opaque, and nothing at the border, so that the volume that
+ * is made of it is closed. */
+static void draw(Render *render, const CacheSource *source, int view)
+{
+    const GlContext *gl = render->gl;
+    const Scene *scene = render->scene;
+    const bool blurred = scene->shadow_volume == WORD_Volume_blurred;
+    const int inner = scene->shadow_size - 2;
+    if (blurred) {
+        volume_blur_use(render);
+        gl->ClearBufferfv(GL_DEPTH, 0, (float[]){0});
+    }
+    gl->Enable(GL_CULL_FACE);
+    gl->CullFace(blurred ? GL_BACK : GL_FRONT);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(1, 1, inner, inner);
+    gl->PolygonOffset((blurred ? -(float)scene->shadow_offset : 0) - 1.0f / 64, -2);
+    shadow_draw_cast(render, source, view, false);
+    gl->Disable(GL_CULL_FACE);
+    gl->CullFace(GL_BACK);
+    gl->Disable(GL_SCISSOR_TEST);
+    if (blurred) {
+        shadow_draw_layer(render, view);
+        volume_blur_draw(render);
+    }
+}
+
+/* -- for the lighting of surfaces */
+
+/* What is transparent asks a volume's cells; for the rest it is counted. */
+static const char *cells_text(const Render *render, bool nearest)
+{
+    return volume_cells_are(render) && !nearest
+               ? "#define SHADOW_CUT\n#define VOLUME_HAS\n#define VOLUME_DEPTHS shadow_maps\n"
+                 "#define VOLUME_CROSSINGS silhouette_crossings\n"
+               : "";
+}
+
+static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
+{
+    if (!volume_lights_cast(render))
+        return;
+    snprintf(made->defined, sizeof made->defined,
+             "#define SHADOW_APART\n%s%s#define SHADOW_QUADS %s\n#define SHADOW_STRETCHED %s\n",
+             nearest ? "#define SHADOW_MASK\n" : "", cells_text(render, nearest),
+             render->scene->shadow_volume == WORD_Volume_perfect ? "true" : "false",
+             render->scene->shadow_stretched ? "true" : "false");
+    made->texts[0] = render_text_shadow_volume;
+    made->texts[1] = render_text_volume_share;
+    made->texts[2] = volume_cells_are(render) && !nearest ? render_text_volume_cells : NULL;
+    made->calls[SHADOW_CALL_light] = "volumeLight";
+}
+
+static void bind(const Render *render, int unit)
+{
+    if (frame_texture(render, FRAME_TARGET_mask, 0))
+        texture_bind(render->gl, frame_texture(render, FRAME_TARGET_mask, 0), unit);
+}
+
+/* A picture for each volume. */
+static bool vary(Scene *scene, Word variant)
+{
+    if (!scene_volume_name(variant))
+        return false;
+    scene->shadow_volume = variant;
+    return true;
+}
+
+extern const ShadowMethod shadow_hybrid;
+const ShadowMethod shadow_hybrid = {
+    .word = WORD_Shadows_hybrid,
+    .state = sizeof(FrameVolumes),
+    .beside = true,
+    .meshes = true,
+    .apart = true,
+    .target = target,
+    .border = true,
+    .single = true,
+    .crossed = crossed,
+    .make_maps = make_maps,
+    .draw = draw,
+    .drawn = volume_data_write,
+    .text = write_text,
+    .sampler = "shadow_mask",
+    .bind = bind,
+    .put = volume_data_put,
+    .look = volume_shown_find,
+    .look_make = volume_shown_make,
+    .look_place = volume_shown_place,
+    .look_draw = volume_shown_draw,
+    .vary = vary,
+};
