@@ -24,7 +24,7 @@ typedef enum {
     FRAME_TARGET_smooth,  /* smoothed along rows */
     FRAME_TARGET_open,    /* openness and indirect light */
     FRAME_TARGET_edge,
-    FRAME_TARGET_mask,  /* a bit for each light with hybrid shadows: something keeps it off */
+    FRAME_TARGET_mask,  /* a bit for each light whose shadows are counted: it is kept off */
     FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
     FRAME_TARGET_layer_depth,
     FRAME_TARGET_layer_keys, /* of two layers */

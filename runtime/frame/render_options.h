@@ -22,7 +22,7 @@ typedef struct {
     const MatcOptions *compile;
     /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ...;
      * "shadow": nothing is, but maps (render_read_map). The picture with objects as lines:
-     * "wireframe"; with the volumes of hybrid shadows: "volume", "volumeWireframe", "wireframes",
+     * "wireframe"; with shadow volumes: "volume", "volumeWireframe", "wireframes",
      * both as lines; these alone: "volumeAlone", "volumeWireframeAlone" */
     const char *view;
     int width, height; /* of the picture; 0: as the scene says */

@@ -126,9 +126,9 @@ MATC_API bool matc_render_look(MatcRender *render, const double position[3], con
 /* `position` counts for lights that have one; `rgb` is intensity times colour. */
 MATC_API bool matc_render_light(MatcRender *render, int light, const double position[3],
                                 const double rgb[3]);
-/* How a light casts shadows, by a word of `shadows:`: "none", "map", "silhouette", "hybrid",
- * "exact". What is made of the scene is made anew where that is another than before. False: the
- * light or the driver cannot have it, and all is as it was. */
+/* How a light casts shadows, by a word of `shadows:`, as "map" or "none". What is made of the scene
+ * is made anew where that is another than before. False: the light or the driver cannot have it,
+ * and all is as it was. */
 MATC_API bool matc_render_shadows(MatcRender *render, int light, const char *method);
 /* A param of a document's material, of 1 to 4 lanes. */
 MATC_API bool matc_render_param(MatcRender *render, int material, const char *name,

@@ -12,11 +12,11 @@ bool scene_casts(const Scene *scene)
     return casts;
 }
 
-/* Shadows of an extent are soft, which maps alone can be. */
+/* Shadows of an extent are soft, which plain maps alone can be. */
 bool scene_light_takes(const SceneLight *light, Word method)
 {
     return light_from(light) != LIGHT_FROM_extent || method == WORD_Shadows_none ||
-           method == WORD_Shadows_map;
+           method == SCENE_SHADOWS_PLAIN;
 }
 
 void scene_lights_shadow(Scene *scene, Word method)

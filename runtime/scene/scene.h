@@ -160,7 +160,7 @@ typedef struct Scene {
     int shadow_filter;     /* texels over which a shadow's edge is spread; 0: none */
     int shadow_cascades;   /* maps of a directional light */
     int shadow_points;     /* of an Area, along each edge: each has a map */
-    Word shadow_volume;    /* of hybrid shadows: WORD_Volume_plain, ... */
+    Word shadow_volume;    /* of shadow volumes: WORD_Volume_plain, ... */
     Word shadow_path;      /* how its vertices come to their depths: WORD_Path_auto, ... */
     double shadow_offset;  /* texels, of a blurred volume */
     bool shadow_stretched; /* its outermost texels lie at the map's edge */
@@ -194,6 +194,8 @@ void scene_lights_shadow(Scene *scene, Word method);
 bool scene_indirect_is(const Scene *scene); /* it has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
+/* Plain maps: what `shadows:` is unless it says otherwise. */
+#define SCENE_SHADOWS_PLAIN WORD_Shadows_map
 static inline bool scene_light_casts(const SceneLight *light)
 {
     return light->shadows != WORD_Shadows_none;

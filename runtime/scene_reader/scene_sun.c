@@ -15,7 +15,7 @@ static void add_sun(SceneReader *r, const GraphSky *sky)
     for (int i = 0; i < 3; i++)
         sent[i] = scene->sky_light[i] * sky->irradiance[i] / PI;
     SceneLight light = light_directional_new(direction, sent);
-    light.shadows = WORD_Shadows_map;
+    light.shadows = SCENE_SHADOWS_PLAIN;
     ARENA_PUSH(r->session->arena, scene->lights, count, r->light_room, light);
     scene->light_count = (int)count;
 }

@@ -129,7 +129,7 @@ static const Option options[] = {
     TEXT("--view", view, "=NAME",
          "shown (default), light, depth, shadow (maps, side by side), positions, voxels, open, "
          "indirect, bent, visibility, or a slot; wireframe; volume, volumeWireframe, "
-         "wireframes, volumeAlone, volumeWireframeAlone: with hybrid shadows' volumes"),
+         "wireframes, volumeAlone, volumeWireframeAlone: with shadow volumes"),
     {"--tools", OPTION_set, AT(tools_named),
      .words = OPTION_WORDS("grid", "axes", "lights", "none"), .label = "=LIST",
      .help = "of grid, axes, lights, or none: lines over the picture; else as the scene says"},
@@ -209,7 +209,7 @@ static const Option options[] = {
     HEADING("of scenes\n"),
     {"--shadows", OPTION_index, AT(shadows), .words = {shadows_word, NULL, WORD_COUNT},
      .label = "=METHOD",
-     .help = "map, silhouette, hybrid, exact, none: how all lights cast shadows that do, else "
+     .help = "how all lights cast shadows that do (matc --explain shadows), else "
              "as the scene says"},
     {"--indirect", OPTION_index, AT(indirect), .words = {indirect_word, NULL, WORD_COUNT},
      .label = "=METHOD",
