@@ -87,7 +87,7 @@ bool pass_exact_list(Render *render)
 
 bool pass_exact_wanted(const Render *render)
 {
-    return shadow_method_lights(render, WORD_Shadows_exact) > 0 && shadow_is_lit(render);
+    return shadow_method_lights(render, WORD_Shadows_exact) > 0 && shadow_shows_light(render);
 }
 
 bool pass_exact_needed(const Render *render)

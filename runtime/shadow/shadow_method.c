@@ -82,7 +82,7 @@ bool shadow_method_sees(const Render *render)
     return method && method->seen_needed(render);
 }
 
-bool shadow_is_lit(const Render *render)
+bool shadow_shows_light(const Render *render)
 {
     const char *view = render->options.view;
     return !view || !strcmp(view, "shown") || !strcmp(view, "light");

@@ -126,8 +126,8 @@ ShadowNeeds shadow_methods_need(const Render *render);
 const ShadowMethod *shadow_method_seen(const Render *render);
 bool shadow_method_sees(const Render *render);
 void shadow_method_seen_bind(const Render *render);
-/* The view shows the picture or its light. */
-bool shadow_is_lit(const Render *render);
+/* The view is the picture or its light. */
+bool shadow_shows_light(const Render *render);
 /* The driver has room for that target beside those of the G-buffer. */
 bool shadow_seen_fits(const Render *render);
 /* The format of a target by the first row that says one; NULL: none does. */

@@ -16,7 +16,7 @@ static bool crossed(const Scene *scene)
 static bool seen_wanted(const Render *render)
 {
     return shadow_method_lights(render, WORD_Shadows_silhouette) > 0 && shadow_seen_fits(render) &&
-           render->gl->major * 10 + render->gl->minor >= 45 && shadow_is_lit(render);
+           render->gl->major * 10 + render->gl->minor >= 45 && shadow_shows_light(render);
 }
 
 static bool seen_needed(const Render *render) { return silhouette_layers(render) > 0; }
