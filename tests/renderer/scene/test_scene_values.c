@@ -116,6 +116,21 @@ static void each_light(void **state)
     all_kinds_met(SCENE_SORT_light, met);
 }
 
+/* Every kind of light in scene.def has its row in light_kinds.def, and the GLSL that it needs: only
+ * points and parallel light share a formula. */
+static void each_light_has_a_row(void **state)
+{
+    (void)state;
+    for (int kind = 0; kind < SCENE_KIND_COUNT; kind++) {
+        if (scene_kind_table[kind].sort != SCENE_SORT_light)
+            continue;
+        const LightKind *row = light_kind_table[light_kind_number((SceneKind)kind)];
+        assert_int_equal(row->kind, kind);
+        assert_string_equal(light_kind_name(row), scene_kind_table[kind].name);
+        assert_true(row->glsl || row->from < LIGHT_FROM_extent);
+    }
+}
+
 /* -- Sky and sun ------------------------------------------------------------------------------- */
 
 #define NO_SUN                                                                                     \
@@ -365,9 +380,13 @@ static void names(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(each_light),  cmocka_unit_test(suns_of_skies),
-        cmocka_unit_test(each_object), cmocka_unit_test(objects_within_others),
-        cmocka_unit_test(copies),      cmocka_unit_test(names),
+        cmocka_unit_test(each_light),
+        cmocka_unit_test(each_light_has_a_row),
+        cmocka_unit_test(suns_of_skies),
+        cmocka_unit_test(each_object),
+        cmocka_unit_test(objects_within_others),
+        cmocka_unit_test(copies),
+        cmocka_unit_test(names),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }
