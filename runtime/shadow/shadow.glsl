@@ -13,7 +13,7 @@
 //    front of what the map has of it, so that walls do not shade the floor before them.
 // A shadow is lost only where what casts it is nearer than that, a texel and a half with the
 // default filter, measured across its plane.
-const int SHADOW_ROW = 1024;
+#include "shadow_view.layout.def"
 
 // A share of light; where something transparent casts shadows, one of each colour.
 #ifdef SHADOW_COLORED
@@ -68,12 +68,13 @@ const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25; // texels
 
 vec4 shadowRow(int view, int row)
 {
-    return texelFetch(shadow_views, ivec2(view % SHADOW_ROW * 4 + row, view / SHADOW_ROW), 0);
+    return texelFetch(shadow_views, ivec2(view % VIEW_ROW * VIEW_TEXELS + row, view / VIEW_ROW), 0);
 }
 
 vec3 shadowPlace(int view, vec4 point)
 {
-    return vec3(dot(shadowRow(view, 0), point), dot(shadowRow(view, 1), point), dot(shadowRow(view, 2), point));
+    return vec3(dot(shadowRow(view, VIEW_ROWS), point), dot(shadowRow(view, VIEW_ROWS + 1), point),
+                dot(shadowRow(view, VIEW_ROWS + 2), point));
 }
 
 // From the axes of a cube's first face, y, z, x, to those of the face that a place is seen on.
@@ -200,7 +201,7 @@ SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, fl
 // A view, or those of a cube.
 SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
-    vec4 how = shadowRow(first, 3);
+    vec4 how = shadowRow(first, VIEW_HOW);
 #ifdef SHADOW_CALL_VIEW
     if (how.z > 0.0) return shadowOfView(int(how.z), first, count, point, normal, pixel);
 #endif
@@ -217,7 +218,7 @@ const float SHADOW_BAND = 0.0625; // along the edge of a cascade, of half its wi
 // 0 where a cascade lacks texels around a point; growing to 1 across the band.
 float shadowInside(int view, vec3 point, vec3 normal, float pixel)
 {
-    float lift = SHADOW_LIFT * shadowRow(view, 3).y + pixel / 64.0;
+    float lift = SHADOW_LIFT * shadowRow(view, VIEW_HOW).y + pixel / 64.0;
     vec2 place = abs(shadowPlace(view, vec4(point + lift * normal, 1.0)).xy);
     float edge = 1.0 - float(SHADOW_FILTER + 2) / float(SHADOW_SIZE);
     return clamp((edge - max(place.x, place.y)) / SHADOW_BAND, 0.0, 1.0);
@@ -241,7 +242,7 @@ SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
 // `count` from `first` on.
 SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
-    return shadowRow(first, 3).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
+    return shadowRow(first, VIEW_HOW).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
                                         : shadowViewed(first, count, point, normal, pixel);
 }
 #endif
@@ -251,7 +252,7 @@ uniform sampler2D shadow_planes;
 
 vec4 shadowPlane(int texel)
 {
-    return texelFetch(shadow_planes, ivec2(texel % SHADOW_ROW, texel / SHADOW_ROW), 0);
+    return texelFetch(shadow_planes, ivec2(texel % VIEW_ROW, texel / VIEW_ROW), 0);
 }
 
 // A plane stands between a point and a light if they are on its two sides. A point of the plane

@@ -45,7 +45,7 @@ Soft softOf(int light, Seen seen)
     float side = dot(z, way) < 0.0 ? -1.0 : 1.0, near = 0.0;
     int layer = int(u.w) - 1 + (side < 0.0 ? SOFT_POINTS * SOFT_POINTS : 0);
 #ifdef SHADOW_MAPS
-    near = shadowRow(layer, 3).x;
+    near = shadowRow(layer, VIEW_HOW).x;
 #endif
     return Soft(corner.xyz, u.xyz, v.xyz, seen.point, vec2(length(u.xyz), 0.0), vec2(dot(v.xyz, x), dot(v.xyz, y)),
                 vec3(dot(x, way), dot(y, way), abs(dot(z, way))),

@@ -1,4 +1,5 @@
 /* What the lighting of surfaces reads of shadows: views and planes as texels. */
+#include "gen/shadow_view_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/scene/scene_matrix.h"
@@ -10,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { VIEW_TEXELS = 4, ROW = 1024 /* views, or planes, in a row of their texture */ };
+enum { VIEW_TEXELS = SHADOW_VIEW_TEXELS, ROW = SHADOW_VIEW_ROW };
 
 /* A row from the world, as one from the eye's space, which is turned and moved. */
 static void from_eye(const double *eye_from_world, const double row[4], float out[4])
@@ -33,9 +34,9 @@ static void put_view(const Render *render, const ShadowView *view, int layer, fl
         (float)view->near, (float)view->texel,
         view->method->views ? (float)shadow_method_number(render, view->method->word) : 0,
         (float)layer};
-    for (int row = 0; row < 3; row++)
-        from_eye(render->space.eye_from_world, view->rows[row], texels[row]);
-    memcpy(texels[3], last, sizeof texels[3]);
+    for (int row = 0; row < SHADOW_VIEW_HOW; row++)
+        from_eye(render->space.eye_from_world, view->rows[row], texels[SHADOW_VIEW_ROWS + row]);
+    memcpy(texels[SHADOW_VIEW_HOW], last, sizeof texels[SHADOW_VIEW_HOW]);
 }
 
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])

@@ -22,7 +22,7 @@ bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel); // volume
 // Whether the volume of a view has a point in it: the same triangles.
 bool volumeHas(int view, vec3 point)
 {
-    vec4 how = shadowRow(view, 3);
+    vec4 how = shadowRow(view, VIEW_HOW);
     vec3 place = shadowPlace(view, vec4(point, 1.0));
     bool parallel = how.x <= 0.0;
     if (!parallel && place.z <= 0.0) return false;

@@ -66,7 +66,7 @@ struct SilhouettePlace {
 // (n.x x / z + n.y y / z + n.z).
 SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
 {
-    vec4 rows[3] = vec4[3](shadowRow(view, 0), shadowRow(view, 1), shadowRow(view, 2)), how = shadowRow(view, 3);
+    vec4 rows[3] = vec4[3](shadowRow(view, VIEW_ROWS), shadowRow(view, VIEW_ROWS + 1), shadowRow(view, VIEW_ROWS + 2)), how = shadowRow(view, VIEW_HOW);
     vec3 p, n;
     for (int i = 0; i < 3; i++) {
         p[i] = dot(rows[i], vec4(point, 1.0));
@@ -101,7 +101,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
     vec4 depths = textureGather(shadow_maps, middle), free = silhouetteFree(place, part, depths, pixel);
     if (free == vec4(0.0) || free == vec4(1.0)) return free.x > 0.0;
-    middle.z = shadowRow(view, 3).w - 1.0;
+    middle.z = shadowRow(view, VIEW_HOW).w - 1.0;
     vec4 rows = textureGather(silhouette_crossings, middle, 0), columns = textureGather(silhouette_crossings, middle, 1);
     vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0))); // from each centre to the next around the cell
     for (int i = 0; i < 3; i++)
@@ -122,7 +122,7 @@ bool facet_away = false;     // it looks away from the light, while the surface'
 // are a map's.
 SHARE silhouetteThrough(int view, vec3 point)
 {
-    vec4 how = shadowRow(view, 3);
+    vec4 how = shadowRow(view, VIEW_HOW);
     vec3 place = shadowPlace(view, vec4(point, 1.0));
     float depth = how.x > 0.0 ? how.x / place.z : place.z;
     vec2 corner = ((how.x > 0.0 ? place.xy / place.z : place.xy) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5 * float(SHADOW_FILTER);
@@ -144,7 +144,7 @@ SHARE silhouetteThrough(int view, vec3 point)
 // A view, or those of a cube, which overlap by two texels on each side.
 SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel)
 {
-    vec4 how = shadowRow(first, 3);
+    vec4 how = shadowRow(first, VIEW_HOW);
     vec3 place = shadowPlace(first, vec4(point, 1.0));
     int face = 0;
     if (how.x > 0.0 && count > 1)
