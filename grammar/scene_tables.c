@@ -23,6 +23,7 @@
 #define VALUE_Filter       PLAIN(Filter)
 #define VALUE_Resolution   PLAIN(Resolution)
 #define VALUE_Preset       PLAIN(Preset)
+#define VALUE_Quality      PLAIN(Quality)
 #define VALUE_March        PLAIN(March)
 #define VALUE_Transform    PLAIN(Transform)
 #define VALUE_Material     .value = SCENE_VALUE_material, .param.type = PARAM_Material
@@ -77,8 +78,8 @@ const SceneSortRow scene_sort_table[SCENE_SORT_COUNT] = {
 };
 
 const ScenePresetRow scene_preset_table[] = {
-#define SCENE_PRESET(kind, word, name, value)                                                      \
-    {SCENE_##kind, WORD_Preset_##word, S_##kind##_##name, value},
+#define SCENE_PRESET(kind, key, word, name, value)                                                 \
+    {S_##kind##_##key, word, S_##kind##_##name, value},
 #include "scene.def"
 };
 const int scene_preset_count = sizeof scene_preset_table / sizeof *scene_preset_table;

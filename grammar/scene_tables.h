@@ -44,9 +44,9 @@ typedef struct {
     ParamRow param; /* name, default, range, line; its kind is KIND_COUNT */
     const char *unit;
 } SceneParamRow;
-/* Value of a parameter by a word of its kind's parameter `preset`. */
+/* Value of a plain parameter if the parameter `key` of the same kind has a word. */
 typedef struct {
-    SceneKind kind;
+    int key;
     Word word;
     int param;
     double value;

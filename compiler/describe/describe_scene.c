@@ -55,12 +55,46 @@ static void put_params(Text *out, const SceneKindRow *kind)
                     width[3], range_text(out->arena, &rows[i]), rows[i].param.doc);
 }
 
+static void put_preset_value(Text *out, const ScenePresetRow *row)
+{
+    const ParamRow *param = &scene_param_table[row->param].param;
+    text_format(out, "%s: ", param->name);
+    if (param_is_word(param))
+        text_put(out, word_table[(int)row->value].name);
+    else
+        text_plain(out, row->value);
+}
+
+/* A line for each word that sets parameters: "quality: draft  rays: 4, resolution: half". */
+static void put_presets(Text *out, SceneKind kind)
+{
+    enum { WIDTH = 24 };
+    const ScenePresetRow *before = NULL;
+    for (int i = 0; i < scene_preset_count; i++) {
+        const ScenePresetRow *row = &scene_preset_table[i];
+        const SceneParamRow *key = &scene_param_table[row->key];
+        if (key->kind != kind)
+            continue;
+        const bool same = before && before->key == row->key && before->word == row->word;
+        if (!before)
+            text_put(out, "\nValues of parameters that are not given, by words of others\n");
+        if (!same)
+            text_format(out, "%s  %s: %-*s", before ? "\n" : "", key->param.name,
+                        WIDTH - (int)strlen(key->param.name), word_table[row->word].name);
+        text_put(out, same ? ", " : "");
+        put_preset_value(out, row);
+        before = row;
+    }
+    text_put(out, before ? "\n" : "");
+}
+
 void describe_scene_kind(Text *out, SceneKind kind)
 {
     const SceneKindRow *row = &scene_kind_table[kind];
     text_format(out, "%s (%s of a scene)\n%s\n", row->name, scene_sort_table[row->sort].name,
                 row->doc);
     put_params(out, row);
+    put_presets(out, kind);
 }
 
 void describe_scene_sort(Text *out, SceneSort sort)

@@ -23,7 +23,8 @@ void scene_indirect_read(SceneReader *r, Tree *tree)
         scene_thing_default(r, SCENE_SORT_indirect, &thing);
     else if (!scene_thing_read(r, tree, SCENE_SORT_indirect, &thing))
         return;
-    scene_thing_preset(&thing, word_of(&thing, S_Indirect_preset));
+    scene_thing_preset(&thing, S_Indirect_quality);
+    scene_thing_preset(&thing, S_Indirect_preset);
     r->scene->indirect = (SceneIndirect){
         .method = tree ? word_of(&thing, S_Indirect_method) : WORD_Indirect_none,
         .rays = whole_of(&thing, S_Indirect_rays),

@@ -130,13 +130,13 @@ void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing)
 
 static int place_of(const SceneThing *thing, int param) { return param - row_of(thing)->first; }
 
-void scene_thing_preset(SceneThing *thing, Word preset)
+void scene_thing_preset(SceneThing *thing, int key)
 {
+    const Word word = (Word)scene_thing_number(thing, key);
     for (int i = 0; i < scene_preset_count; i++) {
         const ScenePresetRow *row = &scene_preset_table[i];
         const char *name = scene_param_table[row->param].param.name;
-        if (row->kind == thing->kind && row->word == preset &&
-            !(thing->tree && tree_find(thing->tree, name)))
+        if (row->key == key && row->word == word && !(thing->tree && tree_find(thing->tree, name)))
             thing->values[place_of(thing, row->param)].number[0] = row->value;
     }
 }

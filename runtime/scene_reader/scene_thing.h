@@ -70,8 +70,9 @@ bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
 /* What is where nothing is given: the first kind of its sort. */
 void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
 
-/* Keys that are not given are as the word of its parameter `preset` has them (SCENE_PRESET). */
-void scene_thing_preset(SceneThing *thing, Word preset);
+/* Sets the parameters that are not given to the values that go with the word of the parameter
+ * `key` (SCENE_PRESET). */
+void scene_thing_preset(SceneThing *thing, int key);
 
 double scene_thing_number(const SceneThing *thing, int param);
 void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);

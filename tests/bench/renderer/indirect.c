@@ -1,10 +1,12 @@
 /* matbench indirect: what voxels take: slice maps and their levels, by triangles; rays through them
  * by levels, voxel by voxel, and by the thesis' march; how calm a camera's path is:
- * indirect_path.c; what passes take: indirect_passes.c; the thesis' tables: indirect_table.c. */
+ * indirect_path.c; what passes take: indirect_passes.c; time and error of qualities:
+ * indirect_quality.c; the thesis' tables: indirect_table.c. */
 #include "gen/render_text.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "indirect_passes.h"
 #include "indirect_path.h"
+#include "indirect_quality.h"
 #include "indirect_table.h"
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
@@ -314,6 +316,11 @@ static bool measure_passes(GlContext *gl, const BenchOptions *a)
     return bench_indirect_passes(gl, &(IndirectPasses){a->mesh, a->lift, a->pixels, a->timed});
 }
 
+static bool measure_quality(GlContext *gl, const BenchOptions *a)
+{
+    return bench_indirect_quality(gl, &(IndirectQuality){a->pixels, a->timed});
+}
+
 static bool measure_table(GlContext *gl, const BenchOptions *a)
 {
     return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->pixels, a->timed});
@@ -324,11 +331,8 @@ static bool measure_table(GlContext *gl, const BenchOptions *a)
 static const struct {
     const char *name;
     bool (*measure)(GlContext *, const BenchOptions *);
-} tables[] = {{"maps", measure_maps},
-              {"rays", measure_rays},
-              {"path", measure_path},
-              {"passes", measure_passes},
-              {"table", measure_table}};
+} tables[] = {{"maps", measure_maps},     {"rays", measure_rays},       {"path", measure_path},
+              {"passes", measure_passes}, {"quality", measure_quality}, {"table", measure_table}};
 /* what takes minutes is measured only by its name */
 enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 };
 

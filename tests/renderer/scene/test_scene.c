@@ -278,8 +278,8 @@ static void thin_parallelograms(void **state)
     }
 }
 
-/* Of a preset those keys count that are not given; the others are as ever (steps: 0, by the
- * method). */
+/* `quality` and `preset` set the keys that are not given, and preset wins over quality; the other
+ * keys have their defaults (steps: 0, by the method). */
 static void presets_of_indirect(void **state)
 {
     (void)state;
@@ -290,7 +290,12 @@ static void presets_of_indirect(void **state)
         double radius;
     } cases[] = {
         {"preset: none", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
-        {"preset: draft", WORD_Indirect_auto, WORD_Filter_separable, 4, 0, 2, 0},
+        {"quality: normal", WORD_Indirect_auto, WORD_Filter_separable, 8, 0, 1, 0},
+        {"quality: draft", WORD_Indirect_auto, WORD_Filter_separable, 2, 0, 1, 0},
+        {"quality: fine, method: screen", WORD_Indirect_screen, WORD_Filter_atrous, 64, 0, 1, 0},
+        {"filter: none, quality: fine", WORD_Indirect_auto, WORD_Filter_none, 64, 0, 1, 0},
+        {"quality: fine, preset: thesisPoints", WORD_Indirect_points, WORD_Filter_none, 32, 0, 1,
+         1.5},
         {"preset: thesisBuddha", WORD_Indirect_march, WORD_Filter_none, 32, 32, 1, 4},
         {"rays: 5, preset: thesisBuddha, method: voxels", WORD_Indirect_voxels, WORD_Filter_none, 5,
          32, 1, 4},

@@ -18,7 +18,7 @@ typedef struct {
 } Default;
 
 typedef struct {
-    const char *kind, *word, *key;
+    const char *kind, *key, *word, *name;
     double value;
 } Preset;
 
@@ -26,7 +26,7 @@ typedef struct {
     {                                                                                              \
         x, y, z                                                                                    \
     }
-#define PRESET(kind, word, key, value)
+#define PRESET(kind, key, word, name, value)
 #define NUMBER(kind, key, init, least, greatest, unit)                                             \
     {A_NUMBER, #kind, #key, {init}, least, greatest, unit},
 #define VECTOR(kind, key, init, least, greatest, unit)                                             \
@@ -44,7 +44,7 @@ static const Default defaults[] = {
 #define TRUTH(kind, key, init)
 #define CHOICE(kind, key, list, word)
 #define NOTHING(kind, key)
-#define PRESET(kind, word, key, value) {#kind, #word, #key, value},
+#define PRESET(kind, key, word, name, value) {#kind, #key, #word, #name, value},
 static const Preset presets[] = {
 #include "tests/scene_defaults.def"
 };
@@ -110,9 +110,12 @@ static void each_key(void **state)
 
 static bool is_preset(const ScenePresetRow *row, const Preset *preset)
 {
-    return !strcmp(scene_kind_table[row->kind].name, preset->kind) &&
+    const SceneParamRow *key = &scene_param_table[row->key];
+    return !strcmp(scene_kind_table[key->kind].name, preset->kind) &&
+           !strcmp(key->param.name, preset->key) &&
            !strcmp(word_table[row->word].name, preset->word) &&
-           !strcmp(scene_param_table[row->param].param.name, preset->key) &&
+           word_table[row->word].list == key->param.type &&
+           !strcmp(scene_param_table[row->param].param.name, preset->name) &&
            row->value == preset->value;
 }
 
@@ -125,7 +128,7 @@ static void each_preset(void **state)
         for (int k = 0; k < scene_preset_count; k++)
             found |= is_preset(&scene_preset_table[k], &presets[i]);
         if (!found)
-            fail_msg("%s.%s of the preset %s is another", presets[i].kind, presets[i].key,
+            fail_msg("%s.%s by %s: %s is another", presets[i].kind, presets[i].name, presets[i].key,
                      presets[i].word);
     }
 }

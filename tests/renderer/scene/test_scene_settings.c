@@ -294,22 +294,22 @@ static const struct {
       .dims_direct = true,
       .bounces = 3,
       .gain = 4}},
-    {"indirect: { preset: draft }\n",
+    {"indirect: { quality: draft }\n",
      {.method = WORD_Indirect_auto,
-      .rays = 4,
-      .coarse = 2,
+      .rays = 2,
+      .coarse = 1,
       .march = WORD_March_space,
       DEFAULTS,
       NOISE,
       SMOOTH}},
-    {"indirect: { preset: fine }\n",
+    {"indirect: { quality: fine }\n",
      {.method = WORD_Indirect_auto,
       .rays = 64,
       .coarse = 1,
       .march = WORD_March_space,
       DEFAULTS,
       NOISE,
-      SMOOTH}},
+      .filter = WORD_Filter_atrous}},
     {"indirect: { preset: thesisMarch }\n",
      {.rays = 12, .steps = 10, .radius = 1.5, .march = WORD_March_space, THESIS_MARCH}},
     {"indirect: { preset: thesisPoints }\n",
@@ -369,12 +369,50 @@ static void indirect_light(void **state)
     }
 }
 
+/* Writes what a word of `quality` stands for, from the table: "rays: 4, resolution: half". */
+static void put_keys(Word word, char *text, size_t size)
+{
+    *text = 0;
+    for (int i = 0; i < scene_preset_count; i++) {
+        const ScenePresetRow *row = &scene_preset_table[i];
+        const ParamRow *param = &scene_param_table[row->param].param;
+        const size_t at = strlen(text);
+        if (row->key != S_Indirect_quality || row->word != word)
+            continue;
+        if (param_is_word(param))
+            snprintf(text + at, size - at, "%s%s: %s", at ? ", " : "", param->name,
+                     word_table[(int)row->value].name);
+        else
+            snprintf(text + at, size - at, "%s%s: %.17g", at ? ", " : "", param->name, row->value);
+    }
+}
+
+/* Each quality is read as the keys that it stands for, and `normal` as none. */
+static void quality_is_its_keys(void **state)
+{
+    (void)state;
+    for (Word word = WORD_Quality_draft; word <= WORD_Quality_fine; word++) {
+        char keys[512], by_keys[1024], by_quality[1024];
+        MatcDocument *documents[2];
+        put_keys(word, keys, sizeof keys);
+        assert_true((*keys != 0) == (word != WORD_Quality_normal));
+        snprintf(by_keys, sizeof by_keys, LIT_SPHERE "indirect: { %s }\n", keys);
+        snprintf(by_quality, sizeof by_quality, LIT_SPHERE "indirect: { quality: %s }\n",
+                 word_table[word].name);
+        Scene *a = read_fine(by_keys, &documents[0]), *b = read_fine(by_quality, &documents[1]);
+        check_indirect(&b->indirect, &a->indirect, by_quality);
+        forget(a, documents[0]);
+        forget(b, documents[1]);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_part),
         cmocka_unit_test(all_parts_at_once),
         cmocka_unit_test(indirect_light),
+        cmocka_unit_test(quality_is_its_keys),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,0 +1,12 @@
+/* Of matbench indirect: the table quality. */
+#ifndef MATC_BENCH_INDIRECT_QUALITY_H
+#define MATC_BENCH_INDIRECT_QUALITY_H
+#include "runtime/render/render.h"
+
+typedef struct {
+    int edge; /* of the picture, in pixels */
+    bool timed;
+} IndirectQuality;
+
+bool bench_indirect_quality(GlContext *gl, const IndirectQuality *quality);
+#endif
