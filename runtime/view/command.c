@@ -45,6 +45,14 @@ static const char *indirect_word(const void *user, int i)
     return scene_indirect_name((Word)i);
 }
 
+/* "none, auto, march": all methods, for --help. */
+static void put_indirect_words(Text *out)
+{
+    for (int i = 0, count = 0; i < WORD_COUNT; i++)
+        if (scene_indirect_name((Word)i))
+            text_format(out, "%s%s", count++ ? ", " : "", scene_indirect_name((Word)i));
+}
+
 /* -- values that the table's kinds do not know */
 
 static const char *set_choice(void *to, const Option *option, const char *value)
@@ -212,9 +220,8 @@ static const Option options[] = {
      .help = "how all lights cast shadows that do (matc --explain shadows), else "
              "as the scene says"},
     {"--indirect", OPTION_index, AT(indirect), .words = {indirect_word, NULL, WORD_COUNT},
-     .label = "=METHOD",
-     .help = "auto, hybrid, voxels, screen, march, none: how indirect light is found, else as "
-             "the scene says"},
+     .label = "=METHOD", .put_help = put_indirect_words,
+     .help = ":\nhow indirect light is found, else as the scene says"},
     {"--compare", OPTION_word, AT(compare),
      .words = OPTION_WORDS("shadows", "indirect", "displacement"), .label = "=WHAT",
      .help = "one picture, with names: all methods of shadows, of indirect, or of displacement, "
