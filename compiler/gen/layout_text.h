@@ -1,5 +1,6 @@
 /* Buffer layouts that C and GLSL share. The rows of a *.layout.def file become an enum for C and
- * declarations for GLSL, so that both use the same offsets, in words of 4 bytes.
+ * declarations for GLSL, so that both use the same offsets: in words of 4 bytes, or, with the type
+ * "vec4", in elements of 16.
  *
  *     LAYOUT("POOL_", "pool_", "uint")     prefix for C, prefix for GLSL, type for GLSL
  *     WORDS(width, 1, "pixels of a row")   name, size, comment

@@ -83,7 +83,7 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
     int i = 0;
     while (i < *count && !meet(added, &boxes[i]))
         i++;
-    if (i == *count && *count < INDIRECT_BOXES_MOST) {
+    if (i == *count && *count < HISTORY_BOXES_MOST) {
         boxes[(*count)++] = *added;
         return;
     }
@@ -105,13 +105,13 @@ static VoxelRange range_of(const Render *render, int object, const SceneMatrix *
     return range;
 }
 
-static void put_boxes(const VoxelRange *boxes, int count, IndirectMoved *moved)
+static void put_boxes(const VoxelRange *boxes, int count, float (*block)[4])
 {
-    moved->counts[0] = (float)count;
+    block[HISTORY_COUNTS][0] = (float)count;
     for (int i = 0; i < count; i++)
         for (int k = 0; k < 3; k++) {
-            moved->boxes[i][0][k] = (float)fmax(boxes[i].low[k], -1e30);
-            moved->boxes[i][1][k] = (float)fmin(boxes[i].high[k], 1e30);
+            block[HISTORY_BOXES + 2 * i][k] = (float)fmax(boxes[i].low[k], -1e30);
+            block[HISTORY_BOXES + 2 * i + 1][k] = (float)fmin(boxes[i].high[k], 1e30);
         }
 }
 
@@ -133,7 +133,7 @@ static void put_step(const double eye[16], const CullBox *box, const SceneMatrix
 
 /* was_eye_from_world * was_world_from_local * local_from_world * world_from_eye. False: nothing
  * leads back to where it was. */
-static bool find_motion(const Render *render, const double was[16], int object, float columns[4][4])
+static bool find_motion(const Render *render, const double was[16], int object, float (*columns)[4])
 {
     SceneMatrix before, eye, local_from_world, world_from_eye;
     memcpy(before.m, was, sizeof before.m);
@@ -165,21 +165,22 @@ static void draw_number(Render *render, int object, int number)
 
 /* An object that is seen: as the next number, or as the one behind the last, of which no motion is
  * known. */
-static void number_object(Render *render, const double was[16], int object, IndirectMoved *moved)
+static void number_object(Render *render, const double was[16], int object, float (*block)[4])
 {
-    const int next = (int)moved->counts[1], place = render->cache.place_of[object];
+    const int next = (int)block[HISTORY_COUNTS][1], place = render->cache.place_of[object];
     const SceneMatrix *matrix = &render->scene->objects[object].world_from_local;
     if (place < 0 || render->cache.places[place].transparent)
         return;
     const CullBox *box = &render->cache.boxes[render->cache.places[place].mesh];
     if (!cull_sees(&render->volume, box, matrix))
         return;
-    const bool known =
-        next < INDIRECT_MOTIONS_MOST && find_motion(render, was, object, moved->motions[next]);
+    const bool known = next < HISTORY_MOTIONS_MOST &&
+                       find_motion(render, was, object, block + HISTORY_MOTIONS + 4 * next);
     if (known)
-        put_step(was, box, matrix, &render->indirect->motion.kept[object], moved->steps[next]);
-    moved->counts[1] += known;
-    draw_number(render, object, known ? next + 1 : INDIRECT_MOTIONS_MOST + 1);
+        put_step(was, box, matrix, &render->indirect->motion.kept[object],
+                 block[HISTORY_STEPS + next]);
+    block[HISTORY_COUNTS][1] += known;
+    draw_number(render, object, known ? next + 1 : HISTORY_MOTIONS_MOST + 1);
 }
 
 static bool has_moved(const Render *render, int object)
@@ -204,12 +205,12 @@ static bool begin(Render *render, IndirectMotion *motion)
     return true;
 }
 
-bool indirect_motion_draw(Render *render, const double was[16], IndirectMoved *moved)
+bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4])
 {
     IndirectMotion *motion = &render->indirect->motion;
-    VoxelRange boxes[INDIRECT_BOXES_MOST];
+    VoxelRange boxes[HISTORY_BOXES_MOST];
     int count = 0;
-    memset(moved->counts, 0, sizeof moved->counts);
+    memset(block[HISTORY_COUNTS], 0, sizeof *block);
     for (int i = motion->first; motion->kept && i < motion->end; i++) {
         if (!has_moved(render, i))
             continue;
@@ -221,10 +222,10 @@ bool indirect_motion_draw(Render *render, const double was[16], IndirectMoved *m
         const VoxelRange now = range_of(render, i, &render->scene->objects[i].world_from_local);
         add_box(&then, boxes, &count);
         add_box(&now, boxes, &count);
-        number_object(render, was, i, moved);
+        number_object(render, was, i, block);
     }
     if (count)
         surface_draw_end(render);
-    put_boxes(boxes, count, moved);
+    put_boxes(boxes, count, block);
     return count > 0;
 }

@@ -8,18 +8,10 @@
 #include "runtime/indirect/filter/pass_smooth.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
-#include <stddef.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { RAYS_UNIT = INDIRECT_FREE_UNIT, VALUES_UNIT, PLACES_UNIT, MOVED_UNIT, COUNTS = 64 };
-
-/* As in pass_history.glsl; what moved is there only if something did. */
-typedef struct {
-    float from_eye[4][4], world_from_eye[4][4], ray[4], view[4], limits[4], doubts[4];
-    IndirectMoved moved;
-} Block;
+enum { RAYS_UNIT = INDIRECT_FREE_UNIT, VALUES_UNIT, PLACES_UNIT, MOVED_UNIT };
 
 static bool make_target(Render *render, Framebuffer *made)
 {
@@ -31,12 +23,10 @@ static bool make_target(Render *render, Framebuffer *made)
 
 static bool make_pass(Render *render, bool place, ScreenPass *pass)
 {
-    char defined[INDIRECT_DEFINITIONS], counts[COUNTS];
+    char defined[INDIRECT_DEFINITIONS];
     indirect_define(render, indirect_coarse(render), defined);
-    snprintf(counts, sizeof counts, "#define HISTORY_BOXES %d\n#define HISTORY_MOTIONS %d\n",
-             INDIRECT_BOXES_MOST, INDIRECT_MOTIONS_MOST);
     const ScreenPassText text = {.body = {indirect_surface_text(render), defined,
-                                          place ? "#define HISTORY_PLACE\n" : "", counts,
+                                          place ? "#define HISTORY_PLACE\n" : "",
                                           render_text_indirect_place, render_text_pass_history},
                                  .format = "RGBA32F",
                                  .compute = render->compute};
@@ -101,26 +91,27 @@ static unsigned doubts_of(const Render *render)
            (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 
-static size_t fill_block(Render *render, Block *block)
+/* Returns the elements to write: what moved lies at the end. */
+static int fill_block(Render *render, float (*block)[4])
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
     const IndirectHistory *history = &render->indirect->history;
     const unsigned doubts = doubts_of(render);
     double world_from_eye[16];
     invert_eye(render->space.eye_from_world, world_from_eye);
-    put_product(one, world_from_eye, block->world_from_eye);
-    put_product(history->eye_from_world, world_from_eye, block->from_eye);
-    memcpy(block->ray, history->ray, sizeof block->ray);
-    memcpy(block->view, history->depth, sizeof block->view);
-    block->limits[0] = (float)indirect_most_sets(render);
-    block->limits[1] = history->there;
-    block->limits[2] = history->still;
-    block->doubts[0] = (doubts & INDIRECT_DOUBT_light) != 0;
-    block->doubts[1] = (doubts & INDIRECT_DOUBT_openness) != 0;
-    block->doubts[2] = (float)reach_of(render);
+    put_product(one, world_from_eye, block + HISTORY_WORLD);
+    put_product(history->eye_from_world, world_from_eye, block + HISTORY_FROM_EYE);
+    memcpy(block[HISTORY_RAY], history->ray, sizeof *block);
+    memcpy(block[HISTORY_VIEW], history->depth, sizeof *block);
+    block[HISTORY_LIMITS][0] = (float)indirect_most_sets(render);
+    block[HISTORY_LIMITS][1] = history->there;
+    block[HISTORY_LIMITS][2] = history->still;
+    block[HISTORY_DOUBTS][0] = (doubts & INDIRECT_DOUBT_light) != 0;
+    block[HISTORY_DOUBTS][1] = (doubts & INDIRECT_DOUBT_openness) != 0;
+    block[HISTORY_DOUBTS][2] = (float)reach_of(render);
     const bool moved = history->there && !history->still &&
-                       indirect_motion_draw(render, history->eye_from_world, &block->moved);
-    return moved ? sizeof *block : offsetof(Block, moved) + sizeof block->moved.counts;
+                       indirect_motion_draw(render, history->eye_from_world, block);
+    return moved ? HISTORY_ALL : HISTORY_COUNTS + 1;
 }
 
 /* One set of rays more. */
@@ -128,15 +119,15 @@ static void blend(Render *render)
 {
     IndirectHistory *history = &render->indirect->history;
     const int next = 1 - history->last;
-    Block block = {.moved.counts = {0}};
-    const size_t size = fill_block(render, &block);
+    float block[HISTORY_ALL][4] = {{0}};
+    const size_t size = (size_t)fill_block(render, block) * sizeof *block;
     indirect_bind(render);
     texture_bind(render->gl, frame_texture(render, FRAME_TARGET_rays, 0), RAYS_UNIT);
     texture_bind(render->gl, history->values[history->last].colors[0], VALUES_UNIT);
     texture_bind(render->gl, history->places[history->last].colors[0], PLACES_UNIT);
     texture_bind(render->gl, render->indirect->motion.seen.colors[0], MOVED_UNIT);
-    material_write(&history->blend.material, "History", &block, size);
-    material_write(&history->place.material, "History", &block, size);
+    material_write(&history->blend.material, "History", block, size);
+    material_write(&history->place.material, "History", block, size);
     screen_pass_run(&history->blend, &history->values[next], &render->screen);
     screen_pass_run(&history->place, &history->places[next], &render->screen);
     memcpy(history->eye_from_world, render->space.eye_from_world, sizeof history->eye_from_world);

@@ -15,16 +15,10 @@ uniform sampler2D history_values; // kept: the same, as means
 uniform sampler2D history_places; // x: distance from the eye, along its axis; y: sets of rays; zw: the normal
 uniform usampler2D history_moved; // 0, or the number of a motion, from 1 on; more than there are: by one that is not known
 layout(std140) uniform History {
-    mat4 history_from_eye;          // the eye's space of the frame before, from that of this one
-    mat4 history_world;             // the world from this eye's space
-    vec4 history_ray, history_view; // of the frame before: indirect_ray, indirect_view
-    vec4 history_limits;            // x: so many sets of rays count, at most; y: 1: something is kept; z: 1: nothing has changed
-    vec4 history_doubts;            // 1: wherever it is, may be another x: light, y: openness; z: how far around boxes it may be
-    vec4 history_counts;            // x: of boxes; y: of motions
-    vec4 history_boxes[2 * HISTORY_BOXES];
-    vec4 history_steps[HISTORY_MOTIONS];   // xyz: from where an object's middle is now to where it was
-    mat4 history_motions[HISTORY_MOTIONS]; // as history_from_eye, of objects that moved
+#include "history.layout.def"
 };
+
+#define HISTORY_MATRIX(name, i) mat4(name[i], name[(i) + 1], name[(i) + 2], name[(i) + 3])
 
 struct HistoryKept {
     vec4 value;
@@ -82,14 +76,15 @@ HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
 {
     if (history_limits.y == 0.0) return HistoryKept(vec4(0.0), 0.0);
     if (history_limits.z == 1.0) return HistoryKept(texelFetch(history_values, at, 0), texelFetch(history_places, at, 0).y);
-    vec3 was = (history_from_eye * vec4(point, 1.0)).xyz, turned = mat3(history_from_eye) * normal;
+    mat4 from_eye = HISTORY_MATRIX(history_from_eye, 0);
+    vec3 was = (from_eye * vec4(point, 1.0)).xyz, turned = mat3(from_eye) * normal;
     int number = history_counts.x > 0.0 ? int(texelFetch(history_moved, indirectPixel(at), 0).x) : 0;
     if (float(number) > history_counts.y) return HistoryKept(vec4(0.0), 0.0);
     if (number == 0) return historyAt(was, turned);
     HistoryKept kept = historyAt(was + history_steps[number - 1].xyz, turned);
     if (kept.sets > 0.0) return kept;
     // Normals go by the matrix of cofactors, which is the inverse's transpose but for a factor.
-    mat4 motion = history_motions[number - 1];
+    mat4 motion = HISTORY_MATRIX(history_motions, 4 * number - 4);
     vec3 c0 = motion[0].xyz, c1 = motion[1].xyz, c2 = motion[2].xyz;
     turned = sign(dot(c0, cross(c1, c2))) * normalize(mat3(cross(c1, c2), cross(c2, c0), cross(c0, c1)) * normal);
     return historyAt((motion * vec4(point, 1.0)).xyz, turned);
@@ -98,7 +93,7 @@ HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
 // A ray of the point may reach what moved.
 bool historyIsNear(vec3 point)
 {
-    vec3 world = (history_world * vec4(point, 1.0)).xyz;
+    vec3 world = (HISTORY_MATRIX(history_world, 0) * vec4(point, 1.0)).xyz;
     for (int i = 0; i < int(history_counts.x); i++) {
         vec3 beyond = max(max(history_boxes[2 * i].xyz - world, world - history_boxes[2 * i + 1].xyz), vec3(0.0));
         if (dot(beyond, beyond) < history_doubts.z * history_doubts.z) return true;

@@ -1,4 +1,5 @@
 /* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
+#include "gen/indirect_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/blue_noise.h"
 #include "runtime/indirect/rays/indirect_sequence.h"
@@ -13,12 +14,7 @@
 enum { NEAR = 4 };
 
 /* Numbers of blue noise that a vector of the block has. */
-enum {
-    BLOCK_HEAD = 5,
-    RAYS_OF_SLICE = 8,
-    PACKED = 8,
-    SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED
-};
+enum { RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
 
 /* A bit mask's lines are shifted by all of what is between them. */
 static IndirectSequence sequence_of(const Render *render)
@@ -57,13 +53,13 @@ void indirect_define(const Render *render, int coarse, char text[INDIRECT_DEFINI
         text, INDIRECT_DEFINITIONS,
         "#define INDIRECT_RAYS %d\n#define INDIRECT_SLICES %d\n#define INDIRECT_STEPS %d\n"
         "#define INDIRECT_SAMPLES %d\n#define INDIRECT_TILE %d\n#define INDIRECT_SHIFTS %d\n"
-        "#define INDIRECT_WEIGHT %d\n#define INDIRECT_ROTATION %d\n#define INDIRECT_JITTER %s\n"
+        "#define INDIRECT_WEIGHT_%s\n#define INDIRECT_ROTATION_%s\n#define INDIRECT_JITTER %s\n"
         "#define INDIRECT_COARSE %d\n#define INDIRECT_FILTER %d\n%s%s%s%s%s%s%s%s%s",
         in->rays, (in->rays + RAYS_OF_SLICE - 1) / RAYS_OF_SLICE,
         in->steps ? in->steps : method->steps, indirect_keeps(render) ? 1 : in->samples,
-        indirect_sequence_edge(&sequence), shifts_of(&sequence),
-        (int)(in->weight - WORD_Weight_none), (int)(in->rotation - WORD_Rotation_none),
-        in->jitter ? "1.0" : "0.0", coarse, indirect_filter_size(render, coarse), turns,
+        indirect_sequence_edge(&sequence), shifts_of(&sequence), word_table[in->weight].name,
+        word_table[in->rotation].name, in->jitter ? "1.0" : "0.0", coarse,
+        indirect_filter_size(render, coarse), turns,
         indirect_keeps(render) ? "#define INDIRECT_SETS\n" : "",
         uniform ? "#define INDIRECT_UNIFORM\n#define INDIRECT_SHARE(cosine) (2.0 * (cosine))\n"
                 : "#define INDIRECT_SHARE(cosine) 1.0\n",
@@ -139,32 +135,33 @@ static void set_block(const Render *render, ScreenPass *pass)
     const double lift = .75, part = .05;
     const SceneIndirect *in = &render->scene->indirect;
     const IndirectSequence sequence = sequence_of(render);
-    float block[BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
+    float block[INDIRECT_BLOCK_HEAD + INDIRECT_RAYS_MOST + SHIFTS_MOST][4] = {{0}};
     double samples[INDIRECT_RAYS_MOST][2];
-    memcpy(block[0], render->space.ray, sizeof block[0]);
-    memcpy(block[1], render->space.depth, sizeof block[1]);
-    block[2][0] = (float)voxel_grid_radius(render->scene, &render->cache);
-    block[2][1] = (float)in->offset;
-    block[2][2] = in->offset > 0 ? 0 : (float)lift;
-    block[2][3] = (float)in->contrast;
-    set_models(render, block[3]);
+    memcpy(block[INDIRECT_BLOCK_RAY], render->space.ray, sizeof block[INDIRECT_BLOCK_RAY]);
+    memcpy(block[INDIRECT_BLOCK_VIEW], render->space.depth, sizeof block[INDIRECT_BLOCK_VIEW]);
+    block[INDIRECT_BLOCK_REACH][0] = (float)voxel_grid_radius(render->scene, &render->cache);
+    block[INDIRECT_BLOCK_REACH][1] = (float)in->offset;
+    block[INDIRECT_BLOCK_REACH][2] = in->offset > 0 ? 0 : (float)lift;
+    block[INDIRECT_BLOCK_REACH][3] = (float)in->contrast;
+    set_models(render, block[INDIRECT_BLOCK_MODELS]);
     for (int i = 0; i < 2; i++) {
         const int beyond = render->whole[i] - render->at[i];
-        block[3][2 + i] = (float)render->at[i];
-        block[4][i] = (float)(beyond < render->size[i] ? beyond : render->size[i]);
+        block[INDIRECT_BLOCK_MODELS][2 + i] = (float)render->at[i];
+        block[INDIRECT_BLOCK_PICTURE][i] =
+            (float)(beyond < render->size[i] ? beyond : render->size[i]);
     }
-    block[4][3] = in->filter_size
-                      ? INFINITY
-                      : (float)(part * voxel_grid_radius(render->scene, &render->cache));
+    block[INDIRECT_BLOCK_PICTURE][3] =
+        in->filter_size ? INFINITY
+                        : (float)(part * voxel_grid_radius(render->scene, &render->cache));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)
-            block[BLOCK_HEAD + i][k] = (float)samples[i][k];
-        block[BLOCK_HEAD + i][2] = (float)indirect_sequence_third(in->sequence, i);
+            block[INDIRECT_BLOCK_HEAD + i][k] = (float)samples[i][k];
+        block[INDIRECT_BLOCK_HEAD + i][2] = (float)indirect_sequence_third(in->sequence, i);
     }
-    put_shifts(&sequence, block + BLOCK_HEAD + in->rays);
+    put_shifts(&sequence, block + INDIRECT_BLOCK_HEAD + in->rays);
     material_write(&pass->material, "Indirect", block,
-                   sizeof *block * (size_t)(BLOCK_HEAD + in->rays + shifts_of(&sequence)));
+                   sizeof *block * (size_t)(INDIRECT_BLOCK_HEAD + in->rays + shifts_of(&sequence)));
 }
 
 void indirect_set(const Render *render, ScreenPass *pass)

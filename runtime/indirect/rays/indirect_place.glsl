@@ -2,14 +2,11 @@
 // The eye's space; places of the picture in pixels, whose middles lie at .5.
 uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthographic; 0: nothing is there
 layout(std140) uniform Indirect {
-    vec4 indirect_ray, indirect_view; // of view_space.h
-    vec4 indirect_reach;              // x: radius; y: how far off the surface rays begin, and z: the same in pixels; w: contrast
-    vec4 indirect_models;             // x: how far the picture is asked, of hybrid; y: how thick what it shows is; zw: the picture's pixel that is the first here, of a tile
-    vec4 indirect_picture;            // xy: its size in pixels, or where it ends here; w: how far smoothing reaches in space
+#include "indirect.layout.def"
     vec4 indirect_samples[INDIRECT_RAYS]; // z: of points
-#if INDIRECT_ROTATION == 3
+#ifdef INDIRECT_ROTATION_blue
     uvec4 indirect_shifts[INDIRECT_SHIFTS]; // ranks of blue noise, two in a lane
-#elif INDIRECT_ROTATION == 2
+#elif defined INDIRECT_ROTATION_tile
     vec4 indirect_shifts[INDIRECT_SHIFTS]; // of the pixels of a tile
 #endif
 };
@@ -68,7 +65,7 @@ struct IndirectShift {
     vec3 at, more; // xy: both by exclusive or of bits, or both added
 };
 
-#if INDIRECT_ROTATION == 3
+#ifdef INDIRECT_ROTATION_blue
 float indirectBlue(ivec2 pixel)
 {
     int i = (pixel.y & 63) << 6 | (pixel.x & 63);
@@ -97,15 +94,22 @@ IndirectShift indirectShift(ivec2 here, int number)
 #ifdef INDIRECT_TURNS_BITS
     more.xy = indirectSobol(uint(number * INDIRECT_BLOCK));
 #endif
-#if INDIRECT_ROTATION == 3
+#ifdef INDIRECT_ROTATION_blue
     return IndirectShift(vec3(indirectBlue(pixel), indirectBlue(pixel + ivec2(21, 43)), indirectBlue(pixel + ivec2(43, 21))), more);
-#elif INDIRECT_ROTATION == 2
+#elif defined INDIRECT_ROTATION_tile
     ivec2 low = pixel & (INDIRECT_TILE - 1);
     return IndirectShift(indirect_shifts[low.y * INDIRECT_TILE + low.x].xyz, more);
 #else
-    uvec2 seed = uvec2(pixel) + uvec2(0u, INDIRECT_ROTATION == 1 ? 65536u * uint(number) : 0u);
+    uvec2 seed = uvec2(pixel);
+#ifdef INDIRECT_ROTATION_random
+    seed.y += 65536u * uint(number);
+#endif
     vec3 at = vec3(indirectRandom(seed), indirectRandom(seed.yx + 7919u).x);
-    return INDIRECT_ROTATION == 1 ? IndirectShift(at, vec3(0.0)) : IndirectShift(vec3(0.0, 0.0, at.z), more);
+#ifdef INDIRECT_ROTATION_random
+    return IndirectShift(at, vec3(0.0));
+#else
+    return IndirectShift(vec3(0.0, 0.0, at.z), more);
+#endif
 #endif
 }
 
@@ -134,9 +138,9 @@ vec3 indirectDirection(vec2 s)
 // What is kept off by something at a share of the radius.
 float indirectWeight(float t)
 {
-#if INDIRECT_WEIGHT == 1
+#ifdef INDIRECT_WEIGHT_linear
     return max(1.0 - t, 0.0);
-#elif INDIRECT_WEIGHT == 2
+#elif defined INDIRECT_WEIGHT_quadratic
     return max(1.0 - t * t, 0.0);
 #else
     return 1.0;
