@@ -1,6 +1,6 @@
 /* The view of voxels against small steps along each ray; what is refused. */
 #include "tests/test.h"
-#include "runtime/indirect/settings/indirect_state.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include <stdlib.h>

@@ -2,7 +2,8 @@
  * coarser resolution gives; the next one, where nothing is, what the finer does. */
 /* ctest: unsanitized */
 #include "tests/test.h"
-#include "runtime/indirect/settings/indirect_state.h"
+#include "runtime/indirect/radiance/radiance.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "runtime/frame/frame.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_running.h"

@@ -1,7 +1,7 @@
 /* Cut-outs in voxels: which are full against what is cut away in double, openness and light beneath
  * them against rays in double; a closed mesh with holes is no body; what is cut away may change. */
 #include "tests/test.h"
-#include "runtime/indirect/settings/indirect_state.h"
+#include "runtime/indirect/voxels/voxels.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_voxels.h"
 #include "tests/vectors.h"
