@@ -15,6 +15,11 @@ static void faults(void **state)
          "2:21: error: no object is called 'Spere'; did you mean 'Sphere'?"},
         {RED "objects: [{ object: Sphere, radios: 2, material: red }]\n",
          "2:29: error: Sphere has no parameter 'radios'; did you mean 'radius'?"},
+        {RED "indirect: { quality: best }\nobjects: []\n",
+         "2:22: error: quality wants draft, normal or fine, not 'best'"},
+        {RED "indirect: { preset: draft }\nobjects: []\n",
+         "2:21: error: preset wants none, thesisMarch, thesisPoints, thesisBuddha, thesisSheep or "
+         "thesisDragons, not 'draft'"},
         {RED "objects: [{ object: Sphere, radius: big, material: red }]\n",
          "2:37: error: radius wants a number, not 'big'"},
         {RED "objects: [{ object: Sphere, radius: .nan, material: red }]\n",
