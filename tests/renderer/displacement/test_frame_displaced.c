@@ -47,9 +47,9 @@ enum { BODIES = sizeof bodies / sizeof *bodies, METHODS = sizeof methods / sizeo
 
 typedef struct {
     const char *how, *lights, *objects;
-} Text;
+} SceneText;
 
-static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocument **document)
+static Scene *open_scene(const SceneText *of, const MatcOptions *options, MatcDocument **document)
 {
     char text[4000];
     snprintf(text, sizeof text,
@@ -104,7 +104,7 @@ static void points_are_those_of_the_reference(void **state)
         double worst = 0;
         for (int i = 0; i < 2; i++) {
             snprintf(how, sizeof how, "method: %s, level: %d", i ? "grid" : "mesh", LEVEL);
-            scenes[i] = open_scene(&(Text){how, " []", bodies[body]}, &options, &documents[i]);
+            scenes[i] = open_scene(&(SceneText){how, " []", bodies[body]}, &options, &documents[i]);
             free(frame_floats(gl, scenes[i], &draw));
         }
         const Shape *shape = shape_of(scenes[1]);
@@ -174,8 +174,8 @@ static void no_hole_is_where_levels_meet(void **state)
     GlContext *gl = frame_context();
     for (int i = 0; i < BODIES * METHODS; i++) {
         MatcDocument *document;
-        Scene *scene =
-            open_scene(&(Text){how[i % METHODS], " []", bodies[i / METHODS]}, &options, &document);
+        Scene *scene = open_scene(&(SceneText){how[i % METHODS], " []", bodies[i / METHODS]},
+                                  &options, &document);
         Render *render = render_open(gl, &draw);
         float light[4 * PIXELS];
         assert_true(render && render_scene(render, scene));
@@ -210,7 +210,7 @@ static int differing(const float *a, const float *b)
     return count;
 }
 
-static float *picture(GlContext *gl, const Text *of, const MatcOptions *options)
+static float *picture(GlContext *gl, const SceneText *of, const MatcOptions *options)
 {
     MatcDocument *document;
     Scene *scene = open_scene(of, options, &document);
@@ -253,7 +253,7 @@ static void pictures_are_those_of_meshes(void **state)
                      shadows[i % 5], spot ? 12 : 1);
         for (int k = 0; k < PICTURES; k++) {
             snprintf(how, sizeof how, "method: %s", finer[k]);
-            light[k] = picture(gl, &(Text){how, lights, objects}, &options);
+            light[k] = picture(gl, &(SceneText){how, lights, objects}, &options);
         }
         const int by_grid = differing(light[0], light[1]),
                   by_tessellation = differing(light[0], light[2]),
@@ -294,7 +294,8 @@ static void changes_are_what_a_new_renderer_draws(void **state)
         MatcDocument *document;
         const double height = .05;
         snprintf(how, sizeof how, "method: %s, pixels: 3", methods[i % 2]);
-        Scene *scene = open_scene(&(Text){how, shadows[i / 2], bodies[0]}, &options, &document);
+        Scene *scene =
+            open_scene(&(SceneText){how, shadows[i / 2], bodies[0]}, &options, &document);
         Render *render = render_open(gl, &draw);
         assert_true(render && render_scene(render, scene));
         for (int view = 0; view < 3; view++) {
@@ -318,10 +319,10 @@ static void others_get_meshes(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const Text mesh = {"method: mesh, level: 8",
-                       "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }",
-                       bodies[0]};
-    Text grid = mesh;
+    const SceneText mesh = {"method: mesh, level: 8",
+                            "- { light: Directional, direction: [1, 0.6, -1], shadows: exact }",
+                            bodies[0]};
+    SceneText grid = mesh;
     GlContext *gl = frame_context();
     float *wanted = picture(gl, &mesh, &options);
     grid.how = "method: grid, level: 8";
@@ -345,7 +346,8 @@ static void a_context_may_lack_a_framebuffer(void **state)
     if (!gl)
         skip();
     for (int i = 0; i < 2; i++)
-        free(picture(gl, &(Text){methods[i], "- { light: Directional }", bodies[0]}, &options));
+        free(
+            picture(gl, &(SceneText){methods[i], "- { light: Directional }", bodies[0]}, &options));
     gl_close(gl);
 }
 

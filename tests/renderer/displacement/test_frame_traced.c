@@ -38,9 +38,9 @@ static const char ground[] =
 
 typedef struct {
     const char *how, *camera, *lights, *objects, *more;
-} Text;
+} SceneText;
 
-static Scene *open_scene(const Text *of, const MatcOptions *options, MatcDocument **document)
+static Scene *open_scene(const SceneText *of, const MatcOptions *options, MatcDocument **document)
 {
     char text[4000];
     snprintf(text, sizeof text,
@@ -60,7 +60,7 @@ static Render *renderer(GlContext *gl, const MatcOptions *options, const char *v
 }
 
 /* By a renderer that has drawn others of that view: programs are there once. */
-static float *picture(GlContext *gl, Render *render, const Text *of)
+static float *picture(GlContext *gl, Render *render, const SceneText *of)
 {
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
@@ -147,7 +147,7 @@ static void a_wave_is_that_of_its_closed_form(void **state)
     GlContext *gl = frame_context();
     Render *render = renderer(gl, &options, "depth");
     for (int i = 0; i < 3; i++) {
-        const Text text = {how[i], camera, "", square, NULL};
+        const SceneText text = {how[i], camera, "", square, NULL};
         MatcDocument *document;
         Scene *scene = open_scene(&text, &options, &document);
         float *depth = frame_floats_by(gl, render, scene);
@@ -216,9 +216,9 @@ static void bodies_are_those_of_fine_meshes(void **state)
     Render *depth = renderer(gl, &options, "depth"), *normals_of = renderer(gl, &options, "normal");
     for (int i = 0; i < 2; i++) {
         static Judged traced, grid, normals;
-        const Text fine = {bodies[i].fine, camera, "", bodies[i].body, NULL},
-                   by_rays = {bodies[i].traced, camera, "", bodies[i].body, NULL},
-                   by_grid = {bodies[i].grid, camera, "", bodies[i].body, NULL};
+        const SceneText fine = {bodies[i].fine, camera, "", bodies[i].body, NULL},
+                        by_rays = {bodies[i].traced, camera, "", bodies[i].body, NULL},
+                        by_grid = {bodies[i].grid, camera, "", bodies[i].body, NULL};
         MatcDocument *document;
         Scene *scene = open_scene(&fine, &options, &document);
         Tracer tracer = reference_open(scene);
@@ -294,7 +294,7 @@ static void all_ways_are_traced(void **state)
             snprintf(how, sizeof how, "method: %s, %s", methods[k],
                      k ? ways[i].coarse : ways[i].fine);
             depths[k] =
-                picture(gl, render, &(Text){how, ways[i].camera, "", ways[i].objects, NULL});
+                picture(gl, render, &(SceneText){how, ways[i].camera, "", ways[i].objects, NULL});
         }
         judge_depths(depths[1], depths[0], &grid);
         judge_depths(depths[2], depths[0], &traced);
@@ -315,8 +315,8 @@ static void tiles_are_traced(void **state)
 {
     (void)state;
     const MatcOptions options = frame_exact_options();
-    const Text text = {"method: traced, level: 4",
-                       "camera: Perspective, position: [1, -3, 2], angle: 45", "", ball, NULL};
+    const SceneText text = {"method: traced, level: 4",
+                            "camera: Perspective, position: [1, -3, 2], angle: 45", "", ball, NULL};
     GlContext *gl = frame_context();
     MatcDocument *document;
     Scene *scene = open_scene(&text, &options, &document);
@@ -363,7 +363,7 @@ static void shadow_maps_see_what_is_traced(void **state)
                                           "method: grid, level: 4"};
         float *light[3];
         for (int k = 0; k < 3; k++)
-            light[k] = picture(gl, render, &(Text){how[k], camera, lights[i], ball, ground});
+            light[k] = picture(gl, render, &(SceneText){how[k], camera, lights[i], ball, ground});
         const int traced = differing(light[0], light[1]), grid = differing(light[0], light[2]);
         print_message("%s: %d of %d pixels differ; of a grid %d\n", lights[i], traced, PIXELS,
                       grid);
@@ -376,7 +376,7 @@ static void shadow_maps_see_what_is_traced(void **state)
 }
 
 /* What --stats says, or not. */
-static void says(GlContext *gl, const Text *of, const char *line, bool wanted)
+static void says(GlContext *gl, const SceneText *of, const char *line, bool wanted)
 {
     const MatcOptions options = frame_exact_options();
     MatcDocument *document;
@@ -402,16 +402,16 @@ static void exact_shadows_have_the_grid(void **state)
     Render *render = renderer(gl, &options, "light");
     float *light[2];
     for (int k = 0; k < 2; k++)
-        light[k] = picture(gl, render, &(Text){how[k], camera, exact, ball, ground});
+        light[k] = picture(gl, render, &(SceneText){how[k], camera, exact, ball, ground});
     assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
-    says(gl, &(Text){how[0], camera, exact, ball, ground}, "", false);
-    says(gl, &(Text){how[1], camera, exact, ball, ground},
+    says(gl, &(SceneText){how[0], camera, exact, ball, ground}, "", false);
+    says(gl, &(SceneText){how[1], camera, exact, ball, ground},
          "traced none, triangles are drawn: exact shadows and silhouettes go by the triangle that "
          "a pixel sees\n",
          true);
-    says(gl, &(Text){how[1], camera, "{ light: Directional, shadows: hybrid }", ball, ground},
+    says(gl, &(SceneText){how[1], camera, "{ light: Directional, shadows: hybrid }", ball, ground},
          "traced the surface of 1 mesh; not so, but its grid's triangles: hybrid shadows\n", true);
-    says(gl, &(Text){"method: traced, level: 20", camera, "", slab, NULL},
+    says(gl, &(SceneText){"method: traced, level: 20", camera, "", slab, NULL},
          "volume slab: what is thinner than 0.11 across, or 0.1 along the normal, may be missed\n",
          true);
     free(light[0]);
