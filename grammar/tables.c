@@ -1,7 +1,14 @@
 /* The rows of grammar/ as const arrays. */
 #include "layout_tables.h"
+#include "lobe_table.h"
+#include "key_table.h"
+#include "unit_table.h"
+#include "grammar/translation_tables.h"
+#include "foreign_table.h"
+#include "grammar/expression_tables.h"
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 const TypeRow type_table[TYPE_COUNT] = {
 #define TYPE(name, glsl, lanes, doc) {glsl, lanes, doc},
@@ -367,3 +374,243 @@ const FileRow file_table[] = {
 #include "files.def"
 };
 const int file_row_count = sizeof file_table / sizeof *file_table;
+
+/* -- Lobes */
+
+const LobeRow lobe_table[LOBE_COUNT] = {
+#define LOBE(slot, param, doc) {#slot, SLOT_##slot, P_Principled_##param, doc},
+#include "slots.def"
+};
+
+/* -- Keys of documents */
+
+const KeyRow key_table[DOCUMENT_KEY_COUNT] = {
+#define KEY(name, where, doc, example) {#name, where, doc, example},
+#include "keys.def"
+};
+
+/* -- Units */
+
+#define ANY              -INFINITY, INFINITY
+#define RANGE(low, high) low, high
+
+const UnitRow unit_table[UNIT_COUNT] = {
+#define UNIT(id, name, range, other, factor) {name, range, other, factor},
+#include "units.def"
+};
+
+/* The unit of each parameter, counted from 1; 0: none. */
+static const unsigned char measures[PARAM_COUNT] = {
+#define MEASURE(kind, param, unit) [P_##kind##_##param] = UNIT_##unit + 1,
+#include "units.def"
+};
+
+const UnitRow *unit_of(int param)
+{
+    return measures[param] ? &unit_table[measures[param] - 1] : NULL;
+}
+
+/* -- Translations */
+
+const TranslationRow translation_table[] = {
+#define TRANSLATION(material, param, formula)                                                      \
+    {KIND_##material, P_Principled_##param, formula, 0, 0, 0},
+#define TRANSLATED_WHERE(material, param, where, formula)                                          \
+    {KIND_##material, P_Principled_##param, formula, 0, 0, where},
+#define TRANSLATED_NORMAL(material, param, map, scale)                                             \
+    {KIND_##material, P_Principled_##param, 0, P_##material##_##map, P_##material##_##scale, 0},
+#include "grammar/translations.def"
+};
+const int translation_count = sizeof translation_table / sizeof *translation_table;
+
+const LossRow loss_table[] = {
+#define LOSS(material, param, formula, what) {P_##material##_##param, formula, what},
+#include "grammar/translations.def"
+};
+const int loss_count = sizeof loss_table / sizeof *loss_table;
+
+/* -- Words of other tools */
+
+#define ROW(group, kind, name, written, here) {FOREIGN_##group, kind, name, written, here},
+
+const ForeignRow foreign_table[] = {
+#define FOREIGN_MAP(name, here)           ROW(MAP, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_MATERIAL(name, here)      ROW(MATERIAL, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_PARAM(kind, name, here)   ROW(PARAM, KIND_##kind, #name, NULL, here)
+#define FOREIGN_KEY(name, here)           ROW(KEY, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_TOP(name, here)           ROW(TOP, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_TYPE(name, here)          ROW(TYPE, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_SCENE(name, here)         ROW(SCENE, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_PLACE(name, here)         ROW(PLACE, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_COLOR(name, here)         ROW(COLOR, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_FORMULA(name, here)       ROW(FORMULA, KIND_COUNT, #name, NULL, here)
+#define FOREIGN_FORM(name, written, here) ROW(FORM, KIND_COUNT, #name, written, here)
+#include "foreign.def"
+};
+const int foreign_count = sizeof foreign_table / sizeof *foreign_table;
+
+/* The next letter or digit of a name, a capital as a small letter; *at moves behind it. 0: there is
+ * none. */
+static char next_letter(const char **at)
+{
+    while (**at == '_' || **at == '-' || **at == ' ')
+        ++*at;
+    const char c = **at;
+    *at += c != 0;
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+bool foreign_is_alike(const char *a, const char *b)
+{
+    for (;;) {
+        const char x = next_letter(&a), y = next_letter(&b);
+        if (x != y || !x)
+            return x == y;
+    }
+}
+
+const char *foreign_name(ForeignGroup group, Kind kind, const char *name)
+{
+    for (int i = 0; i < foreign_count; i++) {
+        const ForeignRow *row = &foreign_table[i];
+        if (row->group != group || (group == FOREIGN_PARAM && row->kind != kind))
+            continue;
+        if (group == FOREIGN_FORMULA ? !strcmp(row->name, name) : foreign_is_alike(row->name, name))
+            return row->here;
+    }
+    return NULL;
+}
+
+/* -- Expressions */
+
+#define TERM_ROW(term, arguments, text, sample, called)                                            \
+    [TERM_##term].name = #term, [TERM_##term].signature = arguments, [TERM_##term].doc = text,     \
+    [TERM_##term].example = sample, [TERM_##term].count = sizeof arguments - sizeof ">g",          \
+    [TERM_##term].callable = called,
+const TermRow term_table[TERM_COUNT] = {
+#define OPERATOR(name, signature, doc, example) TERM_ROW(name, signature, doc, example, false)
+#define FUNCTION(name, signature, doc, example) TERM_ROW(name, signature, doc, example, true)
+#define JUMPS(name)                             [TERM_##name].jumps = true,
+#define NOISY(name)                             [TERM_##name].noisy = true,
+
+#define WHOLE(name, low, high) [TERM_##name].whole_low = low, [TERM_##name].whole_high = high,
+
+#define LEAST(name, number, ...)                                                                   \
+    [TERM_##name].least = number, [TERM_##name].initial = {__VA_ARGS__},
+#include "expression.def"
+};
+
+/* behind the arguments and '>' */
+char term_result(const TermRow *row) { return row->signature[row->count + 1]; }
+
+/* Whether `name`, of `size` letters, is a row's: written out row by row, so that the compiler
+ * compares with numbers that it knows. */
+#define IS(row) (size == sizeof #row - 1 && !memcmp(name, #row, sizeof #row - 1))
+
+Term term_named(const char *name, size_t size)
+{
+#define FUNCTION(name, ...)                                                                        \
+    if (IS(name))                                                                                  \
+        return TERM_##name;
+#include "expression.def"
+    return TERM_none;
+}
+
+const SymbolRow symbol_table[] = {
+#define SYMBOL(text, term, level) {text, TERM_##term, level},
+#define PREFIX(text, term)        {text, TERM_##term, level_prefix},
+#include "expression.def"
+};
+const int symbol_count = sizeof symbol_table / sizeof *symbol_table;
+
+int symbol_begun(const char *text)
+{
+    int row = 0;
+#define SYMBOL(symbol, ...)                                                                        \
+    if (text[0] == symbol[0] && (!symbol[1] || text[1] == symbol[1]))                              \
+        return row;                                                                                \
+    row++;
+#define PREFIX SYMBOL
+#include "expression.def"
+    return row;
+}
+
+const char *term_symbol(Term term)
+{
+    for (int i = 0; i < symbol_count; i++)
+        if (symbol_table[i].term == term)
+            return symbol_table[i].text;
+    return term == TERM_choose ? "? :" : term_table[term].name;
+}
+
+const QuantityRow quantity_table[QUANTITY_COUNT] = {
+#define CONSTANT(name, number, doc) {#name, doc, GROUP_COUNT, NULL, number, NULL, TYPE_float},
+#define QUANTITY(name, channels, letters, doc)                                                     \
+    {#name, doc, GROUP_##channels, letters, 0, NULL, TYPE_float},
+#define ATTRIBUTE(name, attribute, type, initial, doc)                                             \
+    {#name, doc, GROUP_COUNT, NULL, initial, attribute, TYPE_##type},
+#include "expression.def"
+};
+
+Quantity quantity_named(const char *name, size_t size)
+{
+#define QUANTITY(name, ...)                                                                        \
+    if (IS(name))                                                                                  \
+        return QUANTITY_##name;
+#define CONSTANT  QUANTITY
+#define ATTRIBUTE QUANTITY
+#include "expression.def"
+    return QUANTITY_none;
+}
+
+int quantity_width(Quantity quantity)
+{
+    const QuantityRow *row = &quantity_table[quantity];
+    return row->lanes ? (int)strlen(row->lanes) : type_table[row->type].lanes;
+}
+
+const VectorRow vector_table[] = {
+#define VECTOR(name, lanes, doc) {#name, doc, lanes},
+#include "expression.def"
+};
+const int vector_count = sizeof vector_table / sizeof *vector_table;
+
+int vector_named(const char *name, size_t size)
+{
+#define VECTOR(name, lanes, doc)                                                                   \
+    if (IS(name))                                                                                  \
+        return lanes;
+#include "expression.def"
+    return 0;
+}
+
+const FormulaSpecialRow formula_special_table[SPECIAL_COUNT] = {
+#define SPECIAL(name, form, doc) {#name, form, doc},
+#include "expression.def"
+};
+
+FormulaSpecial formula_special_named(const char *name, size_t size)
+{
+#define SPECIAL(name, ...)                                                                         \
+    if (IS(name))                                                                                  \
+        return SPECIAL_##name;
+#include "expression.def"
+    return SPECIAL_none;
+}
+
+const char *expression_word(int i)
+{
+    if (i < QUANTITY_COUNT)
+        return quantity_table[i].name;
+    i -= QUANTITY_COUNT;
+    if (i < vector_count)
+        return vector_table[i].name;
+    i -= vector_count;
+    if (i < SPECIAL_COUNT)
+        return formula_special_table[i].name;
+    i -= SPECIAL_COUNT;
+    for (int term = 0; term < TERM_COUNT; term++)
+        if (term_table[term].callable && i-- == 0)
+            return term_table[term].name;
+    return NULL;
+}

@@ -75,7 +75,7 @@ typedef struct Session {
     bool measure; /* keep statistics of every stage */
 } Session;
 
-/* diag_add.c. Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL,
+/* Adds a diagnostic of that kind; its format's arguments follow. Always returns NULL,
  * so that a reader can return it. */
 void *diag_add(Session *session, Span span, DiagKind kind, ...);
 /* Further ones are only counted. */

@@ -9,11 +9,7 @@
  * order of their indices. */
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count);
 /* A constant of an unusual size for what its numbers count; `unit` is NULL where nothing is said of
- * that. doubt_number.c */
+ * that. */
 void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value);
 void doubt_units(Session *session, const Node *node);
-/* Parameters of a material that want a normal or a direction, and have what gives none. */
-void doubt_normals(Session *session, const Node *material);
-/* Parts of a material that no G-buffer holds, or not as they are. */
-void doubt_lost(Session *session, const Node *material);
 #endif

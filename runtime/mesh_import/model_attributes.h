@@ -1,7 +1,7 @@
 /* Attributes of a glTF's meshes that have names of the author's: `"attributes": { "POSITION": 0,
  * "_WETNESS": 1 }` is what a formula calls attribute("wetness", float). Assimp passes them over, so
  * they are read here, and go to its vertices by the number that each has:
- * model_number_vertices.c. */
+ * model_number.c. */
 #ifndef MATC_SCENE_MODEL_ATTRIBUTES_H
 #define MATC_SCENE_MODEL_ATTRIBUTES_H
 #include "compiler/base/arena.h"

@@ -59,7 +59,7 @@ static void put(float to[3], const struct aiVector3D *from)
 }
 
 /* The set of texture coordinates that is numbers of vertices: the one of three
- * (model_number_vertices.c); -1: it has none. */
+ * (model_number.c); -1: it has none. */
 static int numbers_of(const struct aiMesh *mesh)
 {
     int i = MODEL_COORDINATES - 1;

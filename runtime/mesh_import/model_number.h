@@ -2,7 +2,6 @@
 #ifndef MATC_SCENE_MODEL_NUMBER_H
 #define MATC_SCENE_MODEL_NUMBER_H
 #include "runtime/mesh_import/model.h"
-#include <cjson/cJSON.h>
 
 /* The text of a .gltf file in which each material's name is its number, vertices with attributes of
  * the author's have theirs, and buffers of one file are one; from malloc. NULL: it has none of
@@ -10,9 +9,6 @@
 char *model_number_text(const char *text, size_t size);
 /* The same of the bytes of a .glb. */
 char *model_number_binary(const char *bytes, size_t size, size_t *made);
-/* Adds the numbers of vertices to a file's JSON, where primitives have attributes whose names begin
- * with _; false: none has. model_number_vertices.c */
-bool model_number_vertices(cJSON *json);
 /* The number that such a name is; MODEL_NO_MATERIAL: it is none. */
 int model_material_number(const char *name);
 #endif

@@ -54,7 +54,7 @@ bool scene_bisection_begin(const Shape *shape, SceneBisection *made);
  * what there is conforms, and is to be ended. */
 bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
 /* As a shape whose places were moved to `to`; neighbours stand near each other, for caches of
- * vertices. scene_bisection_shape.c. False: memory ran out; *made is empty. */
+ * vertices. False: memory ran out; *made is empty. */
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made);
 /* Twice the area of a triangle within its base, in parts squared; its sign tells how it turns. */
 double scene_bisection_turn(const int a[3], const int b[3], const int c[3]);

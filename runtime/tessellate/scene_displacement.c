@@ -1,6 +1,6 @@
 /* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each
  * place is moved once, by the C reference in double, and where triangles are divided by error a
- * little more, to where they miss less (scene_refine_fit.h). What draws the scene then sees meshes
+ * little more, to where they miss less (scene_refine.c). What draws the scene then sees meshes
  * like any other, whatever it draws them for: shadows of each method, voxels, edges of the picture.
  *
  * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and
