@@ -5,6 +5,7 @@
 #include "indirect_quality.h"
 #include "grammar/tables.h"
 #include "matbench.h"
+#include "runtime/scene_reader/scene_read.h"
 #include "tests/frame/indirect_scenes.h"
 #include <math.h>
 #include <stdio.h>
