@@ -2,7 +2,7 @@
 #ifndef MATC_OUTPUT_H
 #define MATC_OUTPUT_H
 #include "compiler/matc.h"
-#include "compiler/base/staging.h"
+#include "compiler/base/staging/staging.h"
 
 enum { OUTPUT_FOLDERS = 4 };
 

@@ -1,8 +1,8 @@
 /* Commits that a process left half done, and how the next process finishes them
  * (staging_commit.c). */
 #include "tests/test.h"
-#include "compiler/base/staging.h"
-#include "compiler/base/staging_commit.h"
+#include "compiler/base/staging/staging.h"
+#include "compiler/base/staging/staging_commit.h"
 #include "tests/value/folder.h"
 #include "tests/value/read_whole.h"
 #include <fcntl.h>

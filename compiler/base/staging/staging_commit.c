@@ -13,7 +13,7 @@
  * list [hide manifest.json, put a.frag, remove b.frag, put manifest.json] that is killed after
  * a.frag leaves a folder without a manifest; the next run removes b.frag and moves the manifest. It
  * keeps a file that somebody has changed since the list was written. */
-#include "compiler/base/staging_commit.h"
+#include "compiler/base/staging/staging_commit.h"
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>

@@ -3,7 +3,7 @@
 #ifndef MATC_STAGING_COMMIT_H
 #define MATC_STAGING_COMMIT_H
 #include "compiler/base/bytes.h"
-#include "compiler/base/staging_folder.h"
+#include "compiler/base/staging/staging_folder.h"
 #include <time.h>
 
 typedef enum {

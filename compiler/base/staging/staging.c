@@ -2,9 +2,9 @@
  * (staging_folder.c), so that moving them is a rename; a commit moves all of them even if the
  * process is killed (staging_commit.c). The hidden folder is created with the first file whose
  * bytes differ from those in the output folder, so a run that changes nothing writes nothing. */
-#include "compiler/base/staging.h"
+#include "compiler/base/staging/staging.h"
 #include "compiler/base/sets.h"
-#include "compiler/base/staging_commit.h"
+#include "compiler/base/staging/staging_commit.h"
 #include "compiler/base/text.h"
 #include <errno.h>
 #include <fcntl.h>

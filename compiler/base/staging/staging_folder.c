@@ -1,6 +1,6 @@
 /* Makes, takes over and removes staging folders. Every path is opened relative to an open folder,
  * and no symbolic link is followed. */
-#include "compiler/base/staging_folder.h"
+#include "compiler/base/staging/staging_folder.h"
 #include "compiler/base/text.h"
 #include <dirent.h>
 #include <errno.h>
