@@ -13,10 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 static const double LARGEST_RATIO = 1.05;
 
 enum { SKIPPED = 77 }; /* as ctest knows it */

@@ -10,10 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { SIDE = 512, GPU_FACTOR = 4, ROUNDS = 41, TEXT_ROOM = 1 << 17, PATH_ROOM = 1024 };
 
 /* A function `float noise(vec3)`: of a file beside this one, or of the library by a choice. */

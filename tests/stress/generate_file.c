@@ -4,10 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 char *generate_file(void *user, const char *path, size_t *size, const char **why)
 {
     (void)user;

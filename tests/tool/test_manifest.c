@@ -10,10 +10,6 @@
 #define XXH_INLINE_ALL
 #include <xxhash.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { PATH_ROOM = 512, KEY_DIGITS = 32 };
 
 /* -- running */

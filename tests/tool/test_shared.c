@@ -20,9 +20,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
 #ifndef MATC_PROGRAM
 #define MATC_PROGRAM "matc"
 #endif

@@ -13,10 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { STRESSED = 3000, LONGEST = 256 };
 
 /* Rows that stand in some documents. */

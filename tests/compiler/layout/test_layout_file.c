@@ -10,10 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 static void fields_are_equal(const FieldRow *a, const FieldRow *b)
 {
     assert_true(a->encoding == b->encoding && a->bits == b->bits && a->count == b->count &&

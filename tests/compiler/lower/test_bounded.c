@@ -8,10 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 static const char *const drivers[] = {"sin",  "cos",  "tan",  "asin", "acos",
                                       "atan", "sinh", "cosh", "tanh"};
 enum { DRIVER_COUNT = sizeof drivers / sizeof *drivers, MOST_SHOWN = 10 };

@@ -12,10 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { SHARES = 6 /* tests/value/share.h */ };
 
 /* -- the walk itself, by programs whose derivatives are counted by hand */

@@ -12,10 +12,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 /* beyond, the oracle's differences are too wide beside what maps do, as in test_equiv */
 static const float far = 100;
 /* of a distance from an axis, beside which differences are wide */

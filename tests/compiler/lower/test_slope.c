@@ -14,10 +14,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { STEP = 3 * SANITIZED_STEP, MOST_NODES = 4096 };
 static const double bound = 1e-6; /* of |slope - difference| / max(1, |difference|) */
 

@@ -13,10 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 static const double free_cost = 200, most_growth = 1.1, most_growth_of_plane = 2;
 /* Lowered within a tenth as all are; without means the optimiser leaves less of their slopes. */
 static const double most_growth_of_moved = 1.12;

@@ -12,10 +12,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { STEP = 4 * SANITIZED_STEP, SAMPLES = POINT_COUNT / STEP };
 static const double bound = 1e-9;
 /* Slopes of what a displacement computes are differences in the oracle, over 2^-26 of the surface's

@@ -11,10 +11,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { PIXELS = 10 / SANITIZED_STEP, POINTS = 16, SHARES = 6 };
 
 /* Documents that once had a fault, in every mode, with every pixel. */

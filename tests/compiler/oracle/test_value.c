@@ -16,10 +16,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { NOISES = REFERENCE_NOISE_COUNT };
 static const double SHARP = 1e-3;
 

@@ -13,10 +13,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { TEXT_ROOM = 1 << 16 };
 
 /* The unpacking code behind a #version, in front of a light pass that reads every member; with a

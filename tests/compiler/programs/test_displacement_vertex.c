@@ -8,10 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 /* of a position in the world about 2 in size: roundings of noise and of matrices */
 static const double drawn_bound = 4e-6;
 

@@ -13,9 +13,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
 enum { MOST_STAGES = 4 };
 
 /* Stages that are drawn together, in their order. */

@@ -9,10 +9,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { TARGETS = 4 };
 typedef struct {
     float texels[TARGETS][POINT_COUNT * 4];

@@ -18,10 +18,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { MODULES_MOST = 1 << 14, SKIPPED = 77, SHARES = 6 };
 
 typedef struct {

@@ -10,10 +10,6 @@
 #include <string.h>
 #include <unistd.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { WIDTH = 256, HEIGHT = 128, LONGEST = 4096 };
 /* All is magnified, 64 texels to 80 pixels and more, so that no mipmap but the first has a part.
  * The sampler's weights have eight bits, of texels that differ by 1 at most; the layout keeps

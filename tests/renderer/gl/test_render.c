@@ -10,10 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 typedef struct {
     GlContext *gl;
     Store *store;
