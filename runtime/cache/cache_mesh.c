@@ -50,9 +50,9 @@ static bool find_grounds(const CacheSource *source, const Cache *cache,
 {
     for (int i = 0; i < cache->plane_count && i < GROUNDS_MOST; i++) {
         const double *m = source->scene->objects[cache->planes[i].object].world_from_local.m;
-        scene_vector_cross(m, m + 4, grounds[i]);
-        scene_vector_normalize(grounds[i]);
-        grounds[i][3] = -scene_vector_dot(grounds[i], m + 12);
+        vec3_cross(m, m + 4, grounds[i]);
+        vec3_normalize(grounds[i]);
+        grounds[i][3] = -vec3_dot(grounds[i], m + 12);
     }
     return cache->plane_count <= GROUNDS_MOST;
 }

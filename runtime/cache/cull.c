@@ -21,10 +21,10 @@ static void add_plane(const SceneCamera *c, const double eye[3], double distance
     double *plane = made->planes[made->count], normal[3];
     for (int i = 0; i < 3; i++)
         normal[i] = eye[0] * c->right[i] + eye[1] * c->up[i] + eye[2] * c->back[i];
-    const double length = sqrt(scene_vector_dot(normal, normal));
+    const double length = sqrt(vec3_dot(normal, normal));
     for (int i = 0; i < 3; i++)
         plane[i] = normal[i] / length;
-    plane[3] = distance / length - scene_vector_dot(plane, c->position);
+    plane[3] = distance / length - vec3_dot(plane, c->position);
     made->terms[made->count] = fabs(distance / length);
     for (int i = 0; i < 3; i++)
         made->terms[made->count] += fabs(plane[i] * c->position[i]);
@@ -84,9 +84,9 @@ static BoxImage image_of(const CullBox *box, const double m[16])
 /* What is not a number is seen, too. */
 static bool is_inside(const double plane[4], double terms, const BoxImage *image)
 {
-    double reach = scene_vector_dot(plane, image->center) + plane[3];
+    double reach = vec3_dot(plane, image->center) + plane[3];
     for (int i = 0; i < 3; i++) {
-        reach += fabs(scene_vector_dot(plane, image->edges[i]));
+        reach += fabs(vec3_dot(plane, image->edges[i]));
         terms += fabs(plane[i]) * image->terms[i];
     }
     return !(reach + slack * terms < 0);
@@ -106,9 +106,9 @@ bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
 {
     const BoxImage image = image_of(box, world_from_local->m);
     const double *plane = volume->planes[NEAREST];
-    double reach = scene_vector_dot(plane, image.center) + plane[3], terms = volume->terms[NEAREST];
+    double reach = vec3_dot(plane, image.center) + plane[3], terms = volume->terms[NEAREST];
     for (int i = 0; i < 3; i++) {
-        reach -= fabs(scene_vector_dot(plane, image.edges[i]));
+        reach -= fabs(vec3_dot(plane, image.edges[i]));
         terms += fabs(plane[i]) * image.terms[i];
     }
     return reach > slack * terms;

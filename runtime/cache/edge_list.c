@@ -129,8 +129,8 @@ static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
     for (int i = 0; i < 3; i++)
         way[i] = is_orthographic(l) ? camera->back[i] : camera->position[i] - m->m[12 + i];
     for (int i = 0; i < 3; i++) {
-        scene_vector_cross(m->m + 4 * ((i + 1) % 3), m->m + 4 * ((i + 2) % 3), cross);
-        eye[i] = scene_vector_dot(way, cross) / determinant;
+        vec3_cross(m->m + 4 * ((i + 1) % 3), m->m + 4 * ((i + 2) % 3), cross);
+        eye[i] = vec3_dot(way, cross) / determinant;
     }
 }
 
@@ -192,8 +192,8 @@ static void add_horizon(EdgeLister *l, const SceneObject *object)
 {
     const double *m = object->world_from_local.m, *e = l->space->eye_from_world;
     double world[3], n[3];
-    scene_vector_cross(m, m + 4, world);
-    scene_vector_normalize(world);
+    vec3_cross(m, m + 4, world);
+    vec3_normalize(world);
     for (int i = 0; i < 3; i++)
         n[i] = e[i] * world[0] + e[4 + i] * world[1] + e[8 + i] * world[2];
     const double square = n[0] * n[0] + n[1] * n[1], reach = 2.0 * (l->size[0] + l->size[1]);

@@ -90,8 +90,8 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2])
 static void meet(const SceneCamera *camera, const double normal[3], const double origin[3],
                  double at[3])
 {
-    const double along = (scene_vector_dot(normal, origin) - scene_vector_dot(normal, at)) /
-                         scene_vector_dot(normal, camera->back);
+    const double along =
+        (vec3_dot(normal, origin) - vec3_dot(normal, at)) / vec3_dot(normal, camera->back);
     for (int i = 0; i < 3; i++)
         at[i] += along * camera->back[i];
 }
@@ -103,9 +103,9 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
     const double *axes[3] = {camera->back, camera->right, camera->up};
     /* the middle of the picture, of its right side, of its upper side */
     double normal[3], points[3][3];
-    scene_vector_cross(m, m + 4, normal);
-    scene_vector_normalize(normal);
-    const bool seen = fabs(scene_vector_dot(normal, camera->back)) > edge_on;
+    vec3_cross(m, m + 4, normal);
+    vec3_normalize(normal);
+    const bool seen = fabs(vec3_dot(normal, camera->back)) > edge_on;
     for (int k = 0; k < 3; k++) {
         for (int i = 0; i < 3; i++)
             points[k][i] =

@@ -181,13 +181,12 @@ bool matc_render_look(MatcRender *r, const double position[3], const double targ
         camera.back[i] = position[i] - target[i];
         upright[i] = up[i];
     }
-    if (!scene_vector_normalize(camera.back) || !scene_vector_normalize(upright))
+    if (!vec3_normalize(camera.back) || !vec3_normalize(upright))
         return gl_fail(r->gl, "the way from position to target, or up, has no direction");
-    scene_vector_cross(upright, camera.back, camera.right);
-    if (scene_vector_dot(camera.right, camera.right) < 1e-18 ||
-        !scene_vector_normalize(camera.right))
+    vec3_cross(upright, camera.back, camera.right);
+    if (vec3_dot(camera.right, camera.right) < 1e-18 || !vec3_normalize(camera.right))
         return gl_fail(r->gl, "up, seen along the view, has no direction");
-    scene_vector_cross(camera.back, camera.right, camera.up);
+    vec3_cross(camera.back, camera.right, camera.up);
     r->scene->camera = camera;
     scene_origin_follow(r->scene, &r->scene->camera);
     return render_changed(r->render, RENDER_CAMERA);

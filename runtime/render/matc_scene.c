@@ -229,11 +229,10 @@ static bool is_matrix(const double m[16])
     memcpy(x, m, sizeof x);
     memcpy(y, m + 4, sizeof y);
     memcpy(z, m + 8, sizeof z);
-    if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
+    if (!vec3_normalize(x) || !vec3_normalize(y) || !vec3_normalize(z))
         return false;
-    scene_vector_cross(y, z, cross);
-    return fabs(scene_vector_dot(x, cross)) > 1e-9 && m[3] == 0 && m[7] == 0 && m[11] == 0 &&
-           m[15] == 1;
+    vec3_cross(y, z, cross);
+    return fabs(vec3_dot(x, cross)) > 1e-9 && m[3] == 0 && m[7] == 0 && m[11] == 0 && m[15] == 1;
 }
 
 static bool check_object(MatcScene *s, int mesh, int material, const double matrix[16])

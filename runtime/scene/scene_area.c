@@ -18,7 +18,7 @@ static double reach_of(const SceneCamera *camera, double height)
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = camera->position[i] - camera->target[i];
-    const double away = sqrt(scene_vector_dot(way, way));
+    const double away = sqrt(vec3_dot(way, way));
     const double scale =
         fmax(fabs(height), camera->kind == SCENE_Orthographic ? fmax(away, camera->half) : away);
     return SCENE_AREA_REACH * scale;
@@ -27,16 +27,15 @@ static double reach_of(const SceneCamera *camera, double height)
 static void find_foot(const SceneCamera *camera, const SceneLight *light, Along along[2])
 {
     const double *u = light->edges[0], *v = light->edges[1];
-    const double uu = scene_vector_dot(u, u), uv = scene_vector_dot(u, v),
-                 vv = scene_vector_dot(v, v);
+    const double uu = vec3_dot(u, u), uv = vec3_dot(u, v), vv = vec3_dot(v, v);
     const double det = uu * vv - uv * uv;
     double from[3], normal[3];
     for (int i = 0; i < 3; i++)
         from[i] = camera->position[i] - light->position[i];
-    scene_vector_cross(u, v, normal);
-    scene_vector_normalize(normal);
-    const double x = scene_vector_dot(from, u), y = scene_vector_dot(from, v);
-    const double reach = reach_of(camera, scene_vector_dot(from, normal));
+    vec3_cross(u, v, normal);
+    vec3_normalize(normal);
+    const double x = vec3_dot(from, u), y = vec3_dot(from, v);
+    const double reach = reach_of(camera, vec3_dot(from, normal));
     along[0] = (Along){(x * vv - y * uv) / det, reach / sqrt(det / vv)};
     along[1] = (Along){(y * uu - x * uv) / det, reach / sqrt(det / uu)};
 }
@@ -46,7 +45,7 @@ bool scene_area_cut(const SceneCamera *camera, const SceneLight *light, SceneLig
     Along along[2];
     bool is_part = false;
     *cut = *light;
-    if (!scene_vector_span(light->edges[0], light->edges[1]))
+    if (!vec3_span(light->edges[0], light->edges[1]))
         return false; /* a line */
     find_foot(camera, light, along);
     for (int edge = 0; edge < 2; edge++) {

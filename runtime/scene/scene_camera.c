@@ -9,12 +9,12 @@ SceneAim scene_camera_aim(SceneCamera *camera)
         camera->back[i] = camera->position[i] - camera->target[i];
         up[i] = camera->upright[i];
     }
-    const bool looks = scene_vector_normalize(camera->back);
-    const bool upright = scene_vector_normalize(up);
-    scene_vector_cross(up, camera->back, camera->right);
-    const bool stands = scene_vector_dot(camera->right, camera->right) > 1e-18 &&
-                        scene_vector_normalize(camera->right);
-    scene_vector_cross(camera->back, camera->right, camera->up);
+    const bool looks = vec3_normalize(camera->back);
+    const bool upright = vec3_normalize(up);
+    vec3_cross(up, camera->back, camera->right);
+    const bool stands =
+        vec3_dot(camera->right, camera->right) > 1e-18 && vec3_normalize(camera->right);
+    vec3_cross(camera->back, camera->right, camera->up);
     return !looks ? SCENE_AIM_view : upright && stands ? SCENE_AIM_fine : SCENE_AIM_up;
 }
 
@@ -28,12 +28,12 @@ static double behind(const Scene *scene, const SceneCamera *camera, const SceneM
     const double right = (corner & 1 ? 1 : -1) * camera->half * scene->width / shorter;
     const double up = (corner & 2 ? 1 : -1) * camera->half * scene->height / shorter;
     double normal[3], from[3];
-    scene_vector_cross(m, m + 4, normal);
-    scene_vector_normalize(normal);
+    vec3_cross(m, m + 4, normal);
+    vec3_normalize(normal);
     for (int i = 0; i < 3; i++)
         from[i] = m[12 + i] - camera->position[i] - right * camera->right[i] - up * camera->up[i];
-    const double facing = scene_vector_dot(normal, camera->back);
-    return fabs(facing) > 1e-6 ? scene_vector_dot(normal, from) / facing : -INFINITY;
+    const double facing = vec3_dot(normal, camera->back);
+    return fabs(facing) > 1e-6 ? vec3_dot(normal, from) / facing : -INFINITY;
 }
 
 bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera,

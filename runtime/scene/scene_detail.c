@@ -10,7 +10,7 @@ enum { LEAST_SAMPLES = 512 /* of a path: --frames may ask for other frames than 
 static double distance(const double a[3], const double b[3])
 {
     const double way[3] = {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-    return sqrt(scene_vector_dot(way, way));
+    return sqrt(vec3_dot(way, way));
 }
 
 /* The ball around so many places, and around what lies between two of them, which are at most
@@ -74,7 +74,7 @@ static double from_line(const double at[3], const double a[3], const double b[3]
     double way[3], near[3];
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - a[i];
-    const double size = scene_vector_dot(b, b), t = size > 0 ? scene_vector_dot(way, b) / size : 0;
+    const double size = vec3_dot(b, b), t = size > 0 ? vec3_dot(way, b) / size : 0;
     for (int i = 0; i < 3; i++)
         near[i] = a[i] + fmin(fmax(t, 0), most) * b[i];
     return distance(at, near);
@@ -95,7 +95,7 @@ static double shadow_distance(const SceneDetailEye *eye, const SceneLight *light
         way[i] =
             from == LIGHT_FROM_afar ? -light->direction[i] : light->position[i] - eye->center[i];
     for (int i = 0; i < 2 && from == LIGHT_FROM_extent; i++)
-        edges += sqrt(scene_vector_dot(light->edges[i], light->edges[i]));
+        edges += sqrt(vec3_dot(light->edges[i], light->edges[i]));
     return from_line(center, eye->center, way, from == LIGHT_FROM_afar ? INFINITY : 1) - edges;
 }
 
@@ -161,14 +161,13 @@ SceneBall scene_detail_ball(const SceneObject *object, const Shape *shape)
     case SCENE_Sphere:
         return (SceneBall){{0}, n[0]};
     case SCENE_Box:
-        return (SceneBall){{0}, sqrt(scene_vector_dot(n, n)) / 2};
+        return (SceneBall){{0}, sqrt(vec3_dot(n, n)) / 2};
     case SCENE_Cylinder:
     case SCENE_Cone:
         return (SceneBall){{0, 0, n[1] / 2}, hypot(n[0], n[1] / 2)};
     case SCENE_Parallelogram:
         return (SceneBall){{(n[0] + n[3]) / 2, (n[1] + n[4]) / 2, (n[2] + n[5]) / 2},
-                           (sqrt(scene_vector_dot(n, n)) + sqrt(scene_vector_dot(n + 3, n + 3))) /
-                               2};
+                           (sqrt(vec3_dot(n, n)) + sqrt(vec3_dot(n + 3, n + 3))) / 2};
     case SCENE_Mesh:
         return ball_of_shape(shape);
     default:
@@ -184,7 +183,7 @@ double scene_detail_stretch(const SceneMatrix *matrix)
     for (int i = 0; i < 3; i++) {
         double sum = 0;
         for (int k = 0; k < 3; k++)
-            sum += fabs(scene_vector_dot(&m[4 * i], &m[4 * k]));
+            sum += fabs(vec3_dot(&m[4 * i], &m[4 * k]));
         most = fmax(most, sum);
     }
     return sqrt(most);

@@ -91,8 +91,8 @@ SceneMatrix scene_matrix_of(const Transform *transform)
 double scene_matrix_determinant(const SceneMatrix *m)
 {
     double cross[3];
-    scene_vector_cross(m->m + 4, m->m + 8, cross);
-    return scene_vector_dot(m->m, cross);
+    vec3_cross(m->m + 4, m->m + 8, cross);
+    return vec3_dot(m->m, cross);
 }
 
 void scene_vector_axes(const double along[3], double x[3], double y[3])
@@ -102,9 +102,9 @@ void scene_vector_axes(const double along[3], double x[3], double y[3])
                                                                                            : 2;
     double helper[3] = {0};
     helper[least] = 1;
-    scene_vector_cross(helper, along, x);
-    scene_vector_normalize(x);
-    scene_vector_cross(along, x, y);
+    vec3_cross(helper, along, x);
+    vec3_normalize(x);
+    vec3_cross(along, x, y);
 }
 
 bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse)
@@ -115,10 +115,10 @@ bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse)
     *inverse = scene_matrix_identity();
     for (int i = 0; i < 3; i++) {
         double row[3];
-        scene_vector_cross(&m->m[4 * ((i + 1) % 3)], &m->m[4 * ((i + 2) % 3)], row);
+        vec3_cross(&m->m[4 * ((i + 1) % 3)], &m->m[4 * ((i + 2) % 3)], row);
         for (int k = 0; k < 3; k++)
             inverse->m[4 * k + i] = row[k] / determinant;
-        inverse->m[12 + i] = -scene_vector_dot(row, &m->m[12]) / determinant;
+        inverse->m[12 + i] = -vec3_dot(row, &m->m[12]) / determinant;
     }
     return true;
 }

@@ -21,11 +21,6 @@ bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
 /* Of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 
-/* Aliases of functions of vec3.h, under the names that code of scenes uses. */
-#define scene_vector_dot       vec3_dot
-#define scene_vector_cross     vec3_cross
-#define scene_vector_normalize vec3_normalize
-#define scene_vector_span      vec3_span
 /* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x
  * cross y. */
 void scene_vector_axes(const double along[3], double x[3], double y[3]);

@@ -13,8 +13,8 @@ enum { POINT = 3 };
 static void turn(const double axis[3], double angle, double v[3])
 {
     double across[3];
-    const double along = scene_vector_dot(axis, v) * (1 - cos(angle));
-    scene_vector_cross(axis, v, across);
+    const double along = vec3_dot(axis, v) * (1 - cos(angle));
+    vec3_cross(axis, v, across);
     for (int i = 0; i < 3; i++)
         v[i] = v[i] * cos(angle) + across[i] * sin(angle) + axis[i] * along;
 }

@@ -198,7 +198,7 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
         way[i] = world[1][i] - world[0][i];
     }
     const double wanted =
-        sqrt(scene_vector_dot(way, way)) * scene_seen_pixels(seen, middle) / patches->pixels;
+        sqrt(vec3_dot(way, way)) * scene_seen_pixels(seen, middle) / patches->pixels;
     int parts = 1;
     while (2 * parts <= patches->level && parts < wanted)
         parts *= 2;

@@ -33,12 +33,11 @@ static double pixels_of(const SceneSeen *seen, const SceneCamera *camera, const 
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - camera->position[i];
     const bool parallel = camera->kind == SCENE_Orthographic;
-    const double depth = -scene_vector_dot(way, camera->back);
-    const double distance = parallel ? 1 : fmax(sqrt(scene_vector_dot(way, way)), camera->near);
+    const double depth = -vec3_dot(way, camera->back);
+    const double distance = parallel ? 1 : fmax(sqrt(vec3_dot(way, way)), camera->near);
     const double reach = rim * camera->half * (parallel ? 1 : depth);
-    const bool inside = depth > 0 &&
-                        fabs(scene_vector_dot(way, camera->right)) <= reach * seen->half[0] &&
-                        fabs(scene_vector_dot(way, camera->up)) <= reach * seen->half[1];
+    const bool inside = depth > 0 && fabs(vec3_dot(way, camera->right)) <= reach * seen->half[0] &&
+                        fabs(vec3_dot(way, camera->up)) <= reach * seen->half[1];
     return seen->shorter / 2 / (camera->half * distance * (inside ? 1 : out_of_view));
 }
 

@@ -37,7 +37,7 @@ static SightTriangle triangle_of(const double corners[3][3], double bound)
 
 static double inside_by(const double plane[4], const double at[3])
 {
-    return scene_vector_dot(plane, at) + plane[3];
+    return vec3_dot(plane, at) + plane[3];
 }
 
 static double most_inside(const double plane[4], const SightTriangle *moved)
@@ -80,7 +80,7 @@ static double ground_reach(const double ground[4], const SceneLight *light,
         most += fmax(way * ground[k] * moved->low[k], way * ground[k] * moved->high[k]);
     }
     if (far) {
-        const double goes = scene_vector_dot(ground, light->direction);
+        const double goes = vec3_dot(ground, light->direction);
         return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
     }
     const double room =
@@ -127,7 +127,7 @@ static bool casts_into_view(const SceneSight *sight, const double eye[3], const 
     bool beyond = false;
     for (int i = 0; i < sight->count && !beyond; i++) {
         const double *plane = sight->planes[i], most = most_inside(plane, moved);
-        const double goes = far ? reach * scene_vector_dot(plane, light->direction)
+        const double goes = far ? reach * vec3_dot(plane, light->direction)
                                 : (reach - 1) * (most - inside_by(plane, light->position));
         beyond = most + fmax(goes, 0) < -margin;
     }
@@ -141,7 +141,7 @@ bool scene_sight_misses(const SceneSight *sight, const double eye[3], const doub
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = corners[0][i] - eye[i];
-    const double margin = beside * sqrt(scene_vector_dot(way, way));
+    const double margin = beside * sqrt(vec3_dot(way, way));
     bool misses = false;
     for (int i = 0; i < sight->count && !misses; i++)
         misses = most_inside(sight->planes[i], &moved) < -margin;

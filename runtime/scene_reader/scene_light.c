@@ -60,7 +60,7 @@ static void read_shared(SceneReader *r, const SceneThing *thing, const LightPara
         memcpy(light->position, light_params_at(params, position), sizeof light->position);
     if (direction >= 0)
         memcpy(light->direction, light_params_at(params, direction), sizeof light->direction);
-    if (direction >= 0 && !scene_vector_normalize(light->direction))
+    if (direction >= 0 && !vec3_normalize(light->direction))
         fail(r, thing, &(LightFault){DIAG_no_direction, direction, "direction"});
     if (shadows >= 0)
         light->shadows = (Word)*light_params_at(params, shadows);

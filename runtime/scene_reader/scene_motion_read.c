@@ -18,7 +18,7 @@ static bool read_turntable(SceneReader *r, const SceneThing *thing, SceneMotion 
     motion->frames = (int)scene_thing_number(thing, S_Turntable_frames);
     motion->angle = scene_thing_number(thing, S_Turntable_degrees) * RADIANS;
     scene_thing_vector(thing, S_Turntable_axis, motion->axis);
-    if (scene_vector_normalize(motion->axis))
+    if (vec3_normalize(motion->axis))
         return true;
     diag_add(r->session, scene_thing_span(thing, S_Turntable_axis), DIAG_no_direction, "axis");
     return r->fine = false;

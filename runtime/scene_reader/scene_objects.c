@@ -88,14 +88,14 @@ static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObj
     for (int i = 0; i < 16; i++)
         if (!(fabs(m->m[i]) * (i < 12 ? reach : 1) < 1e30))
             return fault(r, span, DIAG_scene_flat, "the transformation leads too far away");
-    if (!scene_vector_normalize(x) || !scene_vector_normalize(y) || !scene_vector_normalize(z))
+    if (!vec3_normalize(x) || !vec3_normalize(y) || !vec3_normalize(z))
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
     const double axes[3][3] = {{x[0], x[1], x[2]}, {y[0], y[1], y[2]}, {z[0], z[1], z[2]}};
     double cross[3];
-    scene_vector_cross(axes[1], axes[2], cross);
-    if (fabs(scene_vector_dot(axes[0], cross)) < 1e-9)
+    vec3_cross(axes[1], axes[2], cross);
+    if (fabs(vec3_dot(axes[0], cross)) < 1e-9)
         return fault(r, span, DIAG_scene_flat, "the transformation makes it flat");
-    if (thing->kind == SCENE_Plane && fabs(scene_vector_dot(x, y)) > 1e-6)
+    if (thing->kind == SCENE_Plane && fabs(vec3_dot(x, y)) > 1e-6)
         return fault(r, span, DIAG_scene_flat,
                      "the transformation leaves x and y of a plane at no right angle");
     return true;
@@ -103,8 +103,7 @@ static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObj
 
 static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
-    return thing->kind != SCENE_Parallelogram ||
-           scene_vector_span(object->numbers, object->numbers + 3) ||
+    return thing->kind != SCENE_Parallelogram || vec3_span(object->numbers, object->numbers + 3) ||
            fault(r, scene_thing_span(thing, S_Parallelogram_v), DIAG_scene_flat,
                  "u and v span nothing");
 }

@@ -72,9 +72,9 @@ static void find_normal(const Standing *s, const MatcPoint around[SCENE_SURFACE_
         u[i] = at[1][i] - at[2][i];
         v[i] = at[3][i] - at[4][i];
     }
-    scene_vector_cross(u, v, normal);
-    const bool turned = scene_vector_dot(normal, before) < 0;
-    if (!scene_vector_normalize(normal))
+    vec3_cross(u, v, normal);
+    const bool turned = vec3_dot(normal, before) < 0;
+    if (!vec3_normalize(normal))
         memcpy(normal, before, 3 * sizeof *normal);
     for (int i = 0; i < 3 && turned; i++)
         normal[i] = -normal[i];

@@ -185,17 +185,16 @@ static void set_plane(const Render *render, const SceneLight *light, const Scene
     const SceneCamera *camera = &render->scene->camera;
     const double *m = plane->m, *const origin = m + 12;
     double n[3], foot[3], eye[3], row[4];
-    scene_vector_cross(m, m + 4, n);
-    scene_vector_normalize(n);
-    const double offset = scene_vector_dot(n, origin),
-                 away = scene_vector_dot(n, camera->position) - offset;
+    vec3_cross(m, m + 4, n);
+    vec3_normalize(n);
+    const double offset = vec3_dot(n, origin), away = vec3_dot(n, camera->position) - offset;
     const double side = light_from(light) == LIGHT_FROM_afar
-                            ? -scene_vector_dot(n, light->direction)
-                            : scene_vector_dot(n, light->position) - offset;
+                            ? -vec3_dot(n, light->direction)
+                            : vec3_dot(n, light->position) - offset;
     for (int i = 0; i < 3; i++) {
         foot[i] = camera->position[i] - away * n[i];
         eye[i] = foot[i] + (side < 0 ? -1 : 1) * fmax(fabs(away), 1) * n[i];
-        row[i] = scene_vector_dot(n, i == 0 ? camera->right : i == 1 ? camera->up : camera->back);
+        row[i] = vec3_dot(n, i == 0 ? camera->right : i == 1 ? camera->up : camera->back);
     }
     row[3] = away;
     set(material, "sheet_plane", 4,

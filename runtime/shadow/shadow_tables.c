@@ -42,9 +42,9 @@ static void put_view(const Render *render, const ShadowView *view, int layer, fl
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
 {
     double row[4];
-    scene_vector_cross(m->m, m->m + 4, row);
-    scene_vector_normalize(row);
-    row[3] = -scene_vector_dot(row, m->m + 12);
+    vec3_cross(m->m, m->m + 4, row);
+    vec3_normalize(row);
+    row[3] = -vec3_dot(row, m->m + 12);
     from_eye(render->space.eye_from_world, row, texel);
 }
 

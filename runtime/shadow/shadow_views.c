@@ -40,7 +40,7 @@ static void set_row(const double axis[3], double scale, const double origin[3], 
 {
     for (int lane = 0; lane < 3; lane++)
         row[lane] = scale * axis[lane];
-    row[3] = -scale * scene_vector_dot(axis, origin);
+    row[3] = -scale * vec3_dot(axis, origin);
 }
 
 /* -- point and spot */
@@ -132,7 +132,7 @@ static void range_of(const Fit *fit, const double axis[3], double range[2])
     range[0] = INFINITY;
     range[1] = -INFINITY;
     for (int i = 0; i < fit->count; i++) {
-        const double along = scene_vector_dot(axis, fit->corners[i]);
+        const double along = vec3_dot(axis, fit->corners[i]);
         range[0] = fmin(range[0], along);
         range[1] = fmax(range[1], along);
     }
@@ -188,11 +188,11 @@ static void depths_of(const Fit *fit, double depths[2])
 {
     const SceneCamera *camera = &fit->scene->camera;
     const double least = camera->kind == SCENE_Perspective ? camera->near : 0,
-                 at = scene_vector_dot(camera->back, camera->position);
+                 at = vec3_dot(camera->back, camera->position);
     depths[0] = INFINITY;
     depths[1] = -INFINITY;
     for (int i = 0; i < fit->count; i++) {
-        const double depth = at - scene_vector_dot(camera->back, fit->corners[i]);
+        const double depth = at - vec3_dot(camera->back, fit->corners[i]);
         depths[0] = fmin(depths[0], depth);
         depths[1] = fmax(depths[1], depth);
     }
@@ -224,7 +224,7 @@ static void find_shown(const Fit *fit, const SceneLight *light, const double dep
         shown[axis][1] = -INFINITY;
         for (int i = 0; i < CORNERS; i++) {
             corner_of(fit, depths[i / 4], i % 4, corner);
-            const double along = scene_vector_dot(axes[axis], corner);
+            const double along = vec3_dot(axes[axis], corner);
             shown[axis][0] = fmin(shown[axis][0], along);
             shown[axis][1] = fmax(shown[axis][1], along);
         }
@@ -358,7 +358,7 @@ CullVolume shadow_views_volume(const ShadowView *view)
             const double far = view->near > 0 ? view->rows[2][k] : k == 3;
             plane[k] = far + (i % 2 ? 1 : -1) * view->rows[i / 2][k];
         }
-        const double length = sqrt(scene_vector_dot(plane, plane));
+        const double length = sqrt(vec3_dot(plane, plane));
         for (int k = 0; k < 4; k++)
             plane[k] /= length;
         volume.terms[i] = fabs(plane[3]);

@@ -36,10 +36,10 @@ void soft_views_place(const Scene *scene, const SceneLight *light, int number, d
 static void axes_of(const SceneLight *light, bool back, double axes[3][3])
 {
     memcpy(axes[0], light->edges[0], sizeof axes[0]);
-    scene_vector_normalize(axes[0]);
-    scene_vector_cross(light->edges[0], light->edges[1], axes[2]);
-    scene_vector_normalize(axes[2]);
-    scene_vector_cross(axes[2], axes[0], axes[1]);
+    vec3_normalize(axes[0]);
+    vec3_cross(light->edges[0], light->edges[1], axes[2]);
+    vec3_normalize(axes[2]);
+    vec3_cross(axes[2], axes[0], axes[1]);
     for (int i = 0; i < 3 && back; i++)
         axes[2][i] = -axes[2][i];
 }
@@ -54,7 +54,7 @@ void soft_views_make(const Scene *scene, const SceneLight *light, int number, do
     *view = (ShadowView){.near = near, .texel = 1.0 / quarter, .soft = true};
     for (int row = 0; row < 3; row++) {
         memcpy(view->rows[row], axes[row], sizeof axes[row]);
-        view->rows[row][3] = -scene_vector_dot(axes[row], position);
+        view->rows[row][3] = -vec3_dot(axes[row], position);
     }
 }
 
@@ -62,8 +62,8 @@ void soft_views_make(const Scene *scene, const SceneLight *light, int number, do
 static bool is_mirrored(const ShadowView *view)
 {
     double across[3];
-    scene_vector_cross(view->rows[0], view->rows[1], across);
-    return scene_vector_dot(across, view->rows[2]) > 0;
+    vec3_cross(view->rows[0], view->rows[1], across);
+    return vec3_dot(across, view->rows[2]) > 0;
 }
 
 void soft_views_face(const ShadowView *view, int size, int face, ShadowView *made, int rect[4])

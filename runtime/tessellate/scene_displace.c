@@ -36,14 +36,13 @@ static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase
     if (fine.steps)
         before.numbers[scene_detail_number(before.kind)] = fine.steps;
     for (int i = 0; i < 3; i++)
-        size += scene_vector_dot(&m[4 * i], &m[4 * i]);
+        size += vec3_dot(&m[4 * i], &m[4 * i]);
     if (by->moves[object->material] == MATC_MOVES_world)
         for (int i = 0; i < 12; i++)
             measure[i] = m[i / 3 * 4 + i % 3];
     else
         for (int i = 0; i < 9; i++)
-            measure[i] =
-                rint(parts_of_one * scene_vector_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
+            measure[i] = rint(parts_of_one * vec3_dot(&m[i / 3 * 4], &m[i % 3 * 4]) / size) + 0.;
     if (by->moves[object->material] == MATC_MOVES_local)
         measure[9] += fine.share > 0 ? fine.number : rint(parts_of_one * log(size));
     const Key parts[] = {scene_solid_key(&before),

@@ -90,7 +90,7 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     const bool fine = points && matc_solid(mover->how->document, mover->how->material,
                                            mover->how->options, points, count);
     for (int i = 0; fine && i < count; i++) {
-        const double *n = points[i].at.normal, size = fmax(sqrt(scene_vector_dot(n, n)), 1e-30);
+        const double *n = points[i].at.normal, size = fmax(sqrt(vec3_dot(n, n)), 1e-30);
         for (int lane = 0; lane < 3; lane++)
             columns[i].along[lane] = (inverse->m[lane] * n[0] + inverse->m[4 + lane] * n[1] +
                                       inverse->m[8 + lane] * n[2]) /
@@ -109,7 +109,7 @@ static double pixels_at(void *user, const double at[3])
     double world[3], size = 0;
     for (int i = 0; i < 3; i++) {
         world[i] = m[i] * at[0] + m[4 + i] * at[1] + m[8 + i] * at[2] + m[12 + i];
-        size = fmax(size, scene_vector_dot(&m[4 * i], &m[4 * i]));
+        size = fmax(size, vec3_dot(&m[4 * i], &m[4 * i]));
     }
     return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
 }
@@ -121,7 +121,7 @@ static double length_of(void *user, const double by[3])
     double world[3];
     for (int i = 0; i < 3; i++)
         world[i] = m[i] * by[0] + m[4 + i] * by[1] + m[8 + i] * by[2];
-    return sqrt(scene_vector_dot(world, world));
+    return sqrt(vec3_dot(world, world));
 }
 
 /* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
@@ -242,7 +242,7 @@ static double longest_edge(const ScenePatches *patches)
                     *b = patches->rows[patches->at[i / 3].own[(i + 1) % 3]].position;
         const double way[3] = {(double)a[0] - (double)b[0], (double)a[1] - (double)b[1],
                                (double)a[2] - (double)b[2]};
-        longest = fmax(longest, sqrt(scene_vector_dot(way, way)));
+        longest = fmax(longest, sqrt(vec3_dot(way, way)));
     }
     return longest;
 }

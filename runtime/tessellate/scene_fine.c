@@ -77,7 +77,7 @@ static void choose_share(const SceneMatrix *matrix, double height, SceneFineness
     const double *m = matrix->m;
     double size = 0;
     for (int i = 0; i < 3; i++)
-        size += scene_vector_dot(&m[4 * i], &m[4 * i]);
+        size += vec3_dot(&m[4 * i], &m[4 * i]);
     const double length = log(size / 3) / 2, most = 2 * log1p(SCENE_DETAIL_ERROR / height);
     fine->share = exp2(floor(log2(fmin(most, widest_share))));
     if (!(fine->share >= narrowest_share)) {

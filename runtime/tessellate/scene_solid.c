@@ -36,10 +36,10 @@ static bool parallelogram(const double u[3], const double v[3], Shape *made)
 {
     /* a product of lengths may be no number */
     double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, normal[3];
-    scene_vector_normalize(a);
-    scene_vector_normalize(b);
-    scene_vector_cross(a, b, normal);
-    scene_vector_normalize(normal);
+    vec3_normalize(a);
+    vec3_normalize(b);
+    vec3_cross(a, b, normal);
+    vec3_normalize(normal);
     if (!shape_make(SHAPE_plane, made))
         return false;
     for (int i = 0; i < made->vertex_count; i++) {

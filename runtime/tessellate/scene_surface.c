@@ -24,7 +24,7 @@ static void transformed_normal(const SceneMatrix *m, const double n[3], double o
     const double sign = scene_matrix_determinant(m) < 0 ? -1 : 1;
     double cross[3][3];
     for (int k = 0; k < 3; k++)
-        scene_vector_cross(m->m + 4 * ((k + 1) % 3), m->m + 4 * ((k + 2) % 3), cross[k]);
+        vec3_cross(m->m + 4 * ((k + 1) % 3), m->m + 4 * ((k + 2) % 3), cross[k]);
     for (int i = 0; i < 3; i++)
         out[i] = sign * (cross[0][i] * n[0] + cross[1][i] * n[1] + cross[2][i] * n[2]);
 }
@@ -48,7 +48,7 @@ static void span_of(double corners[3][3], double span[3])
         u[i] = corners[1][i] - corners[0][i];
         v[i] = corners[2][i] - corners[0][i];
     }
-    scene_vector_cross(u, v, span);
+    vec3_cross(u, v, span);
 }
 
 static bool make_patch(const Scene *scene, const SceneObject *object, SceneSurfacePart *patch)
@@ -71,7 +71,7 @@ static bool sum_areas(SceneSurface *made)
             double corners[3][3], span[3];
             corners_of(&made->patches[i], triangle, corners);
             span_of(corners, span);
-            made->sums[triangle] = sum += sqrt(scene_vector_dot(span, span)) / 2;
+            made->sums[triangle] = sum += sqrt(vec3_dot(span, span)) / 2;
         }
     return made->sums != NULL;
 }
@@ -163,10 +163,10 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
             mixed[i] += shares[k] * corner(patch, triangle, k)->normal[i];
     }
     transformed_normal(&patch->matrix, mixed, normal);
-    if (scene_vector_normalize(normal))
+    if (vec3_normalize(normal))
         return;
     span_of(corners, normal); /* the corners' cancel each other */
-    scene_vector_normalize(normal);
+    vec3_normalize(normal);
 }
 
 /* All of a vertex is numbers. */
@@ -234,7 +234,7 @@ static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, do
         normal[i] = (double)v->normal[i];
         at[i] = (double)v->position[i];
     }
-    scene_vector_normalize(normal);
+    vec3_normalize(normal);
 }
 
 /* With n the mean of the corners' normals: push (1 - |n|) along it, and bulge times the way to
@@ -253,7 +253,7 @@ static void rounded(double normals[3][3], double at[3][3], const double shares[3
             toward[i] += shares[k] * away * normals[k][i];
         }
     }
-    const double size = fmax(sqrt(scene_vector_dot(mean, mean)), 1e-30);
+    const double size = fmax(sqrt(vec3_dot(mean, mean)), 1e-30);
     for (int i = 0; i < 3; i++)
         to[i] = by->push * (1 - size) * mean[i] / size + by->bulge * toward[i];
 }

@@ -5,10 +5,6 @@
 #include "runtime/measure/plot.h"
 #include <stdio.h>
 
-#ifndef SOURCE_FOLDER
-#define SOURCE_FOLDER "."
-#endif
-
 enum { TARGETS_LIMIT = 64, TARGET_TEXT = 256, PANELS_LIMIT = 32 };
 
 /* A line of the table of targets. */

@@ -247,7 +247,7 @@ static double pixels_of(const Reference *r, uint32_t triangle)
         for (int i = 0; i < 9; i++)
             of[i / 3] += r->inverse.m[4 * (i / 3) + i % 3] *
                          (double)r->shape.vertices[r->shape.indices[3 * t->base + k]].normal[i % 3];
-        box.longest = fmax(box.longest, sqrt(scene_vector_dot(of, of)));
+        box.longest = fmax(box.longest, sqrt(vec3_dot(of, of)));
     }
     return r->scene->width / 2. / r->scene->camera.half / bisection_seen_far(r->scene, &box);
 }

@@ -46,8 +46,8 @@ static double line_far(const Line *line, const BisectionBox *box)
 /* How much of a side's room there is for a point: less than 0 is beyond it. */
 static double room_at(const SceneCamera *c, int side, const double way[3])
 {
-    const double depth = -scene_vector_dot(way, c->back);
-    const double across = scene_vector_dot(way, side < 3 ? c->right : c->up);
+    const double depth = -vec3_dot(way, c->back);
+    const double across = vec3_dot(way, side < 3 ? c->right : c->up);
     return !side ? depth : c->half * depth - (side % 2 ? across : -across);
 }
 
@@ -57,9 +57,9 @@ static bool looks_away(const BisectionBox *box, double (*ways)[3], int count)
 {
     double far = 0, least = INFINITY;
     for (int i = 0; i < count; i++) {
-        far = fmax(far, scene_vector_dot(ways[i], ways[i]));
+        far = fmax(far, vec3_dot(ways[i], ways[i]));
         for (int k = 0; k < 3; k++)
-            least = fmin(least, scene_vector_dot(box->normal[k], ways[i]));
+            least = fmin(least, vec3_dot(box->normal[k], ways[i]));
     }
     return box->closed && least > .6 * sqrt(far) * box->longest;
 }

@@ -108,7 +108,7 @@ static double farthest(const Bisection *b, const double eye[3])
         const double extent[3] = {(double)b->lights.extent[i][0], (double)b->lights.extent[i][1],
                                   (double)b->lights.extent[i][2]};
         far = b->lights.each[i][3] != 0
-                  ? fmax(far, distance(eye, light) + sqrt(scene_vector_dot(extent, extent)))
+                  ? fmax(far, distance(eye, light) + sqrt(vec3_dot(extent, extent)))
                   : far;
     }
     return far;

@@ -26,10 +26,10 @@ static void world_from_place(const ShadowView *view, double m[4][4])
     const double(*rows)[4] = view->rows;
     const double scale = view->near > 0 ? view->near : 1;
     double columns[3][3];
-    scene_vector_cross(rows[1], rows[2], columns[0]);
-    scene_vector_cross(rows[2], rows[0], columns[1]);
-    scene_vector_cross(rows[0], rows[1], columns[2]);
-    const double volume = scene_vector_dot(rows[0], columns[0]);
+    vec3_cross(rows[1], rows[2], columns[0]);
+    vec3_cross(rows[2], rows[0], columns[1]);
+    vec3_cross(rows[0], rows[1], columns[2]);
+    const double volume = vec3_dot(rows[0], columns[0]);
     for (int lane = 0; lane < 3; lane++) {
         m[3][lane] = 0;
         for (int i = 0; i < 3; i++) {
@@ -64,15 +64,15 @@ static double distance_to(const Render *render, const double point[4])
     double away[3];
     for (int i = 0; i < 3; i++)
         away[i] = camera->position[i] - point[i];
-    return sqrt(scene_vector_dot(away, away)) +
+    return sqrt(vec3_dot(away, away)) +
            (camera->kind == SCENE_Orthographic ? camera->depth + camera->half : 0);
 }
 
 static bool goes_across(const Render *render, const double along[4])
 {
     const SceneCamera *camera = &render->scene->camera;
-    return camera->kind == SCENE_Orthographic || fabs(scene_vector_dot(camera->back, along)) <
-                                                     across * sqrt(scene_vector_dot(along, along));
+    return camera->kind == SCENE_Orthographic ||
+           fabs(vec3_dot(camera->back, along)) < across * sqrt(vec3_dot(along, along));
 }
 
 /* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle
@@ -85,7 +85,7 @@ static void find_far(const Render *render, double world[4][4], double clip[4][4]
         far[i] = (float)-clip[2][i];
     if (!goes_across(render, world[2]))
         return;
-    const double deep = sqrt(scene_vector_dot(world[2], world[2]));
+    const double deep = sqrt(vec3_dot(world[2], world[2]));
     const double depths = far_parallel * (1 + distance_to(render, world[3]) / deep);
     for (int k = 0; k < 5; k++) {
         double point[4];

@@ -37,10 +37,10 @@ static void triangles_are_those_of_the_processor(void **state)
         snprintf(how, sizeof how, "pixels: %g, triangles: %d", rows[i].pixels, rows[i].triangles);
         BisectionBody b = bisection_body_begin(*state, how, bisection_bodies[rows[i].body]);
         bisection_body_look(&b.scene->camera, 1, 8, rows[i].distance);
-        if (scene_vector_dot(rows[i].lamp, rows[i].lamp) > 0) {
+        if (vec3_dot(rows[i].lamp, rows[i].lamp) > 0) {
             SceneLight *lamp = &b.scene->lights[0];
             lamp->kind =
-                scene_vector_dot(rows[i].edges[0], rows[i].edges[0]) > 0 ? SCENE_Area : SCENE_Point;
+                vec3_dot(rows[i].edges[0], rows[i].edges[0]) > 0 ? SCENE_Area : SCENE_Point;
             memcpy(lamp->position, rows[i].lamp, sizeof rows[i].lamp);
             memcpy(lamp->edges, rows[i].edges, sizeof rows[i].edges);
         }

@@ -25,9 +25,9 @@ static double sagitta(const SceneObject *object)
             at[k / 3][k % 3] = (double)shape.vertices[shape.indices[i + k / 3]].position[k % 3];
         for (int k = 0; k < 3; k++)
             u[k] = at[1][k] - at[0][k], v[k] = at[2][k] - at[0][k];
-        scene_vector_cross(u, v, n);
-        if (object->kind == SCENE_Sphere && scene_vector_normalize(n))
-            most = fmax(most, 1 - fabs(scene_vector_dot(n, at[0])));
+        vec3_cross(u, v, n);
+        if (object->kind == SCENE_Sphere && vec3_normalize(n))
+            most = fmax(most, 1 - fabs(vec3_dot(n, at[0])));
         /* edges between two points of the rim */
         for (int k = 0; object->kind != SCENE_Sphere && k < 3; k++)
             if (fabs(hypot(at[k][0], at[k][1]) - 1) < 1e-5 &&
@@ -67,11 +67,10 @@ static bool project(const SceneCamera *c, const Scene *scene, const double at[3]
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - c->position[i];
-    const double shorter = fmin(scene->width, scene->height),
-                 depth = -scene_vector_dot(way, c->back);
+    const double shorter = fmin(scene->width, scene->height), depth = -vec3_dot(way, c->back);
     const double scale = shorter / 2 / c->half / (c->kind == SCENE_Perspective ? depth : 1);
-    pixel[0] = scale * scene_vector_dot(way, c->right);
-    pixel[1] = scale * scene_vector_dot(way, c->up);
+    pixel[0] = scale * vec3_dot(way, c->right);
+    pixel[1] = scale * vec3_dot(way, c->up);
     return depth > c->near && fabs(pixel[0]) < scene->width / 2. &&
            fabs(pixel[1]) < scene->height / 2.;
 }
@@ -116,7 +115,7 @@ static void across(const SceneLight *light, const double by[3], const double at[
             light->kind == SCENE_Directional ? light->direction[i] : by[i] - light->position[i];
         from[i] = at[i] - by[i];
     }
-    const double t = scene_vector_dot(way, from) / scene_vector_dot(way, way);
+    const double t = vec3_dot(way, from) / vec3_dot(way, way);
     for (int i = 0; i < 3; i++)
         near[i] = by[i] + t * way[i];
 }
@@ -274,8 +273,7 @@ static double off_of(const Scene *scene, const SceneObject *object)
             way[k] = there[k] - point.position[k];
         }
         const double shorter = fmin(scene->width, scene->height);
-        most = fmax(most,
-                    sqrt(scene_vector_dot(way, way) / distance) * shorter / 2 / scene->camera.half);
+        most = fmax(most, sqrt(vec3_dot(way, way) / distance) * shorter / 2 / scene->camera.half);
     }
     return most;
 }

@@ -72,7 +72,7 @@ static void the_nearest_frame_counts(void **state)
     scene_seen_find(scene, &seen);
     assert_int_equal(seen.count, 5);
     assert_true(scene_motion_camera(scene, 4, 5, &last));
-    const double distance = sqrt(scene_vector_dot(last.position, last.position));
+    const double distance = sqrt(vec3_dot(last.position, last.position));
     assert_true(fabs(scene_seen_pixels(&seen, (double[]){0, 0, 0}) * distance / 300 - 1) < 1e-9);
     forget(scene, document);
 }
@@ -84,10 +84,10 @@ static bool project(const Scene *scene, const double at[3], double pixel[2])
     double way[3];
     for (int i = 0; i < 3; i++)
         way[i] = at[i] - c->position[i];
-    const double depth = -scene_vector_dot(way, c->back),
+    const double depth = -vec3_dot(way, c->back),
                  unit = fmin(scene->width, scene->height) / 2 / (c->half * depth);
-    pixel[0] = scene->width / 2. + scene_vector_dot(way, c->right) * unit;
-    pixel[1] = scene->height / 2. + scene_vector_dot(way, c->up) * unit;
+    pixel[0] = scene->width / 2. + vec3_dot(way, c->right) * unit;
+    pixel[1] = scene->height / 2. + vec3_dot(way, c->up) * unit;
     return depth > 0 && pixel[0] >= 0 && pixel[1] >= 0 && pixel[0] <= scene->width &&
            pixel[1] <= scene->height;
 }

@@ -39,12 +39,12 @@ static ShadowViews views_of(const Scene *scene)
 static double texels_at(const ShadowView *view, int axis, const double point[3])
 {
     const double *row = view->rows[axis];
-    return (scene_vector_dot(row, point) + row[3]) * SIZE / 2;
+    return (vec3_dot(row, point) + row[3]) * SIZE / 2;
 }
 
 static double width_of(const ShadowView *view, int axis)
 {
-    return 2 / sqrt(scene_vector_dot(view->rows[axis], view->rows[axis]));
+    return 2 / sqrt(vec3_dot(view->rows[axis], view->rows[axis]));
 }
 
 /* The camera moves along its axes, and turns around the world's z. */
