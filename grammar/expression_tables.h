@@ -105,7 +105,4 @@ typedef struct {
 extern const FormulaSpecialRow formula_special_table[SPECIAL_COUNT];
 FormulaSpecial formula_special_named(const char *name, size_t size);
 
-/* The i-th name that a formula may not give to something else: of values, functions, vectors and
- * what takes words; NULL beyond the last. */
-const char *expression_word(int i);
 #endif

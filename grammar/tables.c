@@ -597,20 +597,3 @@ FormulaSpecial formula_special_named(const char *name, size_t size)
 #include "expression.def"
     return SPECIAL_none;
 }
-
-const char *expression_word(int i)
-{
-    if (i < QUANTITY_COUNT)
-        return quantity_table[i].name;
-    i -= QUANTITY_COUNT;
-    if (i < vector_count)
-        return vector_table[i].name;
-    i -= vector_count;
-    if (i < SPECIAL_COUNT)
-        return formula_special_table[i].name;
-    i -= SPECIAL_COUNT;
-    for (int term = 0; term < TERM_COUNT; term++)
-        if (term_table[term].callable && i-- == 0)
-            return term_table[term].name;
-    return NULL;
-}

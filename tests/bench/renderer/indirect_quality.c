@@ -4,7 +4,7 @@
  * in each frame, as a share of what `normal` takes, all in turns. */
 #include "indirect_quality.h"
 #include "grammar/tables.h"
-#include "matbench.h"
+#include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/frame/indirect_scenes.h"
 #include <math.h>
