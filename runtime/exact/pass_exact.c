@@ -62,7 +62,7 @@ static bool write_firsts(Render *render)
         firsts[i] = (GLuint)triangles->objects[i].first + 1;
         if (!render->cache.instances)
             material_set_number(&render->cache.kinds[render->cache.places[i].kind].material,
-                                "exact_place", (float)i);
+                                "seen_place", (float)i);
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, exact_state(render)->firsts);
     gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)bytes, firsts, GL_DYNAMIC_DRAW);
