@@ -66,7 +66,7 @@ struct Render {
     bool triangles;            /* something asks for those that are drawn, wherever they are made */
     bool beside;               /* shadows ask for what is beside the view as for what is in it */
     Transparency transparency;
-    bool parted; /* lists of shadows are drawn in parts: shadow_glass.c */
+    bool parted; /* lists of shadows are drawn in parts: shadow_tables.c */
     Set set;
     ViewSpace space;
     CullVolume volume; /* what is in view */

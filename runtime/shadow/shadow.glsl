@@ -29,7 +29,7 @@ layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what
 };
 #define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
-// Lists in parts (shadow_glass.c): a point's share of light is a sum over texels, of which those of
+// Lists in parts (shadow_tables.c): a point's share of light is a sum over texels, of which those of
 // the part count. What needs none counts in the part that has the first texel of all.
 #ifdef SHADOW_PARTS
 bool shadowIsFirst()

@@ -36,7 +36,7 @@ void shadow_draw_lists(Render *render, const ShadowPart *part);
 void shadow_draw_layer(const Render *render, int view);
 void shadow_draw_cast(Render *render, const CacheSource *source, int view, bool transparent);
 
-/* The lists, in one piece, or in parts with room for the largest (shadow_glass.c): made; counted,
+/* The lists, in one piece, or in parts with room for the largest (shadow_tables.c): made; counted,
  * and in one piece drawn. False: there may not be so much, or, in parts, not even for one texel. In
  * parts would do. How many there are; one of them drawn, if there are several. */
 bool shadow_parts_make(Render *render);

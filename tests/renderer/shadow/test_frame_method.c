@@ -1,12 +1,11 @@
 /* A shadow technique that stands in this file alone: its row and GLSL take part in all that shared
  * code does. Expected values are shares of the light without shadows. */
 #include "tests/test.h"
+#include "runtime/render/passes.h"
 #include "runtime/shadow/shadow_method.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>
 #include <stdlib.h>
-
-extern const ShadowMethod shadow_map;
 
 enum { WIDTH = 48, HEIGHT = 32 };
 
@@ -51,17 +50,19 @@ static const ShadowMethod by_views = {
 
 /* -- pictures */
 
-/* The light of the scene by a technique; by none without one. From malloc. */
+/* The light of the scene by a technique in the place of the one of its word; by none without one.
+ * From malloc. */
 static float *light_of(GlContext *gl, const Scene *scene, const ShadowMethod *method)
 {
     const MatcOptions options = frame_exact_options();
-    const ShadowMethod *const rows[] = {&shadow_map, method, NULL};
+    const ShadowMethod *rows[SHADOW_METHODS_MAX] = {NULL};
+    for (int i = 0; shadow_methods[i]; i++)
+        rows[i] = method && method->word == shadow_methods[i]->word ? method : shadow_methods[i];
     Render *render = render_open(
         gl, &(RenderOptions){
                 .compile = &options, .view = "light", .deep = true, .no_shadows = method == NULL});
     assert_non_null(render);
-    if (method)
-        render->shadows->methods.rows = rows;
+    render->shadows->methods.rows = rows;
     float *light = frame_floats_by(gl, render, scene);
     render_close(render);
     return light;
@@ -104,11 +105,11 @@ static void rows_have_words(void **state)
 {
     const SceneLight light = {.kind = SCENE_Point, .shadows = WORD_Shadows_exact},
                      dark = {.kind = SCENE_Point, .shadows = WORD_Shadows_none};
-    const ShadowMethod *const rows[] = {&shadow_map, &by_lights, NULL};
+    const ShadowMethod *const rows[] = {shadow_methods[0], &by_lights, NULL};
     (void)state;
     assert_ptr_equal(shadow_method_of(rows, &light), &by_lights);
     assert_null(shadow_method_of(rows, &dark));
-    assert_string_equal(word_table[shadow_map.word].name, "map");
+    assert_string_equal(word_table[shadow_methods[0]->word].name, "map");
 }
 
 int main(void)
