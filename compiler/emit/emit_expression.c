@@ -20,7 +20,8 @@ static void put_number(Text *out, Type type, double value)
         text_float(out, value);
 }
 
-void emit_constant(Text *out, const Ir *ir, Ref ref)
+/* A number or vector. */
+static void emit_constant(Text *out, const Ir *ir, Ref ref)
 {
     Type type = ir_type(ir, ref);
     const double *lane = ir_numbers(ir, ref);

@@ -67,8 +67,6 @@ const char *emit_origin_note(Scope *e, const IrNode *node);
 
 /* The value as an expression whose operators bind more tightly than `precedence`. */
 void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
-/* A number or vector. */
-void emit_constant(Text *out, const Ir *ir, Ref ref);
 /* Values that are never worth a temporary: constants, inputs, lanes of something named. */
 static inline bool emit_is_leaf(const Ir *ir, Ref ref)
 {

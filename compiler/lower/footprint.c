@@ -122,7 +122,8 @@ Ref footprint_greatest_lane(Lower *l, Ref value)
     return greatest;
 }
 
-Ref footprint_over(Lower *l, Ref x, Ref edge)
+/* max(b / 2 - |x|, 0): how far a box of edge b around x reaches over 0. */
+static Ref footprint_over(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;
     Ref over = build_sub(ir, build_scale(ir, edge, 0.5), build_abs(ir, x));

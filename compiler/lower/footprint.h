@@ -42,8 +42,6 @@ typedef struct {
     Ref whole, fraction;
 } LongCoordinate;
 bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
-/* max(b / 2 - |x|, 0): how far a box of edge b around x reaches over 0. */
-Ref footprint_over(Lower *l, Ref x, Ref edge);
 /* part / b of a part that is 0 where b is: 0 there. */
 Ref footprint_over_edge(Lower *l, Ref part, Ref edge);
 /* max(b / 2 - |x|, 0)^2 / (2 b): what the mean of max(x, 0) over a box of edge b has more than

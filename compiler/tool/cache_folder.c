@@ -232,7 +232,8 @@ bool cache_trim(int folder, uint64_t limit, CacheTrim *done)
     return free_to;
 }
 
-CacheTrim cache_sum(int folder)
+/* The entries and their bytes. */
+static CacheTrim cache_sum(int folder)
 {
     Entries entries = list_entries(folder, false);
     free(entries.at);

@@ -52,6 +52,4 @@ typedef struct {
     uint64_t entries, bytes, removed;
 } CacheTrim;
 bool cache_trim(int folder, uint64_t limit, CacheTrim *done);
-/* Sums the sizes without removing anything. */
-CacheTrim cache_sum(int folder);
 #endif

@@ -24,8 +24,6 @@ int main_document(const CommandLine *line, const char *path);
  * */
 int main_definitions(CommandLine *line, const char *path);
 bool main_is_document(const char *name);
-/* Whether a name is one of matc's own. */
-bool main_is_own(const char *name);
 /* The options that a material is compiled with: with --max-error, those that measuring finds. */
 int main_choose(const CommandLine *line, const MatcDocument *document, int material,
                 MatcOptions *options);

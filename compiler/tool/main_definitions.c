@@ -25,7 +25,8 @@ static int say(const CommandLine *line, const char *path, char *text, const char
     return FINE;
 }
 
-bool main_is_own(const char *name)
+/* Whether a name is one of matc's own. */
+static bool main_is_own(const char *name)
 {
     char *text = matc_explain(name);
     free(text);

@@ -59,9 +59,6 @@ void displaced_capture(Displaced *displaced, const Mesh *mesh, size_t first, siz
 /* Geometry programs read buffers, as displace_point.glsl has it, and write what every driver does
  * at least. */
 bool displaced_geometry_there(const GlContext *gl);
-/* How many points a geometry program may write for one that it gets, each with all that is
- * captured. */
-int displaced_geometry_points(const GlContext *gl);
 /* `parts` for the view; if they are not as they were, `anew`, and the third buffer has what
  * displace_point.glsl draws: patches by the parts of their insides, `first` of each number of
  * parts, and behind the last. */

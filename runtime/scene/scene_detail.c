@@ -108,7 +108,10 @@ static bool is_magnified(const Scene *scene)
     return is;
 }
 
-double scene_detail_pixels(const SceneDetail *detail, const double center[3], double radius)
+/* Pixels that a unit of length of a body within this ball has at most: directly, in plane mirrors,
+ * and, across the rays of light, in its shadows of lamps and of Directional lights; INFINITY where
+ * the camera may be as near as that. */
+static double scene_detail_pixels(const SceneDetail *detail, const double center[3], double radius)
 {
     const Scene *scene = detail->scene;
     double nearest = INFINITY;

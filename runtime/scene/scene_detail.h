@@ -39,10 +39,6 @@ typedef struct {
 
 /* The scene's own camera, or all of its motion, in a picture of so many pixels. */
 void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detail);
-/* Pixels that a unit of length of a body within this ball has at most: directly, in plane mirrors,
- * and, across the rays of light, in its shadows of lamps and of Directional lights; INFINITY where
- * the camera may be as near as that. */
-double scene_detail_pixels(const SceneDetail *detail, const double center[3], double radius);
 /* The steps of the coarsest level whose outline is right, of a radius of so many pixels. */
 int scene_detail_steps(SceneKind kind, double pixels);
 /* Where a body with steps has them among its numbers; it is one of those whose detail goes by the

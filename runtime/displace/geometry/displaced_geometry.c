@@ -15,7 +15,9 @@ bool displaced_geometry_there(const GlContext *gl)
     return buffers >= DISPLACED_BUFFERS;
 }
 
-int displaced_geometry_points(const GlContext *gl)
+/* How many points a geometry program may write for one that it gets, each with all that is
+ * captured. */
+static int displaced_geometry_points(const GlContext *gl)
 {
     GLint components = 0, points = 0;
     gl->GetIntegerv(GL_MAX_GEOMETRY_TOTAL_OUTPUT_COMPONENTS, &components);
