@@ -3,10 +3,10 @@
  * and so that hardly any but the wanted thing is compared.
  *
  *     slots of 8, "a" having the hash 5, "b" and "c" having 13: both belong into slot 5, as 13 & 7
- *     is 5
+ *         is 5
  *     5: {5, "a"}   6: {13, "b"}   7: {13, "c"}
  *     a probe for 13 begins at 5, passes "a", whose hash is another, meets "b", then "c", and ends
- *     at 0, which is free
+ *         at 0, which is free
  *
  * Three tables have a form of their own, and say why: the nodes of an IR (ir.c), the memo of
  * lowering (lower.c), a tree's keys (tree.c). */

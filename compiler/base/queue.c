@@ -1,8 +1,8 @@
 /* Threads take a chunk of an open document's parts if there is one, else open the next document.
  *
  *     Two threads, a document of 6 parts and one of 1: A opens the first and takes its parts 0 to
- *     3; B takes 4 and 5, then opens the second. Whoever ends the last part of a document closes
- *     it. */
+ *         3; B takes 4 and 5, then opens the
+ *     second. Whoever ends the last part of a document closes it. */
 #include "compiler/base/queue.h"
 #include <pthread.h>
 #include <stdbool.h>

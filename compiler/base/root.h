@@ -4,8 +4,7 @@
  *     root /srv/docs, a document /srv/docs/a/rock.yaml
  *         include: ../maps.yaml       /srv/docs/maps.yaml, read
  *         include: ../../key.yaml     "it lies outside the root folder", and the disk is not asked
- *         include: link.yaml          a link to /etc/passwd: the same, after the link is
- *                                     resolved */
+ *         include: link.yaml a link to /etc/passwd: the same, after the link is resolved */
 #ifndef MATC_ROOT_H
 #define MATC_ROOT_H
 #include <stddef.h>

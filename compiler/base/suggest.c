@@ -1,8 +1,8 @@
 /* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case
  * aside.
  *
- *     Cheker -> Checker: a letter is missing, 1. Wodo -> Wood: two letters are swapped, 1. Cheker
- *     has 6 letters, so 3 are forgiven. */
+ *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1. Cheker
+ *                                                 has 6 letters, so 3 are forgiven. */
 #include "compiler/base/suggest.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>

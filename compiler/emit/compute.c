@@ -7,8 +7,9 @@
  * these: all have the same. What is written lies in the other buffer likewise; normals of which 0
  * lie between are not written.
  *
- *     position, normal and texture coordinate, interleaved: matc_at_position (0, 8), matc_at_normal
- *     (3, 8), matc_at_texcoord (6, 8)
+ *     position, normal and texture coordinate, interleaved:  matc_at_position (0, 8),
+ *                                                            matc_at_normal (3, 8),
+ *                                                            matc_at_texcoord (6, 8)
  *
  * A position is displaced by attributes of displacement, as in the vertex program. The normal is
  * that of the fragment program at this corner: by the attributes that it is shaded with, and how

@@ -2,9 +2,9 @@
  * out, row by row, as strips, matc_rows^2 of them. What the vertex program does with attributes,
  * this does with attributes that are mixed, at each point of the rows.
  *
- *     matc_rows = 2: 0 two strips: 2 0 1 of the first row, whose upper points are 0 alone; then
- *                         / \           the second row's points and the first's in turn.
- *                        *---*
+ *     matc_rows = 2:       0            two strips: 2 0 1 of the first row, whose upper points are
+ *                         / \           0 alone; then the second row's points and the first's in
+ *                        *---*          turn.
  *                       / \ / \
  *                      2---*---1
  *

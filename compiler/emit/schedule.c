@@ -1,15 +1,15 @@
 /* Placement by one sweep from users to operands: a node's block is the nearest common one of its
  * uses.
  *
- *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch v lies in
- *     main's block, b in the first arm and c in the second, a in main: the nearest that holds both
- *     of its uses
+ *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch
+ *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that
+ *         holds both of its uses
  *
  * Branches by one condition in one block are joined to a region, so that what several of them need,
  * and nothing else, is in an arm, too:
  *
- *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1) if (t) { a = ..; v =
- *     sin(a); w = a; } else { v = 0; w = 1; }
+ *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1)
+ *     if (t) { a = ..; v = sin(a); w = a; } else { v = 0; w = 1; }
  *
  * One that another is made of, by way of what stands outside, cannot be in its region. So regions
  * have stages, from the end of the scope: a node's is the greatest of its users', and one more

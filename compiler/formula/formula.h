@@ -3,9 +3,8 @@
  * goes through the steps once, in their order, without recursion: lowering makes IR of each,
  * formula_value numbers in double.
  *
- *     2 * u + sin(v)       0 number 2   1 value u   2 multiply 0 1   3 value v   4 sin 3   5 add 2
- * 4 c = u * u; c + c     0 value u    1 multiply 0 0   2 add 1 1: a local is the step that it was
- * given */
+ *     2 * u + sin(v)    0 number 2   1 value u   2 multiply 0 1   3 value v   4 sin 3   5 add 2 4
+ *     c = u * u; c + c  0 value u    1 multiply 0 0   2 add 1 1: a local is its step */
 #ifndef MATC_FORMULA_H
 #define MATC_FORMULA_H
 #include "compiler/base/names.h"

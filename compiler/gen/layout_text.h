@@ -5,8 +5,8 @@
  *     LAYOUT("POOL_", "pool_", "uint")     prefix for C, prefix for GLSL, type for GLSL
  *     WORDS(width, 1, "pixels of a row")   name, size, comment
  *     WORDS(nodes, 2, "")
- *     WORDS(head, 0, "")                   enum { POOL_WIDTH = 0, POOL_NODES = 1, POOL_HEAD = 3 },
- *                                          in GLSL uint pool_width; uint pool_nodes[2];
+ *     WORDS(head, 0, "")                   C: enum { POOL_WIDTH = 0, POOL_NODES = 1, POOL_HEAD = 3
+ * } GLSL: uint pool_width; uint pool_nodes[2];
  *
  * With the type "const uint" GLSL gets the offsets as constants, `const uint POOL_NODES = 1u;`, as
  * C does. WORDS of size 0 name an offset. VALUE(name, number, comment) is a constant that takes no

@@ -4,7 +4,7 @@
  *
  *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
  *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that
- *     on: nobody sees its u and v. */
+ *         on: nobody sees its u and v. */
 #include "compiler/formula/formula.h"
 #include "compiler/hints/doubt.h"
 #include "grammar/lobe_table.h"

@@ -3,8 +3,8 @@
  * masks or without. Colours become bytes. What is compressed is refused.
  *
  *     "BM", the file's size, 0, offset of the rows | size of the header, width, height, 1, bits,
- *     ... | masks, palette | rows, the bottom one first unless height < 0, each a multiple of four
- *     bytes */
+ *         ... | masks,
+ *     palette | rows, the bottom one first unless height < 0, each a multiple of four bytes */
 #include "compiler/images/image_file.h"
 
 enum {

@@ -3,7 +3,7 @@
  * left out, and where it has nothing the picture is transparent black.
  *
  *     display window 0 to 3, data window 2 to 5: the picture's columns are 0, 0, the file's first,
- *     its second
+ *         its second
  *
  * Colours are linear, and may be any number. Whoever samples them would spread one that is infinite
  * or none over its neighbours, so such texels are an error. Only the common compressions that lose

@@ -3,7 +3,8 @@
  *
  *     scaleU: 8 and rotation: 0 are constants c1 and c2; a coordinate is u * (c1 * cos(c2))
  *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is
- *     one constant itself: c3 the program reads u * c3, and neither c1 nor c2 is in the buffer */
+ *         one constant itself: c3
+ *     the program reads u * c3, and neither c1 nor c2 is in the buffer */
 #include "compiler/ir/constants.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/std140.h"

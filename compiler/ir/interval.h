@@ -1,8 +1,8 @@
 /* Intervals and their arithmetic: what the RANGE lines of ops.def are written in. Every result
  * holds all values of the operation on values of its operands, whichever they are.
  *
- *     a = [-1, 2], b = [3, 4]: sum [2, 6], times [-4, 8], square(a) [0, 4], quotient(a, b) [-1/3,
- *     2/3] */
+ *     a = [-1, 2], b = [3, 4]:  sum [2, 6], times [-4, 8], square(a) [0, 4], quotient(a, b) [-1/3,
+ *                               2/3] */
 #ifndef MATC_INTERVAL_H
 #define MATC_INTERVAL_H
 #include <math.h>

@@ -2,8 +2,8 @@
  *
  *     defs: { clay: { map: Blend, input: { map: Granite } } }    clay, and below it clay_granite
  *     diffuse: { map: Blend }                                    diffuse_blend
- *     defs: { mix: { map: Blend } } blend_mix, as GLSL has a function mix a Mix that nobody names
- *     mix_map
+ *     defs: { mix: { map: Blend } } blend_mix, as GLSL has a function mix
+ *     a Mix that nobody names                                    mix_map
  *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
 #include "compiler/ir/ir.h"
 #include "compiler/graph/reserved.h"

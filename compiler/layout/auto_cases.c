@@ -3,10 +3,12 @@
  * by one they are tried.
  *
  *     sets {diffuse, emissive} of 40 bits, {diffuse, specular} of 32, {diffuse, ior} of 28, and
- *     words of 32 1 word: the first set alone is too large. 2 words, 1 case: the union of all takes
- *     52 and fits: 8 bytes, no bits to tell cases. Were the union 70: the second set joins the
- *     first's case if both fit there together, else it opens the second case; what has come to a
- *     dead end goes back to the last choice. */
+ *         words of 32
+ *     1 word: the first set alone is too large. 2 words, 1 case: the union of all takes 52 and
+ *         fits: 8 bytes, no bits to tell cases.
+ *     Were the union 70: the second set joins the first's case if both fit there together, else it
+ *         opens the second case; what
+ *     has come to a dead end goes back to the last choice. */
 #include "compiler/layout/auto_layout.h"
 #include <stdlib.h>
 #include <string.h>

@@ -4,13 +4,15 @@
  * Which cells to ask. With p at (1 - a, 1 - b, 1 - c) of its cell, a, b, c in [0, 1/2], as the
  * sides are alike otherwise, the cell itself and the one beside it along an axis have a point each.
  * Their greatest distance bounds that of the second nearest, F2, by the axis that suits best:
- *     euclidean   (1 + a)^2 + (1 - b)^2 + (1 - c)^2 <= 3                   F2 <= sqrt 3; of two
- * dimensions F2^2 <= 2 + 1/2 manhattan   (1 + a) + (1 - b) + (1 - c) <= 3 F2 <= 3; of two
- * dimensions F2 <= 2 chebyshev   1 + a <= 3/2 A cell that is k away along an axis is at least k - 1
- * far. So none beyond 2 counts, but for manhattan distances in three dimensions, where none beyond
- * 3 does. Less jitter moves all points towards the middles, and no bound grows. Not even the
- * nearest is always in the 3 x 3 cells around p: of p in a corner all four there may have their
- * points sqrt 2 away, and one of a cell two away is 1 away. */
+ *     euclidean   (1 + a)^2 + (1 - b)^2 + (1 - c)^2 <= 3   F2 <= sqrt 3; in two dimensions
+ *                                                          F2^2 <= 2 + 1/2
+ *     manhattan   (1 + a) + (1 - b) + (1 - c) <= 3         F2 <= 3; in two dimensions F2 <= 2
+ *     chebyshev   1 + a <= 3/2
+ * A cell that is k away along an axis is at least k - 1 far. So none beyond 2 counts, but for
+ * manhattan distances in three dimensions, where none beyond 3 does. Less jitter moves all points
+ * towards the middles, and no bound grows. Not even the nearest is always in the 3 x 3 cells around
+ * p: of p in a corner all four there may have their points sqrt 2 away, and one of a cell two away
+ * is 1 away. */
 #ifndef MATC_LIBRARY_CELLS_H
 #define MATC_LIBRARY_CELLS_H
 #include "compiler/library/reference.h"

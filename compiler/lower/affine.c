@@ -5,8 +5,9 @@
  *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x -
  *                                         492.7
  *     GLSL gets 1000 = 1000 + 0 + 0 and 492.7 = 492.625 + 2457 / 2^15 + 1.8e-5: two parts of 12
- *     bits, and what is left. So no product rounds, where 1000 (x - 0.5) + 7.3 in floats loses 3e-5
- *     of the fraction by which a noise goes */
+ *         bits, and what is left. So no
+ *     product rounds, where 1000 (x - 0.5) + 7.3 in floats loses 3e-5 of the fraction by which a
+ *         noise goes */
 #include "compiler/lower/footprint.h"
 #include <float.h>
 #include <math.h>

@@ -1,11 +1,13 @@
 /* Blends by weights: how much of a pixel's box of t, or of a point, every item is.
  *
  *     items at 0, .3 and 1 answering a, b, c; the pixel's t is in [.25, .45]. The step from a to b
- *     has gone 47 / 48 of its way on the mean, that from b to c 9 / 112:
+ *         has gone 47 / 48 of its
+ *     way on the mean, that from b to c 9 / 112:
  *     area:    a + (b - a) 47 / 48 + (c - b) 9 / 112
  *     weights: a (1 - 47 / 48) + b (47 / 48 - 9 / 112) + c 9 / 112, which loses no small item
- *     behind a great one guards: the same, a costly c standing as w != 0 ? c : 0 by its weight w.
- *     With t in [.1, .2] that is 0 */
+ *         behind a great one
+ *     guards:  the same, a costly c standing as w != 0 ? c : 0 by its weight w. With t in [.1, .2]
+ *              that is 0 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/area.h"
 #include <math.h>

@@ -4,9 +4,9 @@
  * and fits is the program, which is not lowered again but for -O0.
  *
  *     wood with a sine: 109 operations without a mean, 174 with that of the sine. A GPU takes as
- *     long for the one as for the other, and for a constant (docs/results/accuracy-gpu.md), since
- *     there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200 a checker
- *     beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
+ *         long for the one as for the other, and for a constant (docs/results/accuracy-gpu.md),
+ *         since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
+ *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
  *
  * Where the tables of grammar/ say that all means may fit, a program with them is made first. It is
  * taken if they are free, or cost at most a tenth more than points. What points cost is counted in
@@ -118,7 +118,7 @@ typedef struct {
  * found to cost. Where two guesses have left more than half, the middle is next.
  *
  *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and
- *     fits; 2 cost 240, and that is known
+ *         fits; 2 cost 240, and that is known
  *
  * So many as fit already: the next one alone costs surely more than what is left, and is not
  * tried. */

@@ -2,8 +2,8 @@
  * factors of grammar/cells.def:
  *
  *     F1 of squares, a pixel .7 cells wide: F1's factor is .62, of which 1.43 * .62 - .43 = .46 is
- *     kept: .43 + .46 (F1(q) - .43) from 1.8 cells on nothing is kept, and no point is searched
- *     for */
+ *         kept: .43 + .46 (F1(q) - .43)
+ *     from 1.8 cells on nothing is kept, and no point is searched for */
 #include "compiler/lower/cells.h"
 #include "compiler/lower/area.h"
 

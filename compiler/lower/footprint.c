@@ -1,8 +1,9 @@
 /* Footprints by differentiation: a width goes through every transform as a derivative does.
  *
  *     u changes by .01 to the next pixel on the right, and by 0 to the one above; a Checker reads v
- *     = 8 u slopes of v: .08 and 0 footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's
- *     coordinate had a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
+ *         = 8 u
+ *     slopes of v:  .08 and 0 footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's coordinate
+ *     had a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
 #include "compiler/lower/footprint.h"
 
 static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */

@@ -1,20 +1,21 @@
 /* Blend: a walk along items of ascending value.
  *
  *     items at 0, .3 and 1 answering a, b, c, and t = .65: the first item that t is below is the
- *     third, at (.65 - .3) / (1 - .3) = 1/2 of the way from the second: (b + c) / 2. Below 0 it is
- *     a, from 1 on c.
+ *         third, at (.65 - .3) / (1 - .3) = 1/2
+ *     of the way from the second: (b + c) / 2. Below 0 it is a, from 1 on c.
  *     walk:    t < 0 ? a : t < .3 ? mix(a, b, ..) : t < 1 ? mix(b, c, ..) : c
  *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
- *     guards: a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what
- *     is made of it needs no branch weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t -
- *     .3) / .7)) + ..., for guards whose values may be of any size
+ *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what
+ *              is made of it needs no branch
+ *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards
+ *         whose values may be of any size
  * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c.
  * Ramps are Blends of two items, at 0 and at 1. A Switch over a box is one of two items at every
  * border, alike below and above it:
  *
  *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is (b +
- *     c) / 2 */
+ *         c) / 2 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"

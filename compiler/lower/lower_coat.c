@@ -3,11 +3,11 @@
  *
  *     w = coat in [0, 1], c = coatIor, base of index n and roughness r
  *     coatTint = mix(1, coatColor, w) mix(1, (1 - K) / (1 - diffuse K), w coatDarkening), K = 1 -
- *     (1 - F0(c)) / c^2: light that
+ *         (1 - F0(c)) / c^2: light that
  *         the coat's inner side sends back, again and again, is taken by the base
  *     roughness = mix(r, min(max(r, 0)^4 + 2 coatRoughness^4, 1)^(1/4), w coatRoughening)
  *     reflectance = F0(mix(n, n / c or c / n, whichever is above 1, w)), F0(x) = ((x - 1) / (x +
- *     1))^2: of what lies against the coat, not air
+ *         1))^2: of what lies against the coat, not air
  *
  * Worked example, w 1, c 1.6 and n 1.5: the base reflects F0(1.067) = 0.001 where it would reflect
  * 0.04 without, the coat 0.053; K is 0.63, so that a base of 0.5 is seen through 0.54. */

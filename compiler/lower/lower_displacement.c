@@ -1,10 +1,10 @@
 /* True displacement: the vertex stages move a point, and the normal that is shaded is that of the
  * surface which they approach.
  *
- *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n, (x, y, z) the displacementVector, h the red of
- *     `displacement`, both times the scale N' = dP'/du x dP'/dv, in which n changes over the
- *     surface as the mesh's normals do; Tu/|Tu| and Tv/|Tv| lean with it, and turn about it as the
- *     mesh's tangents do
+ *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of
+ *                                                  `displacement`, both times the scale
+ *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do; Tu/|Tu|
+ *         and Tv/|Tv| lean with it, and turn about it as the mesh's tangents do
  *
  * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones
  * move the surface and never the shading. A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0:

@@ -1,12 +1,14 @@
 /* Warnings about parts that show nothing, by the intervals of the lowered values.
  *
  *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map:
- *     Wood } } Wood is a distance, at least 0: it is blue everywhere.
+ *         Wood } }
+ *     Wood is a distance, at least 0: it is blue everywhere.
  *
  *     { map: BumpMap, displacement: { map: Checker, color1: 0.5, color2: 0.5 } }
  *     An edge has the slope (0.5 - 0.5) / 0.05: it is flat everywhere, as is a Blend beyond its
- *     items, or a map whose coordinate is scaled by 0. A picture may be of one colour: its texels
- *     are not read to compile it, and nothing is said. */
+ *         items, or a map whose coordinate is
+ *     scaled by 0. A picture may be of one colour: its texels are not read to compile it, and
+ *         nothing is said. */
 #include "compiler/ir/range.h"
 #include "compiler/lower/lower.h"
 

@@ -6,8 +6,9 @@
  * their slopes, and the four are averaged.
  *
  *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375,
- *     -.0125, .0125, .0375: a quarter of a 1 sqrt(u) at u = 0, where the root of what is negative
- *     is 0: its mean is .236 sqrt(.1), at the point it is 0, by the four .242 sqrt(.1) */
+ *         -.0125, .0125, .0375: a quarter of a 1
+ *     sqrt(u) at u = 0, where the root of what is negative is 0: its mean is .236 sqrt(.1), at the
+ *         point it is 0, by the four .242 sqrt(.1) */
 #include "compiler/formula/formula.h"
 #include "compiler/lower/footprint.h"
 #include "compiler/lower/lower_term.h"

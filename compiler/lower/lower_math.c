@@ -4,7 +4,7 @@
  * through Multiply. What is not linear is asked of both halves of a value that is one of two:
  *
  *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and
- *     0 by these is .25; the mean itself, 0, would be clamped to 0 */
+ *         0 by these is .25; the mean itself, 0, would be clamped to 0 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/lower_term.h"
 

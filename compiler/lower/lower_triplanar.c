@@ -1,8 +1,8 @@
 /* Triplanar: its maps see the surface three times, with two of the position's lanes for u and v.
  *
  *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than
- *     1/64, and counts nothing; y is asked at u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64)
- *     = .36, z at (.2, .3), .64 */
+ *         1/64, and counts nothing; y is asked at
+ *     u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64) = .36, z at (.2, .3), .64 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/slope.h"

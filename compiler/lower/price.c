@@ -3,8 +3,9 @@
  * costs.
  *
  *     625 checkers of one turbulence, in a program of 13,774 operations. The mean of the first
- *     needs the turbulence's slopes: it costs 1,832 more than its point, and a tenth of the program
- *     is 1,377. So none is averaged, which two times 40 nodes told of 9,000 */
+ *         needs the turbulence's slopes: it costs 1,832
+ *     more than its point, and a tenth of the program is 1,377. So none is averaged, which two
+ *         times 40 nodes told of 9,000 */
 #include "compiler/lower/price.h"
 #include "compiler/base/stack.h"
 #include <math.h>

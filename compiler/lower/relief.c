@@ -2,14 +2,15 @@
  * both by one law:
  *
  *     the derivative of what the displacement computes, by the chain rule, in which a map with a
- *     STEP row (maps.def: it jumps, or is a picture) has GroIMP's finite difference for its
- *     derivative by its own coordinate.
+ *         STEP row (maps.def: it jumps, or is a
+ *     picture) has GroIMP's finite difference for its derivative by its own coordinate.
  *
  * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at
  * item 1. At a point of a black square, .02 of u' before the edge to a white one:
  *     the Checker is one of two, so the Blend is asked for both: H = c ? w : 0, and dH = c ? dw :
- *     0, + (w - 0) dc dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8
- *     times that: the edge has the slope 160 w
+ *         0, + (w - 0) dc
+ *     dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8 times that: the edge
+ *         has the slope 160 w
  * Within the squares it is 0 or dw, exactly; the edges are bevels of a tenth of a square.
  *
  * What has such a map below it is lowered for itself and without the local rules: each counts by

@@ -3,7 +3,8 @@
  *
  *     r = mul(a, b), a = sin(u), b = 3, along u: da = cos(u), db = 0
  *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES of no change is no node, and PLUS of
- *     one is the other, so what is made is 3 cos(u), and nothing is left to be folded away */
+ *         one is the other, so
+ *     what is made is 3 cos(u), and nothing is left to be folded away */
 #include "compiler/lower/slope.h"
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"

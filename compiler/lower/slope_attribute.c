@@ -4,7 +4,7 @@
  * a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0 where that is.
  *
  *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 *
- *     .1 / .01 = 3 */
+ *         .1 / .01 = 3 */
 #include "compiler/lower/slope.h"
 #include "compiler/ir/build.h"
 

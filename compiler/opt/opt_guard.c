@@ -1,10 +1,13 @@
 /* Guards of what is computed anyhow go. Those by one condition are one branch (emit/schedule.c),
  * which pays where nothing but they need what is costly below them:
  *
- *     a = granite(p); g = guard(c, a); h = guard(d, a) a is needed by two conditions, so each
- *     branch would hold nothing: g and h become a a = granite(p); s = sqrt(a); g = guard(c, s) s
- *     and a are g's alone: g stays, and is written as a branch a = granite(p); g = guard(c, a); h =
- *     guard(c, 2 a) a is theirs alone: both stay, as one branch
+ *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two conditions, so each
+ *                                                         branch would hold nothing: g and h become
+ *                                                         a
+ *     a = granite(p); s = sqrt(a); g = guard(c, s)        s and a are g's alone: g stays, and is
+ *                                                         written as a branch
+ *     a = granite(p); g = guard(c, a); h = guard(c, 2 a)  a is theirs alone: both stay, as one
+ *                                                         branch
  *
  * All that is theirs alone is found from their values downward: an operand is, once as many of its
  * users are as it has. What takes differences between pixels is nobody's: no branch may hold it. */

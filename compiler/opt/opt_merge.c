@@ -2,7 +2,8 @@
  * fourth lane.
  *
  *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says
- *     by "0r123w" becomes .w of the latter: one loop over the octaves where there were two */
+ *         by "0r123w"
+ *     becomes .w of the latter: one loop over the octaves where there were two */
 #include "compiler/base/hash_index.h"
 #include "compiler/opt/opt.h"
 

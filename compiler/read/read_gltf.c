@@ -2,7 +2,7 @@
  * where it stands, so that faults are reported there.
  *
  *     "materials": [{ "name": "Bark", "pbrMetallicRoughness": { "roughnessFactor": 0.8,
- *     "baseColorTexture": { "index": 0 } } }]
+ *         "baseColorTexture": { "index": 0 } } }]
  *     becomes    materials: { Bark: { material: glTF, roughnessFactor: 0.8, baseColorTexture: {
  *                map: ImageMap, image: bark.png, colorspace: srgb } } }
  *

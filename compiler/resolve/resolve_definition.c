@@ -7,8 +7,9 @@
  *         doc: "Stripes along z."
  *         params: { count: 8, dark: black }
  *         map: Blend
- *         blend: [{ value: 0, input: { param: dark } }, { value: 1, input: white }] input: { map:
- *         Gradient, direction: [0, 0, 1], waveForm: Ramp, frequency: { param: count } }
+ *         blend: [{ value: 0, input: { param: dark } }, { value: 1, input: white }]
+ *         input: { map: Gradient, direction: [0, 0, 1], waveForm: Ramp, frequency: { param: count }
+ *             }
  *     diffuse: { ref: stripes, count: 12 }     the Blend, with 12 for { param: count } and black
  *                                              for { param: dark }
  *

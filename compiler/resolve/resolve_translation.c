@@ -3,7 +3,7 @@
  * Principled does.
  *
  *     material: glTF, roughnessFactor: 0.5, metallicRoughnessTexture: { map: ImageMap, image:
- *     mr.png }
+ *         mr.png }
  *     becomes    roughness: { map: Expression, is: roughnessFactor * metallicRoughnessTexture.g,
  *                with: { the two } }, and so on */
 #include "compiler/formula/formula.h"

@@ -2,8 +2,9 @@
  * each axis; its farthest point in the direction n is the sum of all |n edge| away from the centre.
  *
  *     n = (1, 0, 0), d = 0: what is right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2) has its
- *     centre at x = -2, half an edge is 1: -2 + 1 < 0, nothing of it is seen. Turned by 45 degrees
- *     about z, half edges are 0.7 and 0.7: -2 + 1.4 < 0 still */
+ *         centre at x = -2, half an edge is 1:
+ *     -2 + 1 < 0, nothing of it is seen. Turned by 45 degrees about z, half edges are 0.7 and 0.7:
+ *         -2 + 1.4 < 0 still */
 #include "runtime/cache/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

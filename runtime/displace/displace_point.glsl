@@ -89,7 +89,7 @@ uniform float displace_push, displace_bulge; // what rounds a hard body; 0: noth
 // The mean of the corners' normals, each the unit sum of all around it; and how far it pushes and
 // bulges the point at p. Along an edge both go by its two ends alone.
 //     A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of
-//     sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
+//         sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
 vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
 {
     vec3 n[3], toward[3];

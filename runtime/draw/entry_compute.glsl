@@ -7,7 +7,7 @@ layout(ENTRY_FORMAT) writeonly uniform image2D entry_target;
 // parts of it, the last as long as what is left.
 //
 //     of 8: invocations 0 1 2 ... 7 8 9 ... get pixels 0 8 16 ... 56 1 9 ...; of a row of 24, 0 1 2
-//     3 4 5 ... get 0 8 16 1 9 17 ...
+//         3 4 5 ... get 0 8 16 1 9 17 ...
 int entryApart(int x)
 {
     const int part = 8 * ENTRY_APART;

@@ -8,7 +8,7 @@
 // that number is the same with the other sign, bit for bit. A ray that meets an edge meets both.
 //
 //     the way (0, 0, 1) from 0, corners (-1, -1), (1, -1), (0, 2): 2 x 1 + 1 x 0 = 2, 2 x -1 ...
-//     all three are positive: it is met
+//         all three are positive: it is met
 //
 // A point is on its own triangle, and on those beside it, but for rounding. So a triangle counts
 // only if the point is off its plane by more than EXACT_OFF times the greatest coordinate: 16 steps

@@ -3,7 +3,7 @@
 // own at once.
 //
 //     cells with 2, 0, 3 entries, room from word 40 on: they begin at 40, 42, 42, and the next
-//     group at 45
+//         group at 45
 layout(local_size_x = 256) in;
 
 #include "exact_lists.layout.def"

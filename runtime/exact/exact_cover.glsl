@@ -6,8 +6,8 @@
 // of the triangle leaves those from one on, or up to one.
 //
 //     a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, whose side x + 2 y <= 3.5: of row 0,
-//     whose lowest y is 0, it leaves x <= 3.5, and the corners x <= 2.5: cells 0, 1, 2; of row 1 x
-//     <= 1.5: cells 0 and 1. Five entries
+//         whose lowest y is 0, it leaves x <= 3.5, and the
+//     corners x <= 2.5: cells 0, 1, 2; of row 1 x <= 1.5: cells 0 and 1. Five entries
 //
 // All is in double, from corners and heads in floats. A corner's place is then off by 1e-9 of a
 // cell at most. A side is the product of two corners, whose terms are below the product of what

@@ -3,8 +3,8 @@
  * the other, nothing of a sum that counts one way as less than 0. So it takes no table of edges.
  *
  *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the
- *     three of its edges are left; with one turned round, the exclusive or is 0, and of the sum
- *     twice these three */
+ *         three of its edges are left; with one turned round,
+ *     the exclusive or is 0, and of the sum twice these three */
 #include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>

@@ -8,7 +8,8 @@
  *  2. A light that all of the group sees whole is a series around c (far_terms.glsl), whose rest is
  *     bounded; one that no pixel sees is nothing; any
  *     other is bounded by the most that it can give. Gloss of a light that is taken together is
- *     linear around c (far_lobe.glsl) or left out, whichever has the lesser bound.
+ *         linear around c (far_lobe.glsl) or left out, whichever
+ *     has the lesser bound.
  *  3. E, what all whole lights give at least to each pixel, is a lower bound of the light. The
  *     bounds of what is taken together, the smallest first,
  *     may sum up to r E + a; what does not go into that is summed at each pixel.
@@ -27,7 +28,7 @@
  *   r m(L) + a at most for d = r L + a. Exponential: a lane x of the greatest g is shown as y = x
  *   h(g), h(g) = (1 - exp(-g)) / g, and g h'(g) lies between -h(g) and 0. With s = -g h'(g) / h(g),
  *      y is off by h (r x + a) + x h s (r g + a) / g <= 2 r y + a h (1 + s), and h (1 + s) <= 1: so
- *      D(y) = 2 r y + a, where r is half of Clamp's.
+ *          D(y) = 2 r y + a, where r is half of Clamp's.
  *   Linear: y = x / g with g the greatest lane of the picture, both off by r: D(y) = 2 r y / (1 -
  *   r). a is 0, as a / g has no bound. Filmic: D(y) is the lesser of 2.6 r y + 0.6 a and 0.85 r y +
  *   3.65 a.

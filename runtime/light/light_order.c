@@ -3,7 +3,7 @@
  * far_blocks.glsl has their bits in, and a pixel reads no more.
  *
  *     a cell's number has the bits of its places along x, y, z in turns: cell (3, 0, 1) is binary
- *     001 101, 13, where bits of z, y, x stand in this order */
+ *         001 101, 13, where bits of z, y, x stand in this order */
 #include "runtime/light/light_far.h"
 #include <math.h>
 #include <stdlib.h>

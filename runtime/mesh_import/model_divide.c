@@ -1,8 +1,8 @@
 /* Triangles of one material after those of another: each part gets the vertices that its triangles
  * have.
  *
- *     runs (material 1: 3 indices) (0: 6) (1: 3) part 0: the second and the third triangle; part 1:
- *     the first and the fourth */
+ *     runs (material 1: 3 indices) (0: 6) (1: 3)     part 0: the second and the third triangle;
+ *                                                    part 1: the first and the fourth */
 #include "runtime/mesh_import/model_divide.h"
 #include <stdlib.h>
 #include <string.h>

@@ -178,7 +178,7 @@ static int first_alike(Arena *arena, Names *files, const cJSON *buffer, int numb
 /* Assimp reads a buffer when a view of it is met: views of buffers that are one file are of the
  * first of them.
  *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }] becomes
- * "bufferViews": [{ "buffer": 0 }] */
+ *         "bufferViews": [{ "buffer": 0 }] */
 static bool join_buffers(cJSON *json)
 {
     Arena arena = {0};

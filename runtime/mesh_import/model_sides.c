@@ -3,7 +3,7 @@
  * normal there and right elsewhere, and the mean of both is none: a vertex where triangles of both
  * meet becomes two, as at any other seam.
  *     u = |x| on the squares left and right of x = 0: dP/du is (-1, 0, 0) left of it, (1, 0, 0)
- *     right of it, and never their mean */
+ *         right of it, and never their mean */
 #include "runtime/mesh_import/model_sides.h"
 #include <math.h>
 #include <stdlib.h>

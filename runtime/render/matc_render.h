@@ -2,10 +2,10 @@
  * header of libmatc_render, which has all of libmatc (matc.h) in it: link one of the two.
  *
  *     MatcDocument *document;
- *     MatcScene *scene = matc_scene_read("scene.yaml", text, size, NULL, &document); MatcRender
- *     *render = scene ? matc_render_open(&(MatcRenderOptions){.size = sizeof(MatcRenderOptions),
- *     .load = load}, error, sizeof error) : NULL; if (render && matc_render_scene(render, scene) &&
- *     matc_render_frame(render))
+ *     MatcScene *scene = matc_scene_read("scene.yaml", text, size, NULL, &document);
+ *     MatcRenderOptions options = {.size = sizeof options, .load = load};
+ *     MatcRender *render = scene ? matc_render_open(&options, error, sizeof error) : NULL;
+ *     if (render && matc_render_scene(render, scene) && matc_render_frame(render))
  *         show(matc_render_texture(render));
  *     matc_render_close(render);
  *     matc_scene_free(scene);

@@ -6,8 +6,9 @@
  * one before, so that copies of one level share a mesh.
  *
  *     A cylinder of radius 1, a camera of 500 pixels at a distance of 1 whose picture reaches 30
- *     degrees to each side, 100 away: a unit has 500 / 99 / cos^2 30 = 6.7 pixels; 24 sides are off
- *     by 6.7 (1 - cos(pi / 24)) = 0.06 of them, 12 by 0.23: it has 24 */
+ *         degrees to each side, 100 away:
+ *     a unit has 500 / 99 / cos^2 30 = 6.7 pixels; 24 sides are off by 6.7 (1 - cos(pi / 24)) =
+ *         0.06 of them, 12 by 0.23: it has 24 */
 #ifndef MATC_SCENE_DETAIL_H
 #define MATC_SCENE_DETAIL_H
 #include "runtime/scene/scene.h"

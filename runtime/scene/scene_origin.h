@@ -4,8 +4,8 @@
  * (MatcOptions.origin).
  *
  *     camera [6378137, -6, 2] that looks at [6378137, 0, 0], a plane at [6378137, 0, 0], a box 1.5
- *     beside it: the origin is [6378137, 0, 0], the camera stands at [0, -6, 2], and the box at
- *     [1.5, 0, 0] */
+ *         beside it:
+ *     the origin is [6378137, 0, 0], the camera stands at [0, -6, 2], and the box at [1.5, 0, 0] */
 #ifndef MATC_SCENE_ORIGIN_H
 #define MATC_SCENE_ORIGIN_H
 #include "runtime/scene/scene.h"

@@ -3,7 +3,7 @@
  * there; at a corner the same of all around it.
  *
  *     Two faces of a box: their edge moves along the sum of their normals, points beside it along
- *     their own face's. */
+ *         their own face's. */
 #include "runtime/scene/scene_patches.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"

@@ -2,7 +2,7 @@
  * the distance, or, orthographic, as `half` itself.
  *
  *     600 pixels, 90 degrees, 10 away: 300 pixels are tan 45 degrees times 10, so that a unit has
- *     30 */
+ *         30 */
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -4,8 +4,8 @@
  * between is in view.
  *
  *     What is right of x = 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that
- *     ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends at
- *     1 */
+ *         ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends
+ *         at 1 */
 #include "runtime/scene/scene_sight.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -8,8 +8,9 @@
 //  - else what is taken away is the share of sixteen ways from inside the cell that something
 //    stops. The corners that do not arrive say where
 //    that stands: at the share `along` of the way from the light. A way passes there through a
-//    place that the map of the nearest corner knows, and is stopped by what is there: by what is
-//    nearer to the light than the middle between there and the surface.
+//        place that the map of the nearest corner
+//    knows, and is stopped by what is there: by what is nearer to the light than the middle between
+//        there and the surface.
 // So the end of a shadow is as wide as the light, what casts it and the surface make it, and
 // smooth; and for ever more points it is exact.
 //

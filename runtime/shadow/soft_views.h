@@ -5,15 +5,14 @@
  * map: in the middle, half as wide as the map, what is seen along the normal; beside it, a quarter
  * wide, the near halves of the cube's sides. The map's corners are empty.
  *
- *        . .+--+. . The light's axes: x along u, z along the normal, y = z cross x. A point's place
- *        (x, y, z) with z the greatest is . .|+y|. . at (x, y) / z, which goes from -1 to 1 across
- *        the middle. With x the greatest, it is at (2 - z / x, y / x): from 1,
- *        +--+--+--+      where the middle ends, to 2, in the light's plane.
- *        |-x| z|+x|
- *        +--+--+--+      Worked example: a map of 16 texels, a place (4, 2, 2). x is the greatest:
- *                        it is at (1.5, 0.5), a texel is 0.25 wide, and
- *        . .|-y|. .      the middle of the map is at 8: texel (14, 10). Depth there is near / 4.
- *        . .+--+. . */
+ *        . .+--+. .      The light's axes: x along u, z along the normal, y = z cross x. A point's
+ *        . .|+y|. .      place (x, y, z) with z the greatest is at (x, y) / z, which goes from -1
+ *        +--+--+--+      to 1 across the middle. With x the greatest, it is at (2 - z / x, y / x):
+ *        |-x| z|+x|      from 1, where the middle ends, to 2, in the light's plane.
+ *        +--+--+--+
+ *        . .|-y|. .      Worked example: a map of 16 texels, a place (4, 2, 2). x is the greatest:
+ *        . .+--+. .      it is at (1.5, 0.5), a texel is 0.25 wide, and the middle of the map is
+ *                        at 8: texel (14, 10). Depth there is near / 4. */
 #ifndef MATC_RENDER_SOFT_VIEWS_H
 #define MATC_RENDER_SOFT_VIEWS_H
 #include "runtime/shadow/shadow_views.h"

@@ -8,9 +8,9 @@
  * older than its others, so that whoever has to be divided before has an older one still.
  *
  *     a square of two triangles, whose diagonal is the longest edge of both: both are divided
- *     there, and there are four; each of these has a side of the square as its first edge, and is
- *     divided alone: eight, whose first edges are the halves of the diagonals, which two share
- *     again
+ *         there, and there are four; each of these has a side of the square as
+ *     its first edge, and is divided alone: eight, whose first edges are the halves of the
+ *         diagonals, which two share again
  *
  * A point is known by its weights among the corners of the shape's triangle that it lies in, which
  * are whole numbers: so either side of an edge computes the same point, and the surface is that of

@@ -5,7 +5,7 @@
  * SCENE_DETAIL_ERROR of a pixel.
  *
  *     Heights of 0.3 at 20 pixels a unit, 6 pixels: sizes may differ by 1 / 48 from the middle;
- *     intervals of 1 / 32 share a mesh
+ *         intervals of 1 / 32 share a mesh
  *
  * A height that goes by places of the world is another on each copy: each has a mesh, of few
  * triangles where it is small. */

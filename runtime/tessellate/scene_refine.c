@@ -5,7 +5,7 @@
  * that a half lacks are added.
  *
  *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the
- *     halves that the ridge does not cross have 0, and stay as they are
+ *         halves that the ridge does not cross have 0, and stay as they are
  *
  * At last places are moved off the surface to where triangles miss less. What
  * no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and
@@ -27,7 +27,7 @@
  * little halve that.
  *
  *     y = x^2 by a chord from -1 to 1: y = 1 misses by 2/3 in the mean, 0.73 in the root of the
- *     mean square; moved by that mean, y = 1/3, by 0.30
+ *         mean square; moved by that mean, y = 1/3, by 0.30
  *
  * A place goes by the mean of what its triangles miss, by their areas: one step of Jacobi's method
  * towards the least squares. Where one of its triangles misses next to nothing the place stays:

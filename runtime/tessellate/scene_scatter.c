@@ -1,7 +1,7 @@
 /* Numbers in [0, 1) are the upper 53 bits of what the generator gives, over 2^53.
  *
  *     seed 0, size [2, 2, 0]: the first two numbers are 0.8833 and 0.4315, so the first copy stands
- *     at (0.767, -0.137, 0) */
+ *         at (0.767, -0.137, 0) */
 #include "runtime/tessellate/scene_scatter.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -31,7 +31,7 @@ static double part(uint64_t *state)
  * ny ny a, -ny).
  *
  *     n = (0, 0, 1): x and y stay; n = (1, 0, 0): g = 1, a = -1, b = 0, so x goes to (0, 0, -1),
- *     and y stays */
+ *         and y stays */
 SceneMatrix scene_scatter_turn(const double n[3])
 {
     const double g = copysign(1, n[2]), a = -1 / (g + n[2]), b = n[0] * n[1] * a;

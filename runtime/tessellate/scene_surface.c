@@ -3,7 +3,7 @@
  * as a strip at s is as long as s.
  *
  *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s =
- *     0.5, t = 0.5 */
+ *         0.5, t = 0.5 */
 #include "runtime/scene/scene_places.h"
 #include "runtime/tessellate/scene_solid.h"
 #include "runtime/tessellate/scene_surface.h"

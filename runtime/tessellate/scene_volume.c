@@ -8,7 +8,7 @@
  * differences over 1/128 of a step to either side.
  *
  *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes
- *     are those of a ball at its equator too, where each height's has no end. */
+ *         are those of a ball at its equator too, where each height's has no end. */
 #include "runtime/scene/scene_places.h"
 #include "runtime/tessellate/scene_volume.h"
 #include "compiler/base/vec3.h"

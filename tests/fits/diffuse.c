@@ -2,7 +2,7 @@
  * and how far each is from its integral. With S the sine,
  *
  *     G(c, k) = S(c) / pi * the integral over c' from 0 to 1 of S(c') (1 / max(c, c') - 1) (1 -
- *     c')^k 2 c' dc'
+ *         c')^k 2 c' dc'
  *
  * is what Fujii's lobe has beyond an even one, in the mean over azimuths, of light that comes in by
  * (1 - c')^k; k is 0 for all of it, 1 for what fuzz takes, nearly, 5 for what Schlick's formula

@@ -3,7 +3,7 @@
  * turns and turns back, and should not, flickers.
  *
  *     lit, dark, lit, dark while it should be lit, lit, dark, dark: it turns three times in place
- *     of once, and has flickered once */
+ *         of once, and has flickered once */
 #ifndef MATC_FLICKER_H
 #define MATC_FLICKER_H
 #include <stdbool.h>

@@ -3,7 +3,7 @@
  * the renderer has a part in it.
  *
  *     a point on a floor, a wall as high as the point is far from it: the wall keeps off (1 - 1 /
- *     sqrt(2)) / 2 of the cosine, so that it is open by 0.854 */
+ *         sqrt(2)) / 2 of the cosine, so that it is open by 0.854 */
 #ifndef MATC_OPEN_RAY_H
 #define MATC_OPEN_RAY_H
 #include "tests/frame_reference/reference_light.h"

@@ -3,7 +3,7 @@
  * the number of calls at the end. tests/tool/out_of_memory.sh.
  *
  *     FAIL_AT=3 LD_PRELOAD=libfailing_malloc.so matc ...: two allocations succeed, the third fails,
- *     the fourth succeeds again */
+ *         the fourth succeeds again */
 #include <errno.h>
 #include <stdatomic.h>
 #include <stdio.h>

@@ -2,8 +2,10 @@
  * n-th call that concerns files.
  *   STRIKE_AT=n      which call, from 1; 0 or none: only counted
  *   STRIKE_HOW=what  kill: SIGKILL before the call; half: a write does half of it before; a number:
- *                    the call fails with that errno; full: this call and all later ones that want
- *                    room fail as on a full disk; readonly: the same for all that changes anything
+ *                    the call fails with that errno;
+ *                    full: this call and all later ones that want room fail as on a full disk;
+ *                        readonly: the same for all
+ *                    that changes anything
  *   STRIKE_LOG=file  gets the names of all calls, a line each, when they were only counted
  * The functions are those that `nm -D --undefined-only build/matc` lists. */
 #include <dirent.h>

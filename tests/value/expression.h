@@ -1,9 +1,14 @@
 /* IR as one writes a formula, for tests of single rules:
  *
- *     x y z        lanes of the local position     v w   local and world position, vec3     u
- * texture coordinate, vec2 front true false     truth values            2 -0.5   numbers [1, 0, 0]
- * a constant vector mul(x, 2)    an operation of ops.def, or a function of functions.def or a map
- * v.xz   lanes vec2(x, 1)   a vector of its parts           2i 5u  an int, a word
+ *     x y z                the local position's components
+ *     v w                  local and world position, vec3
+ *     u                    texture coordinate, vec2
+ *     front true false     truth values
+ *     2 -0.5 2i 5u         numbers, an int, a word
+ *     [1, 0, 0]            a constant vector
+ *     vec2(x, 1)           a vector of its parts
+ *     v.xz                 components
+ *     mul(x, 2)            an operation of ops.def, or a function of functions.def or a map
  *
  * `-x` is not read: neg(x) is what stands in the IR. */
 #ifndef MATC_VALUE_EXPRESSION_H

@@ -6,8 +6,9 @@
 // has the children 2 n and 2 n + 1. So the leaves that there are need no pointers to each other:
 //
 //     a point that is (x, y, z) of the corners is in child 0 if x > y, and (z, x - y, 2 y) of its;
-//     else in child 1, and (y - x, z, 2 x) of its (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) ->
-//     child 1, (0, 1/2, 1/2): so the point is in triangle 1 -> 2 -> 5
+//         else in child 1, and (y - x, z, 2 x) of its
+//     (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) -> child 1, (0, 1/2, 1/2): so the point is in
+//         triangle 1 -> 2 -> 5
 //
 // Which leaf is beyond an edge is what such a walk ends at, from a point beyond it: an edge that is
 // a triangle's edge from a to b at some depth is that of the one beyond as well, or one of the
@@ -19,7 +20,7 @@
 // deviation in the last leaf of its child 0, and nobody else's in the same place:
 //
 //     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become
-//     2, that has 2's, as its own, from 4, and keeps 1's, from 5
+//         2, that has 2's, as its own, from 4, and keeps 1's, from 5
 #ifdef BISECT_FEW
 const uint BISECT_THREADS = 512u;
 layout(local_size_x = 512) in;

@@ -3,7 +3,7 @@
 // questions is the lesser of their numbers, one of them the greater, and not the negative.
 //
 //     in view by 2 from the nearest side, too coarse as it is unless it were 0.5 farther: both is
-//     0.5, and nobody has to look again before the camera has gone by 0.5
+//         0.5, and nobody has to look again before the camera has gone by 0.5
 //
 // How far it moves: its place, plus what its sides turn by times how far away anything is.
 

@@ -6,7 +6,7 @@
  * there is only so that the mesh conforms.
  *
  *     a view that comes nearer: 1,000 leaves, 5 want to; one waits for its neighbour, one for two:
- *     rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
+ *         rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
  *
  * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on;
  * the least of these that is enough. */

@@ -5,7 +5,7 @@
 // z counts (trace_patch.glsl): there is no outline but the triangle's, and what leans is as if it
 // stood.
 //     At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the
-//     plane, of a patch with an edge of 1 in 32 parts in 12 steps.
+//         plane, of a patch with an edge of 1 in 32 parts in 12 steps.
 // How far the ray is above the surface at t: where that has another sign, it is on the other side.
 float parallaxOver(int number, TraceSpace space, vec3 at)
 {

@@ -1,7 +1,7 @@
 // Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the
 // nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
 //     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the
-//     triangle, two steps later a point of the surface that is off by less than 1e-7.
+//         triangle, two steps later a point of the surface that is off by less than 1e-7.
 uniform vec2 trace_offset; // of depth, as glPolygonOffset has it: by the slope, and by the least step
 
 const int TRACE_STACK = 24; // three of each of at most six levels, and one

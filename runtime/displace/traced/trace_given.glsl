@@ -16,7 +16,7 @@ layout(location = 0) out uvec4 trace_seen;
 // place on the screen to where two planes through the middle of the pixel cross, those of x and of
 // y.
 //     The middle is x = 0.5 and y = 0; clip space is the object's, w = 1: the point (0.501, 0.001,
-//     7) becomes (0.5, 0, 7).
+//         7) becomes (0.5, 0, 7).
 vec3 traceLeaves()
 {
     vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;

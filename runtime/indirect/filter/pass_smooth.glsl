@@ -38,7 +38,7 @@ ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) /
 // out for that would make means darker. Light and openness go by themselves.
 //
 //     rays that find 0.7, 0.5, 0.6 beside each other: a deviation of 0.08; on level 1 of 0.022: a
-//     pixel that is off by 0.05 counts exp(-0.05 / (SMOOTH_NOISE 0.022)), a half
+//         pixel that is off by 0.05 counts exp(-0.05 / (SMOOTH_NOISE 0.022)), a half
 uniform sampler2D smooth_rays; // as rays found it
 uniform float smooth_level;
 

@@ -48,7 +48,7 @@ struct IndirectStart {
 // far from the point as t + h c along it, but for terms of h^2.
 //
 //     straight up, c = 1: begins h along the ray; at 60 degrees off the normal, c = 1/2: h along
-//     the ray, then h / 2 along the normal, begin = h + h / 4
+//         the ray, then h / 2 along the normal, begin = h + h / 4
 IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 {
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;

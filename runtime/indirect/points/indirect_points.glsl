@@ -6,7 +6,7 @@
 // (2 + c) / 4 are behind it. Points know nothing of light.
 //
 //     a wall at half the radius: (1/2)^2 (5/2) / 4 = 0.156 of the places are behind it, where rays
-//     that are as even meet it in 1/4 of their directions
+//         that are as even meet it in 1/4 of their directions
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 u, v, from = point + indirectLift(point, normal) * normal;

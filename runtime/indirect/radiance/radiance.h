@@ -4,13 +4,15 @@
  * several surfaces in one voxel the nearest. Nodes are found by voxel:
  *
  *     buffer faces  four words; then for each voxel, x first, the number of its first node times
- * 64, and a bit for each side that has one buffer nodes  for each the voxel times 8 and the side,
- * whether it is kept, whether it is of a body; how near it is; what its material packs for the
- * G-buffer, normals along the world's axes buffer light  for each texels of four floats: the light
- * of lamps that it sends, its normal in 24 bits, or -1 where it lies within a body, or is cut away;
- * light of further bounces, how far its plane is from the grid's corner; where light bounces on:
- *                   the share of light from its surroundings that it sends; light of one bounce
- *                   more
+ *                   64, and a bit for each side that has one
+ *     buffer nodes  for each node the voxel times 8 and the side, whether it is kept, whether it is
+ *                   of a body; how near it is; what its material packs for the G-buffer, normals
+ *                   along the world's axes
+ *     buffer light  for each node texels of four floats: the light of lamps that it sends, its
+ *                   normal in 24 bits, or -1 where it lies within a body, or is cut away; light of
+ *                   further bounces, how far its plane is from the grid's corner; where light
+ *                   bounces on: the share of light from its surroundings that it sends; light of
+ *                   one bounce more
  *
  * Made when objects, materials or lights are others; it does not know the camera. */
 #ifndef MATC_INDIRECT_RADIANCE_H

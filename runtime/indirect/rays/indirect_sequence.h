@@ -17,8 +17,8 @@
  * Rotation `blue` adds three values of blue noise, modulo 1.
  *
  *     4 samples of Sobol's: (0, 0), (1/2, 1/2), (1/4, 3/4), (3/4, 1/4); pixel (1, 0) is k = 1 and
- *     has samples 4 to 7, shifted by sample 4, (1/8, 5/8), by exclusive or: (1/8, 5/8), (5/8, 1/8),
- *     (3/8, 3/8), (7/8, 7/8) */
+ *     has samples 4 to 7, shifted by sample 4, (1/8, 5/8), by exclusive or:
+ *     (1/8, 5/8), (5/8, 1/8), (3/8, 3/8), (7/8, 7/8) */
 #ifndef MATC_RENDER_INDIRECT_SEQUENCE_H
 #define MATC_RENDER_INDIRECT_SEQUENCE_H
 #include "grammar/scene_tables.h"

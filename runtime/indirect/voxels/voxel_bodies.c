@@ -1,7 +1,7 @@
 /* Which objects are bodies, and which of these are drawn together. No GL.
  *
  *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls
- *     that face each other, wave 2; the others, wave 3 */
+ *         that face each other, wave 2; the others, wave 3 */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/tessellate/scene_solid.h"

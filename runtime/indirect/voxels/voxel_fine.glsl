@@ -8,7 +8,7 @@
 // of a vertex, whose position comes first.
 //
 //     corners (0, 0), (1, 0), (0, 1), in voxels: the line at (1/2, 1/2) is on the long edge, and
-//     meets it; its area is 0 there
+//         meets it; its area is 0 there
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer FinePlaces {
     vec4 fine_places[]; // of each place: rows of the matrix from the mesh's space to voxels

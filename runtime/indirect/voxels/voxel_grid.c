@@ -1,7 +1,7 @@
 /* Where voxels stand. No GL.
  *
  *     objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 of them take the 4, so that each is 4 / 62
- *     wide, and one is left on each side */
+ *         wide, and one is left on each side */
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <string.h>

@@ -9,7 +9,7 @@
 // the same t, bit for bit.
 //
 //     from (0.5, 0.5, 0.5) along (1, 1, 0): both planes at 1 are crossed at t = 0.5, y first:
-//     voxels (0, 0, 0), (0, 1, 0), (1, 1, 0)
+//         voxels (0, 0, 0), (0, 1, 0), (1, 1, 0)
 #if __VERSION__ >= 400
 #define VOXEL_EXACT precise
 #else

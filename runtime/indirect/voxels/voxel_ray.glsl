@@ -8,7 +8,7 @@
 // wide. A single voxel that is full is the hit.
 //
 //     a ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
-//     which have the floor, but not in the box that the ray passes
+//         which have the floor, but not in the box that the ray passes
 struct VoxelMeeting {
     float t;    // in multiples of the ray's direction
     ivec3 at;   // the voxel
@@ -19,7 +19,7 @@ struct VoxelMeeting {
 // four rows.
 //
 //     from (1, 0, 0) to (2, 1, 3): rows 0x6, planes 0x0066, all four of them: 0x00660066,
-//     0x00660066
+//         0x00660066
 uvec2 voxelBox(ivec3 low, ivec3 high)
 {
     uvec3 ones = (uvec3(15u) << uvec3(low)) & (uvec3(15u) >> uvec3(3 - high)); // of each axis

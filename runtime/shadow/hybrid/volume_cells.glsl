@@ -11,7 +11,7 @@
 // and what is left is walls, which the light sees as lines.
 //
 //     one centre is covered, the 0: its segments are crossed, at 1 and 2 (of segment 0), at 10 and
-//     11 (of segment 3)
+//         11 (of segment 3)
 //
 //       9-----------6     0 1 11 is the covered corner, 6 9 10, 6 10 2 and 6 2 3 are the rest of
 //                         the cell,

@@ -8,7 +8,7 @@ vec3 facet_normal = vec3(0.0); // of the pixel that is lit, towards the eye; 0: 
 // and y: d = k (n.x x + n.y y - n.z), or, orthographic, 1 + z / view.x.
 //
 //     a plane z = -4 before near .01: d is .0025 everywhere, both slopes are 0, and the normal is
-//     (0, 0, 1)
+//         (0, 0, 1)
 void facetFind(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
     uint word = texelFetch(shadow_seen, pixel, 0).x;

@@ -15,7 +15,7 @@
 // A cell between four centres: where that line runs, as marching squares have it.
 //
 //     covered: (0, 0) alone; cuts at .3 of the lower segment, .6 of the left one: covered where x /
-//     .3 + y / .6 < 1
+//         .3 + y / .6 < 1
 //
 // Two covered centres across the cell from each other are one surface if more than half of the four
 // segments is covered.

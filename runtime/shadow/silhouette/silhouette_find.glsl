@@ -9,7 +9,7 @@
 // its distance from there.
 //
 //     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25;
-//     one at 3.75 of depth .7, too: .75
+//         one at 3.75 of depth .7, too: .75
 //
 // A rasteriser rounds corners to 1/256 of a texel, so that a centre nearer than that to an edge may
 // be on its other side: the segment beyond has the crossing as well.

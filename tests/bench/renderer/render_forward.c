@@ -4,8 +4,8 @@
  *
  *     #version 450 core
  *     #define main surfaceMain
- *     ... what matc wrote, each `layout(location = 0) out uvec4 fragment0;` without what stands
- *     before uvec4 #undef main
+ *     ... what matc wrote; `uvec4 fragment0;` without the layout and `out` before it
+ *     #undef main
  *     ... unpackTexels, surfaceLobe
  *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
  *     ... main() below */

@@ -2,8 +2,8 @@
  * tests/reference/README.md. All of a frame's light, less that of lamps, where Cycles says that no
  * edge is.
  *
- *     test_reference_bounces N KEYS... drawn N times as wide and high, and averaged: one bounce
- *     with each of these keys */
+ *     test_reference_bounces N KEYS...      drawn N times as wide and high, and averaged: one
+ *                                           bounce with each of these keys */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
