@@ -114,8 +114,8 @@ static unsigned phong_emits(const Node *material)
 
 static unsigned relief_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
 
-/* Of one that stands for others, or is mixed of them: where one is a Principled, all become one. Of
- * an AlgorithmSwitch only the first is shown, and a missing front of a SideSwitch is grey. */
+/* Models of a material that selects or mixes others: if one is a Principled, all become Principled.
+ * An AlgorithmSwitch shows its first material only; a missing front of a SideSwitch is grey. */
 static unsigned models_of(const Graph *graph, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];

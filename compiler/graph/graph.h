@@ -31,7 +31,7 @@ typedef struct {
     int index; /* in the document's list of uniforms */
 } Uniform;
 
-/* What the mesh has at its vertices, by name. Equal names of one document are one attribute. */
+/* An attribute of the mesh's vertices, by name. Equal names of one document are one attribute. */
 typedef struct {
     const char *name;
     Type type;         /* float, vec2, vec3 or vec4 */
@@ -87,7 +87,7 @@ struct Node {
     Kind written; /* what the author wrote: its kind, or that of another model which became it */
 };
 
-/* What the author calls a material or map, and its parameter of that place: for messages. */
+/* The author's name of a material or map, and of its parameter of that place: for messages. */
 static inline const char *node_written_name(const Node *node)
 {
     return kind_table[node->written].name;
@@ -176,7 +176,7 @@ static inline const float *image_floats(const Image *image)
     return image->bits == 32 ? (const float *)image->texels : NULL;
 }
 
-/* What a material says of the geometry of its surface: the parameters of DISPLACEMENT_PARAMS. */
+/* Displacement of a material's surface: the parameters of DISPLACEMENT_PARAMS. */
 typedef struct {
     const Value *height, *vector, *scale, *bound, *volume, *threshold;
 } Displacement;

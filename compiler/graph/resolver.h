@@ -1,5 +1,5 @@
-/* What resolving a document keeps at hand: its definitions, params, pictures, and what is being
- * resolved. Hints and readers of pictures go by it. */
+/* State of resolving a document: its definitions, params, pictures, and the nodes that are being
+ * resolved. Hints and readers of pictures use it. */
 #ifndef MATC_RESOLVER_H
 #define MATC_RESOLVER_H
 #include "compiler/base/hash_index.h"
@@ -17,10 +17,10 @@ typedef struct {
  * to add a line. */
 typedef enum { FILE_COLORS_undeclared, FILE_COLORS_linear, FILE_COLORS_srgb } FileColors;
 
-/* What uses of definitions with parameters stand for. resolve_definition.c */
+/* Expansions of definitions with parameters. resolve_definition.c */
 typedef struct Expansion Expansion;
 
-/* What resolving keeps at hand. */
+/* State of resolving a document. */
 typedef struct {
     Session *session;
     Tree **defs; /* `defs:` objects: the document's, then those of its includes */

@@ -116,7 +116,7 @@ static bool is_lost(const Node *node, int i)
     return param_is_unstored(kind_table[node->kind].first + i) && !value_is_zero(&node->params[i]);
 }
 
-/* What becomes of what is given of a body's inside, where there is one; NULL: it is kept. */
+/* How a parameter of a body's inside is changed where there is one; NULL: it is kept. */
 static const char *parted(const Node *node, int i)
 {
     int weight;
@@ -144,7 +144,8 @@ static const double LEAST_FUZZ = .2; /* as surface_principled.glsl has it */
 /* a colour's greatest lane from which on whole lanes look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
-/* What a node is asked for. The first two begin as MOVES_xyz and MOVES_uv of tables.h. */
+/* Properties that a node is queried for. The first two begin as MOVES_xyz and MOVES_uv of tables.h.
+ * */
 typedef enum {
     ASKED_xyz = MOVES_xyz,
     ASKED_uv = MOVES_uv,
@@ -252,7 +253,7 @@ static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
     d->reader[node->index] = reader;
 }
 
-/* Of one with that parameter. */
+/* Queries of a kind with the parameter `dimensions`. */
 static unsigned asked_by_dimensions(const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -263,7 +264,7 @@ static unsigned asked_by_dimensions(const Node *node)
     return number[0] < 3 ? ASKED_uv : ASKED_xyz;
 }
 
-/* What a formula reads of a point. */
+/* Queries of a formula at a point. */
 static unsigned asked_of_point(const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
@@ -281,7 +282,7 @@ static unsigned asked_by_math(unsigned asked)
     return asked & ASKED_slope ? ASKED_slope : ASKED_other;
 }
 
-/* What a map asks its input for, being asked itself. */
+/* Queries that a map makes of its input when it is queried itself. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -306,7 +307,7 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
     }
 }
 
-/* What a material or map asks the map of one of its own parameters for. */
+/* Queries that a material or map makes of the map of one of its own parameters. */
 static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
 {
     if (section_of(node->kind) == SECTION_normal)
@@ -416,7 +417,7 @@ static const Value *first_map(const Displacement *d)
                                            : d->vector;
 }
 
-/* What a volume takes the place of, and what counts for volumes alone. */
+/* Parameters that a volume replaces, and parameters that only volumes use. */
 static void doubt_volume(const Doubts *d, const Node *node)
 {
     const Displacement has = graph_displacement(node);

@@ -5,8 +5,8 @@
 #include "compiler/graph/graph.h"
 #include "grammar/unit_table.h"
 
-/* Of a graph without faults; `nodes` are its materials and maps that are no bare numbers, in the
- * order of their indices. */
+/* Lints a graph without faults; `nodes` are its materials and maps that are not plain numbers, in
+ * the order of their indices. */
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count);
 /* A constant of an unusual size for what its numbers count; `unit` is NULL where nothing is said of
  * that. */

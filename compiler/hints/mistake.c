@@ -1,4 +1,4 @@
-/* What people write who know another format better, and what they are told. */
+/* Mistakes of people who know another format better, and the hints that they get. */
 #include "compiler/hints/mistake.h"
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"

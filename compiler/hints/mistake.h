@@ -11,7 +11,7 @@ bool mistake_map(Resolver *r, const Tree *tree);
 /* "map Checker", "map:Checker": a key without its colon, or without the space behind it, where a
  * value or a key stands alone. */
 bool mistake_key(Session *session, Span span, const char *text);
-/* The same of any key of an object. */
+/* Checks any key of an object. */
 bool mistake_keys(Session *session, const Tree *object);
 /* A text that is hexadecimal digits without the '#'. */
 bool mistake_hex(Resolver *r, const Tree *tree, const char *text);

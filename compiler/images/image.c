@@ -89,7 +89,7 @@ static const Image *read_picture(Resolver *r, const char *full, const char **why
     return image;
 }
 
-/* What cannot be had is read once, too. */
+/* A picture that cannot be read is tried once only. */
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Session *session = r->session;

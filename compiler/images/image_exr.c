@@ -79,7 +79,7 @@ static void on_error(exr_const_context_t exr, exr_result_t code, const char *mes
         fail(d, arena_string(d->file->session->arena, message, strlen(message)));
 }
 
-/* What the library says it has not done. */
+/* Reports the error that the library returned. */
 static bool done(ExrReader *d, exr_result_t code)
 {
     return code == EXR_ERR_SUCCESS ||
@@ -111,7 +111,7 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
     return (int64_t)count;
 }
 
-/* Of a window, its texels along an axis. */
+/* Texels of a window along an axis. */
 static double width_of(const exr_attr_box2i_t *box) { return (double)box->max.x - box->min.x + 1; }
 static double height_of(const exr_attr_box2i_t *box) { return (double)box->max.y - box->min.y + 1; }
 
@@ -155,7 +155,7 @@ static bool is_readable(ExrReader *d, exr_compression_t compression, exr_storage
     return compression <= EXR_COMPRESSION_PIZ || fail(d, lossy);
 }
 
-/* What the first part's header says. */
+/* Reads the header of the first part. */
 static bool read_part(ExrReader *d)
 {
     int parts = 0;
@@ -179,7 +179,7 @@ static bool covers(const exr_attr_box2i_t *a, const exr_attr_box2i_t *b)
            a->max.y >= b->max.y;
 }
 
-/* Of a picture that is no larger than pictures may be. */
+/* Starts reading a picture that is within the limit of size. */
 static bool start_read(ExrReader *d)
 {
     const exr_context_initializer_t calls = {

@@ -1,4 +1,4 @@
-/* What the readers of all formats share. */
+/* Functions that the readers of all formats share. */
 #include "compiler/images/image_file.h"
 
 const char image_file_cut[] = "it ends too soon", image_file_too_large[] = "it is too large",

@@ -140,7 +140,7 @@ static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t num
            (*why = "its buffer has no uri, and the file no binary chunk", false);
 }
 
-/* What a buffer holds, read once; NULL: `why`. */
+/* Content of a buffer, read once; NULL: `why`. */
 static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t number,
                                const char **why)
 {

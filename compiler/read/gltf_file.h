@@ -1,6 +1,6 @@
-/* What lies within glTF 2.0 files: pictures, and the bytes of views. A picture has the file's name
+/* Content of glTF 2.0 files: pictures, and the bytes of buffer views. A picture has the file's name
  * and its place in the JSON, as a fragment (RFC 6901, section 6): "helmet.glb#/images/2". Files are
- * untrusted: each length is held against what is there. */
+ * untrusted: each length is checked against the file. */
 #ifndef MATC_GLTF_FILE_H
 #define MATC_GLTF_FILE_H
 #include "compiler/base/names.h"

@@ -1,4 +1,4 @@
-/* What is wrong with a line of YAML, by the line itself and the one above it.
+/* Explains a fault of YAML by its line and the line above it.
  *
  *     map: Checker          libyaml reads "Checker color1" as a text of two lines, and trips over
  *                           the ':' behind it;

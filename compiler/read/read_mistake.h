@@ -4,7 +4,7 @@
 #define MATC_READ_MISTAKE_H
 #include "compiler/base/session.h"
 
-/* What libyaml says, and where: in bytes of the source. */
+/* Message of libyaml, and its place in bytes of the source. */
 typedef struct {
     const char *problem;
     uint32_t at, context, file; /* context: where what it was reading begins */

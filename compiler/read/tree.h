@@ -10,7 +10,7 @@ typedef enum {
     TREE_object, /* members, count */
 } TreeKind;
 
-/* What resolve made of a subtree, so that a shared one is made once. */
+/* Result of resolving a subtree, so that a shared one is resolved once. */
 typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items, MADE_list } Made;
 
 typedef struct Tree Tree;
@@ -69,7 +69,7 @@ bool tree_number(const Tree *tree, double *value);
 /* Where bytes of a scalar's text stand in its source, through quotes, escapes and folded lines.
  * tree_place.c */
 Span tree_place(const Session *session, const Tree *scalar, uint32_t start, uint32_t end);
-/* What a value is, for messages: "a list", "the number 3", "'text'". */
+/* Description of a value, for messages: "a list", "the number 3", "'text'". */
 const char *tree_describe(Session *session, const Tree *tree);
 /* The tree as indented YAML-like text, with positions; a shared subtree is printed once. */
 void tree_print(Text *out, Tree *tree);

@@ -99,7 +99,7 @@ void tree_build_object(TreeBuilder *b, Tree *object, size_t from)
     check_duplicates(b, object);
 }
 
-/* Of members with one key the first stays. */
+/* Keeps the first of members with one key. */
 static void drop_later(TreeBuilder *b, Tree *object, uint32_t own, size_t from)
 {
     for (uint32_t i = 0; i < object->count; i++) {

@@ -1,6 +1,6 @@
-/* What the readers of YAML and of JSON make a Tree with. The parts of lists and objects that are
- * still open wait on two stacks, so that the arena gets each value once, in its final size, and
- * texts without gaps between them. */
+/* Builds a Tree for the readers of YAML and of JSON. Parts of lists and objects that are still open
+ * wait on two stacks, so that the arena gets each value once, in its final size, and texts without
+ * gaps between them. */
 #ifndef MATC_TREE_BUILD_H
 #define MATC_TREE_BUILD_H
 #include "compiler/read/tree.h"

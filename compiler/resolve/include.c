@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What stands before the names of files that come with matc: no file is called so
+/* Prefix of the names of files that come with matc: no other file is called so
  * (session_path_beside). */
 static const char SHIPPED[] = "<matc>/";
 enum { SHIPPED_SIZE = sizeof SHIPPED - 1 };

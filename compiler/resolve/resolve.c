@@ -32,8 +32,7 @@ static const char *name_of_group(const void *material, int i)
     return is_material(kind) == *(const bool *)material ? name : NULL;
 }
 
-/* What is said of a name that is no kind's: what it is here, which name is like it, or where all
- * are. */
+/* Hint for an unknown kind: its name here, a near name, or where all names are. */
 static const char *near_kind(Resolver *r, const char *name, bool material)
 {
     const char *near =
@@ -141,8 +140,7 @@ static void set_presets(const char *preset, Kind kind, Value *params)
             params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
 }
 
-/* What is said of a key that is no parameter: what it is called here, what is like it, or what
- * there is. */
+/* Hint for an unknown parameter: its name here, a near name, or all names. */
 static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
     enum { MOST_LISTED = 12 }; /* more are no help within a message */
@@ -174,7 +172,7 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     return false;
 }
 
-/* What the maps in a material's parameter belong to: the slot, if it is one. */
+/* Owner of the maps in a material's parameter: the slot, if it is one. */
 static const char *slot_name(const char *param)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)

@@ -40,7 +40,7 @@ bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 /* False, and a diagnostic: a lane of the number, or of a param's default, is beyond what the row
  * allows. resolve_leaf.c */
 bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value);
-/* Of one that holds neither maps nor materials; what stands for null. resolve_leaf.c */
+/* Resolves a value that holds neither maps nor materials; the value of null. resolve_leaf.c */
 bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value);
 Value resolve_null(Resolver *r, const ParamRow *row, const Tree *tree);
 
@@ -52,7 +52,7 @@ bool resolve_number(Resolver *r, const char *what, Tree *tree, LaneCount lanes, 
 bool resolve_color(Resolver *r, const Tree *tree, Value *value);
 /* Reads a document's `colors:`, which holds for all of its file. */
 bool resolve_color_space(Resolver *r, const Tree *document);
-/* What stands in that source is sRGB where nothing else is said. */
+/* Colors of that source are sRGB unless stated otherwise. */
 bool resolve_is_srgb(const Resolver *r, uint32_t file);
 /* Advises about a hex color such as "#ff8800", whose components are `lanes`, if its file has no
  * `colors:` line; once for each file. */
@@ -64,7 +64,7 @@ bool resolve_transform(Resolver *r, Tree *tree, Transform *transform);
 
 /* An Expression's formula and the maps that it reads, into its parameters. resolve_expression.c */
 bool resolve_expression(Resolver *r, const Tree *tree, Value *params);
-/* The same of a text, whose names are those of `with`, NULL for none, and of the document's
+/* Resolves a text whose names are those of `with`, NULL for none, and of the document's
  * definitions. */
 bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *params);
 /* Reads a formula that stands where numbers are wanted. Its value must be known here; it has one

@@ -184,7 +184,7 @@ static Tree *copy_formula(Copy *c, Tree *formula)
     return &copy->tree;
 }
 
-/* What stands for a member: `is:` has a formula without its sign. */
+/* Copy of a member: `is:` has a formula without its sign. */
 static Tree *copy_member(Copy *c, const Member *member)
 {
     Tree *tree = member->value;
@@ -236,7 +236,7 @@ static int argument_of(const Copy *c, const Tree *tree)
     return at;
 }
 
-/* What an alias stands for is copied once. */
+/* Copies the target of an alias once. */
 static Tree *copy_shared(Copy *c, Tree *tree)
 {
     for (HashProbe probe = hash_probe(&c->index, hash_pointer(tree)); hash_probe_next(&probe);)

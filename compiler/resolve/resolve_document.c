@@ -40,7 +40,7 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     return tree ? read_defs(r, tree, depth + 1) : fine;
 }
 
-/* Of several keys for one value the first is its name. */
+/* A value with several keys is named by the first. */
 static void name_defs(const Tree *defs)
 {
     for (uint32_t i = defs->count; i-- > 0;)
@@ -151,7 +151,7 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     return fine;
 }
 
-/* What a scene instances, which is runtime/scene's. */
+/* An object that a scene instances, which runtime/scene_reader reads. */
 static bool is_scene_object(const Tree *tree)
 {
     return tree->kind == TREE_object && tree_find(tree, "object");

@@ -36,7 +36,7 @@ static const Member *definition(const Resolver *r, const char *name)
     return found;
 }
 
-/* What a definition was given for its parameters. */
+/* Arguments that a definition was given for its parameters. */
 static const Tree *arguments_of(const Tree *text)
 {
     return text->scoped ? ((const ScopedTree *)(const void *)text)->arguments : NULL;
@@ -88,8 +88,8 @@ static int name_count(const Inputs *in)
     return (int)count;
 }
 
-/* What a name stands for; a definition with parameters has its defaults. NULL: they have a fault,
- * which is said. */
+/* Value of a name; a definition with parameters has its defaults. NULL: these have a fault, which
+ * is reported. */
 static Tree *tree_of(Inputs *in, const Member *member)
 {
     if (!resolve_is_definition(member->value))
@@ -243,7 +243,7 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
     return true;
 }
 
-/* What a formula reads that is not known when the program is compiled; NULL: nothing. */
+/* Part of a formula that is not known when the program is compiled; NULL: none. */
 static const char *unknown_part(const Inputs *in, const Formula *formula)
 {
     if (formula->groups || formula->meshed)

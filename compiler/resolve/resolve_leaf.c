@@ -65,7 +65,7 @@ static const char *names_of_words(Resolver *r, ParamKind list)
     return text.at;
 }
 
-/* What a list takes false or true for; -1: neither stands there, or for nothing. */
+/* Word of a list that false or true stands for; -1: the value is neither, or stands for none. */
 static int truth_of(ParamKind list, const Tree *tree)
 {
     const bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");

@@ -12,10 +12,11 @@ static int width_of(const Value *map)
     return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH;
 }
 
-/* What holds both lane by lane: a number stands for all, and two lanes are no colour. */
+/* Width that holds both per component: a number stands for all components, and two components are
+ * no color. */
 static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
 
-/* Of what holds each item; 0 of none. */
+/* Width that holds each item; 0 for none. */
 static int width_of_items(const Value *list)
 {
     const Items *items = list->kind == VALUE_items ? list->items : NULL;
@@ -28,8 +29,8 @@ static int width_of_items(const Value *list)
     return width;
 }
 
-/* Of the maps of which its colour is made; 0: it has none. Of one that is left out the others stand
- * for it, or its input. */
+/* Width of the maps that make its color; 0: it has none. A missing map is replaced by the others,
+ * or by the input. */
 static int width_of_colours(const Node *node)
 {
     const int first = kind_table[node->kind].first, count = kind_table[node->kind].count;

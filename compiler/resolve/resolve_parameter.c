@@ -39,7 +39,7 @@ static bool is_formula(const Tree *tree)
     return tree->kind == TREE_scalar && tree->text[0] == '=';
 }
 
-/* What a default says of its parameter. */
+/* Type of a parameter by its default. */
 static ParameterType type_of(const Tree *tree)
 {
     static const char *const transforms[] = {"scale", "translation", "rotation", "shear", "matrix"};

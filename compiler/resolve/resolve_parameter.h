@@ -3,7 +3,7 @@
 #define MATC_RESOLVE_PARAMETER_H
 #include "compiler/resolve/resolve.h"
 
-/* What an argument may be, by the word of `type:`; without it, what the default is. */
+/* Type of an argument, by the word of `type:`; without it, by the default. */
 typedef enum {
     PARAMETER_number,
     PARAMETER_color,

@@ -75,7 +75,7 @@ static void reach_inputs(Reach *all, const Node *node)
 
 static bool is_gltf(Kind written) { return written == KIND_glTF; }
 
-/* What hangs below the materials of the document that the author wrote as such. */
+/* Nodes below the materials that the author wrote as such. */
 static const bool *reached_of(const Resolver *r, bool (*such)(Kind written), bool any_way)
 {
     Reach all = {.any_way = any_way,

@@ -175,8 +175,8 @@ static bool holds(Foreign *s, const char *where)
     return !where || !formula || !is_nothing(s, formula);
 }
 
-/* What stands for a parameter of Principled; of kind VALUE_none: that is too much, and it was
- * said. */
+/* Value of a parameter of Principled; of kind VALUE_none: it is too large, and that was reported.
+ * */
 static Value translated(Foreign *s, const char *text)
 {
     const int alone = find_param(s->kind, text);

@@ -23,7 +23,7 @@ typedef struct {
     GLuint numbers;
 } CacheKind;
 
-/* What one call draws: objects of one kind, one mesh, and one turn of its triangles. */
+/* One draw call: objects of one kind, one mesh, and one winding of its triangles. */
 typedef struct {
     int kind, mesh;       /* in Cache.kinds, Cache.meshes */
     bool mirrored;        /* its triangles turn the other way round */
@@ -162,7 +162,7 @@ typedef struct {
     float corner[2]; /* of the texel 0, 0 there */
 } CacheLightTrace;
 
-/* What a light sees of the scene. */
+/* View of a light on the scene. */
 typedef struct {
     const double *clip_from_world; /* 16, by columns */
     const CullVolume *volume;

@@ -1,4 +1,4 @@
-/* What of a cache casts shadows: drawn for each light, as the light sees it. What is opaque is
+/* Shadow casters of a cache: drawn for each light, as the light sees them. Opaque casters are
  * grouped by mesh alone. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"

@@ -103,7 +103,7 @@ static void draw_hulls(GlContext *gl, const Cache *cache, int mesh, const int ra
     mesh_draw_instances(gl, &trace->hulls, range[0], range[1]);
 }
 
-/* Of the picture, in clip space. */
+/* Size of a pixel in clip space. */
 static void find_pixel(const CacheSource *source, float pixel[2])
 {
     for (int i = 0; i < 2; i++)

@@ -1,5 +1,5 @@
-/* What of a cache depends on where objects stand and on where they are seen from: their order,
- * matrices, which are in view. */
+/* Parts of a cache that depend on the positions of objects and on the camera: order, matrices,
+ * visibility. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
@@ -74,7 +74,7 @@ static Spaces spaces_of(const CacheSource *source, int object)
     return spaces;
 }
 
-/* What does not come from buffers. */
+/* Sets the uniforms that do not come from buffers. */
 static void set_object(const CacheSource *source, Cache *cache, int object)
 {
     const Spaces spaces = spaces_of(source, object);

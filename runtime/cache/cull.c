@@ -82,7 +82,7 @@ static BoxImage image_of(const CullBox *box, const double m[16])
     return image;
 }
 
-/* What is not a number is seen, too. */
+/* A NaN counts as inside. */
 static bool is_inside(const double plane[4], double terms, const BoxImage *image)
 {
     double reach = vec3_dot(plane, image->center) + plane[3];

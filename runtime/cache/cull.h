@@ -1,5 +1,5 @@
-/* What a camera sees, as half spaces of the world, and whether anything of a box can be in all of
- * them. In double, on the safe side: what is left out covers no pixel, whatever rounding in floats
+/* Frustum culling: a view as half spaces of the world, and whether any part of a box can be in all
+ * of them. In double and conservative: a culled object covers no pixel, whatever rounding in floats
  * does to its vertices. */
 #ifndef MATC_CACHE_CULL_H
 #define MATC_CACHE_CULL_H

@@ -134,8 +134,8 @@ static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
     }
 }
 
-/* Of a solid all outlines that are concave are hidden from outside: the face that is turned away
- * lies before the other, and something of the solid before that. */
+/* All concave outlines of a solid are hidden from outside: the back face lies before the front
+ * face, and a part of the solid before both. */
 static bool is_concave(const MeshEdge *edge, int front)
 {
     double before = 0;
@@ -145,7 +145,7 @@ static bool is_concave(const MeshEdge *edge, int front)
     return before > 0;
 }
 
-/* Of a solid that the eye is outside of, or whose box it is outside of, at least. */
+/* The eye is outside of the solid, or at least outside of its box. */
 static bool sees_fronts(const EdgeLister *l, const EdgeMesh *mesh, const double eye[3])
 {
     bool outside = is_orthographic(l);

@@ -62,7 +62,7 @@ static void find_places(EdgeMaker *m)
     }
 }
 
-/* Of any length; false: the face has no area. */
+/* Normal of any length; false: the face has no area. */
 static bool face_normal(const EdgeMaker *m, const uint32_t *corner, float normal[3])
 {
     double side[2][3], cross[3];

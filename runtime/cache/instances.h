@@ -1,5 +1,5 @@
-/* What a program of matc's that draws instances reads from buffers (MatcOptions.instances), as it
- * lies there: std140. */
+/* Per-instance data of programs that draw instances (MatcOptions.instances), as it lies in buffers:
+ * std140. */
 #ifndef MATC_CACHE_INSTANCES_H
 #define MATC_CACHE_INSTANCES_H
 #include "runtime/draw/spaces.h"

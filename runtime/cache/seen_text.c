@@ -19,7 +19,7 @@ void seen_text_make(const GlContext *gl, const Set *set, const SeenText *text, S
              targets, made->instances ? "#define SEEN_INSTANCES\n" : "");
 }
 
-/* What follows its #version. */
+/* The text behind its #version. */
 static const char *rest_of(const char *text)
 {
     const char *end = strchr(text, '\n');

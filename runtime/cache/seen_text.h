@@ -7,14 +7,14 @@
 
 enum { SEEN_TEXT_DEFINED = 96 };
 
-/* What is written. */
+/* Text that writes the data. */
 typedef struct {
     const char *fragment; /* writes at the location SEEN_TARGET; its main() calls surfaceMain() */
     bool places;          /* it reads seen_place, the number of the object's place: an input if
                            * SEEN_INSTANCES          is defined, else a uniform */
 } SeenText;
 
-/* The same for the programs of a set; `text` is NULL if nothing is written. */
+/* Texts for the programs of a set; `text` is NULL if nothing is written. */
 typedef struct {
     const SeenText *text;
     const char *head;

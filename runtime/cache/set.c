@@ -119,7 +119,7 @@ static bool choose_layout(Maker *m)
     return fine;
 }
 
-/* Of one slot, at a point. */
+/* Options for one slot, at a point. */
 static MatcOptions sheet_options(const Maker *m)
 {
     MatcOptions options = m->options;
@@ -201,14 +201,13 @@ static bool has_images(const GlContext *gl)
     return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
 }
 
-/* What is the same everywhere casts shadows by numbers: a plane, and where shadows are found so,
- * a surface. */
+/* Shadow casters of constant transmittance: planes, and surfaces if techniques read it so. */
 static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
 {
     return surface->even && (m->set->uses.even || !strcmp(surface->pass, "plane"));
 }
 
-/* What is opaque casts shadows by depth alone. */
+/* Opaque casters cast shadows by depth alone. */
 static bool add_caster(Maker *m, int number)
 {
     Set *set = m->set;
@@ -224,7 +223,7 @@ static bool add_caster(Maker *m, int number)
                        set->uses.casts == SET_CASTS_colored ? "value" : "shadow");
 }
 
-/* What casts all or nothing has that program already. */
+/* Alpha-tested casters have that program already. */
 static bool add_cut(Maker *m, int number)
 {
     Set *set = m->set;
@@ -304,8 +303,7 @@ static int find_members(const Set *set, int first, int *members, int count)
     return found;
 }
 
-/* What programs that are drawn with one text have alike: pass and shape; alike in their numbers,
- * too, keys. */
+/* Programs that are drawn with one text: equal in pass and shape, or, with `numbers`, in keys. */
 static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
 {
     return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&

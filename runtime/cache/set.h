@@ -37,7 +37,7 @@ typedef enum {
     SET_CASTS_colored /* by what it lets through */
 } SetCasts;
 
-/* What programs there are beside those that draw what is seen. */
+/* Programs that exist beside those that draw the picture. */
 typedef struct {
     SetCasts casts;
     /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */

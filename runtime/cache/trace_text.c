@@ -17,7 +17,7 @@ typedef struct {
     int varying_count;
 } Writer;
 
-/* What a stage declares: `layout(location = 4) [flat] in vec2 uv;`. */
+/* A declaration of a stage: `layout(location = 4) [flat] in vec2 uv;`. */
 typedef struct {
     char way[NAME], type[NAME], name[NAME];
 } Declared;
@@ -130,7 +130,7 @@ static void put_attributes(FILE *to)
                 attributes[i]);
 }
 
-/* What documents name of a mesh: rays know nothing of it, and it has its default. */
+/* Attributes of the mesh, which rays do not know: they have their defaults. */
 static void put_defaults(FILE *to, const MatcProgram *program)
 {
     for (int i = 0; i < matc_attribute_count(program); i++) {

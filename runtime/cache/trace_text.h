@@ -13,6 +13,6 @@
 #define MATC_CACHE_TRACE_TEXT_H
 #include "compiler/matc.h"
 
-/* Of two texts as matc writes them, with instances. From malloc; NULL: memory ran out. */
+/* Joins two texts of matc, with instances. From malloc; NULL: memory ran out. */
 char *trace_text(const MatcProgram *program, const char *vertex, const char *fragment);
 #endif

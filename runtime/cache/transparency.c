@@ -150,7 +150,7 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
     memcpy(program->vertex, vertex_pieces, sizeof vertex_pieces);
 }
 
-/* What images and buffers are written by. */
+/* Ends a program that writes to images and buffers. */
 static void wrap_end(const GlContext *gl, const char *defined, const char *end,
                      ProgramText *program)
 {

@@ -8,8 +8,8 @@
 
 typedef struct {
     Spaces spaces; /* world_from_local is the identity */
-    /* Of pixel p: (2 p + 1 - zw) * xy are the ray's x and y where z = -1; orthographic: the
-     * point's. zw: the picture's size, less twice the pixel from which p counts. */
+    /* Ray of pixel p: (2 p + 1 - zw) xy are x and y of its direction where z = -1; orthographic: of
+     * its point. zw: the picture's size, less twice the pixel from which p counts. */
     float ray[4];
     /* x: near, or the depth of an orthographic view; y: 1 where it is orthographic */
     float depth[4];

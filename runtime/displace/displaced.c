@@ -102,7 +102,7 @@ static bool is_gap(const Shape *shape, const uint32_t *index)
            !memcmp(p, shape->vertices[index[2]].position, 3 * sizeof *p);
 }
 
-/* Of what merged, or is not there of a volume, its room is left, with no area. */
+/* Triangles that merged, or that a volume lacks, leave their room with no area. */
 static void close_gaps(Shape *shape)
 {
     int count = 0;

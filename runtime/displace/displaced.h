@@ -49,9 +49,9 @@ bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile
 /* Writes the triangles for that view, where they are not those that are there. False: see the
  * context's error. */
 bool displaced_write(Displaced *displaced, const DisplacedView *view, Mesh *mesh);
-/* It is there, and its triangles go by the camera. */
+/* It exists, and its triangles depend on the camera. */
 bool displaced_by_view(const Displaced *displaced);
-/* The same of lights that cast shadows. */
+/* It exists, and its triangles depend on lights that cast shadows. */
 bool displaced_by_lights(const Displaced *displaced);
 /* The triangles that were written last. False: see the context's error; *made is empty. */
 bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);

@@ -1,5 +1,5 @@
-/* What all methods share: buffers of patches, a program that writes rows of MeshCaptured, and the
- * mesh that gets them. */
+/* Parts that all methods share: buffers of patches, a program that writes rows of MeshCaptured, and
+ * the mesh that gets them. */
 #include "runtime/displace/displaced_method.h"
 #include "runtime/draw/spaces.h"
 #include "runtime/scene/scene_matrix.h"

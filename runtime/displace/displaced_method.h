@@ -6,7 +6,7 @@
 
 enum { DISPLACED_BINDINGS = 9 /* of buffers, up to those of displace_point.glsl */ };
 
-/* What a method's programs are made of. */
+/* Inputs of a method's programs. */
 typedef struct {
     Store *store;
     const Scene *scene;
@@ -64,8 +64,9 @@ bool displaced_geometry_there(const GlContext *gl);
  * parts, and behind the last. */
 bool displaced_parts(Displaced *displaced, const DisplacedView *view,
                      int first[SCENE_PATCH_PARTS + 2]);
-/* Of methods whose patches are drawn by these: triangles of a patch of n parts; draws patches
- * first[0] .. first[1], captured from a place of the mesh's rows on, and says the place behind. */
+/* Functions of methods that draw patches: triangles of a patch of n parts; a draw of patches
+ * first[0] .. first[1], captured from a place of the mesh's rows on, which returns the place
+ * behind. */
 typedef struct {
     size_t (*triangles)(const Displaced *displaced, int n);
     size_t (*draw)(Displaced *displaced, const int first[2], int n, const Mesh *mesh, size_t at);

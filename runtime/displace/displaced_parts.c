@@ -32,8 +32,8 @@ static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
     return fine;
 }
 
-/* What was written has all that is seen, divided as it shall be; what is beside the view may be
- * there as well. */
+/* The written triangles contain the whole view, divided as required; triangles outside of the view
+ * may be there as well. */
 static bool stands(const Displaced *d, uint8_t (*parts)[3])
 {
     bool same = d->written;

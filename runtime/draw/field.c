@@ -53,7 +53,7 @@ static bool declares(const char *fragment, const InputRow *row)
     return strstr(fragment, text) != NULL;
 }
 
-/* Of a varying, in GLSL that has locations: its number among the varyings. */
+/* Location of a varying, in GLSL that has locations: its number among the varyings. */
 static int location(int input)
 {
     int count = 0;

@@ -9,8 +9,7 @@
 
 enum { MATERIAL_TEXTURES = 32 };
 
-/* Of a uniform. The type that it has in the program decides what becomes of the numbers
- * (uniforms.h). */
+/* Value of a uniform. Its type in the program decides how the numbers are read (uniforms.h). */
 typedef struct {
     const char *name;
     int lanes; /* 1-4; 9 and 16 for a matrix, by columns */
@@ -57,9 +56,8 @@ bool material_write(Material *material, const char *block, const void *bytes, si
 /* Makes its program the current one, binds its textures and buffers, and hands over what it does
  * not hold already. The block View is whoever draws' own (uniforms.h). */
 void material_use(Material *material);
-/* The same, where `before` was used last, and nothing else since: what both have is not bound
- * again. */
+/* Uses a material directly after `before`: bindings that both have are not bound again. */
 void material_use_after(Material *material, const Material *before);
-/* What tells it from others: its program, textures, uniforms and numbers, as they are now. */
+/* Hash of a material: its program, textures, uniforms and numbers, as they are now. */
 Key material_key(const Material *material);
 #endif

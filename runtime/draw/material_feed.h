@@ -1,4 +1,4 @@
-/* What a material reads of meshes by names that its document gives: attribute("wetness", float,
+/* Attributes that a material reads of meshes by names of its document: attribute("wetness", float,
  * 0). */
 #ifndef MATC_DRAW_MATERIAL_FEED_H
 #define MATC_DRAW_MATERIAL_FEED_H

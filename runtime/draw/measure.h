@@ -1,5 +1,5 @@
-/* What tone mapping asks of a whole picture: greatest lanes, sums, logarithms; reduced by the
- * driver, sixteenth by sixteenth. */
+/* Statistics of a whole picture for tone mapping: maxima, sums, logarithms; reduced by the GPU, in
+ * steps of 16 by 16. */
 #ifndef MATC_RENDER_MEASURE_H
 #define MATC_RENDER_MEASURE_H
 #include "runtime/draw/screen_pass.h"
@@ -21,13 +21,14 @@ typedef struct {
 /* `texts` come before measure.glsl: tone.glsl and what it is told; NULL ends the list. */
 bool measure_make(Store *store, const int size[2], bool compute, const char *const *texts,
                   Measure *made);
-/* Of a texture of that size. What else the first step reads is bound by the caller. */
+/* Measures a texture of that size. Other inputs of the first step are bound by the caller. */
 void measure_run(Measure *measure, GLuint picture, const Screen *screen);
-/* Of a picture, pixels from the first of `part` up to the other one count alone; they lie in it. */
+/* Restricts the statistics to the pixels from the first of `part` up to the other one; both lie in
+ * the picture. */
 void measure_set_part(Measure *measure, const int part[2][2]);
 /* The three texels of the result. */
 bool measure_read(const Measure *measure, float texels[MEASURE_TEXELS][4]);
-/* What parts of a picture have, as that of both: into `texels`. */
+/* Merges the statistics of two parts of a picture into `texels`. */
 void measure_merge(float texels[MEASURE_TEXELS][4], const float other[MEASURE_TEXELS][4]);
 /* The texture of the result. */
 GLuint measure_result(const Measure *measure);

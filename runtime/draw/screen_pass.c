@@ -101,7 +101,7 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
     }
 }
 
-/* What programs left in images and buffers is there for whoever comes next. */
+/* Barrier: later passes read what programs left in images and buffers. */
 static void settle(const GlContext *gl)
 {
     if (gl->major * 10 + gl->minor >= 43 && gl->MemoryBarrier)

@@ -31,10 +31,9 @@ static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Materi
     set(material, "matc_clipW", 4, w);
 }
 
-/* What the vertex programs of planes and skies make rays of. By the depth from 0 to 1, whichever
- * clip space has: a ray is then a point at depth 0, which is infinitely far, and not a difference
- * of points that lie as far from the origin as the camera. Parallel rays are no longer than to the
- * plane. */
+/* Matrix from which the vertex programs of planes and skies make rays. Depth goes from 0 to 1,
+ * whichever clip space there is: a ray is then a point at depth 0, which is infinitely far, and not
+ * a difference of points as far from the origin as the camera. Parallel rays end at the plane. */
 static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_world)
 {
     Mat4 result = mat4_identity();

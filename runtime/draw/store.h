@@ -1,12 +1,12 @@
-/* What materials share on the driver's side: a program with one text, a picture with the same
- * texels is there once for all its users, and goes with the last of them. */
+/* Objects that materials share on the GPU: programs with one text, pictures with the same texels;
+ * each is made once and freed with its last user. */
 #ifndef MATC_DRAW_STORE_H
 #define MATC_DRAW_STORE_H
 #include "runtime/gl/program.h"
 #include "runtime/gl/texture.h"
 #include "runtime/gl/uniforms.h"
 
-/* What a plain uniform of a program holds on the driver's side. */
+/* Value of a plain uniform as the driver holds it. */
 typedef struct StoreHeld {
     bool known;
     float values[16];

@@ -1,4 +1,4 @@
-/* What bisection by the driver keeps of a mesh, and what its files share. */
+/* State of bisection on the GPU for a mesh, and declarations that its files share. */
 #ifndef MATC_DISPLACE_BISECTION_H
 #define MATC_DISPLACE_BISECTION_H
 #include "gen/bisection_layout.h"
@@ -66,7 +66,7 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
 /* Room for so many leaves, and their corners in the mesh; those that there are stay. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
-/* Of the buffer of lists, for so many leaves. */
+/* Bytes of the buffer of lists, for that many leaves. */
 size_t bisection_work_bytes(const Bisection *b, size_t places);
 /* And of that of leaves. */
 size_t bisection_leaf_bytes(size_t places);

@@ -51,7 +51,7 @@ static const char *lights_of(const Scene *scene)
     return casts ? with_lights : "\n";
 }
 
-/* What stages follow each other by, what they see, and what they do. */
+/* The stages: their order, the buffers they see, and their texts. */
 typedef struct {
     const char *define, *text[2];
     bool alone; /* nothing follows it */

@@ -1,5 +1,5 @@
-/* What a view is to bisection: sides and places as uniforms, lights, and how far the camera has
- * moved. */
+/* A view for bisection: frustum planes and positions as uniforms, lights, and how far the camera
+ * has moved. */
 #include "runtime/displace/bisection/bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

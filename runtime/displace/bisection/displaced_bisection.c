@@ -37,8 +37,8 @@ static void bind(const Displaced *d, const Mesh *mesh)
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
 }
 
-/* What a stage wrote is read by the next; on a device counts are as well, and a barrier for what
- * commands read would take it longer than a stage. */
+/* Barrier between stages: the next stage reads what this one wrote. Counts are read as well; a
+ * barrier for draw commands would take the device longer than a stage. */
 static void finish(const GlContext *gl)
 {
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (gl->hardware ? 0 : GL_COMMAND_BARRIER_BIT));

@@ -6,7 +6,7 @@
 /* Patches as bases, as bisect.glsl has them: so many words, from malloc; NULL: memory ran out. */
 uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count);
 
-/* What a mesh takes, and took last. */
+/* Memory of a mesh, and counts of the last view. */
 typedef struct {
     int leaves, splits, merges; /* of the last view */
     size_t kept,

@@ -17,7 +17,7 @@ enum {
     LOWER = 2 /* displace_divide.glsl */
 };
 
-/* Of a vertex in a buffer. */
+/* A vertex in a buffer. */
 typedef struct {
     uint32_t patch, flags;
     float weights[2];

@@ -14,7 +14,7 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
 
-/* Of grids as they lie one behind the other. From malloc; NULL: memory ran out. */
+/* Indices of grids as they lie one behind the other. From malloc; NULL: memory ran out. */
 static uint32_t *make_indices(const int first[SCENE_PATCH_PARTS + 2], size_t count)
 {
     uint32_t *indices = malloc((count + 1) * sizeof *indices), *next = indices, place = 0;

@@ -60,7 +60,7 @@ static int points_of(const Displaced *d, int n)
     return d->patches->dividing.spread > 0 ? 3 * n * n : (n + 1) * (n + 2) / 2;
 }
 
-/* Of what stands for the points of a patch. */
+/* Triangles that stand for the points of a patch. */
 static int triangles_of(const Displaced *d, int n)
 {
     return points_of(d, n) * symbols[symbol_of(d)].triangles * (d->volume ? HEIGHTS : 1);
