@@ -12,7 +12,7 @@ typedef struct StoreHeld {
     float values[16];
 } StoreHeld;
 
-/* Of one context, which is current at every call. */
+/* The store of one context, which is current at every call. */
 typedef struct Store Store;
 
 /* A program or a texture. */

@@ -20,7 +20,7 @@ static void add_row(const double axis[3], double scale, double shift, float row[
     row[3] = (float)shift;
 }
 
-/* What a box reaches along an axis, from the triangles' origin. */
+/* Extent of a box along an axis, from the triangles' origin. */
 static void reach_along(const ExactTriangles *triangles, const ExactBox *box, const double axis[3],
                         double range[2])
 {

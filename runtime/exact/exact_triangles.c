@@ -31,7 +31,7 @@ static void shapes_close(Shapes *shapes)
     free(shapes->made);
 }
 
-/* Of an object; NULL: memory ran out. */
+/* Shape of an object; NULL: memory ran out. */
 static const Shape *shape_of(Shapes *shapes, int number)
 {
     const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];

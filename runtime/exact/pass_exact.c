@@ -1,5 +1,5 @@
-/* What exact shadows read, made once for a scene: the triangles of all that is opaque, and the
- * lists of exact_cover.h. exact.glsl says what becomes of them. */
+/* Input of exact shadows, made once for a scene: the triangles of all opaque objects, and the lists
+ * of exact_cover.h. exact.glsl reads them. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -137,8 +137,7 @@ bool pass_exact_change(Render *render, unsigned what)
     return !there || !lights || pass_exact_list(render);
 }
 
-/* Of the triangles' objects, the first and the one behind the last that stand elsewhere. None:
- * range[0] >= range[1]. */
+/* First and last plus one of the triangles' objects that moved. None: range[0] >= range[1]. */
 static void find_range(const ExactTriangles *triangles, const int objects[2], int range[2])
 {
     range[0] = triangles->object_count;

@@ -105,6 +105,6 @@ static inline bool frame_look_has_shadows(const Render *render)
 {
     return render->look && render->look->shadows != FRAME_LOOK_none;
 }
-/* What the cache is made of. */
+/* Input of the cache. */
 CacheSource frame_source(const Render *render);
 #endif

@@ -38,7 +38,7 @@ static bool find_life(const FramePlanRequest *r, unsigned runs, int target, int 
     return life[1] >= 0;
 }
 
-/* Who holds a piece of memory, and the last pass that touches it. */
+/* Holder of a piece of memory, and the last pass that uses it. */
 typedef struct {
     int target, last;
 } Holder;

@@ -31,8 +31,8 @@ static int size_of(const char *format)
     return i;
 }
 
-/* Of one class are formats of as many bytes, where the driver has views of one as another; else
- * those that are the same. Depth is by itself. */
+/* Class of formats that can alias: those of equal size if the driver has texture views, otherwise
+ * equal formats. Depth is a class of its own. */
 static int class_of(const Render *render, const char *format)
 {
     const int size = size_of(format);
@@ -44,7 +44,7 @@ static int class_of(const Render *render, const char *format)
     return first;
 }
 
-/* What is smaller than other targets shares memory with its like alone. */
+/* A target smaller than others aliases targets of its own size only. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
 {
     const int apart = render->targets.forms[target].coarse == 1 ? 0

@@ -57,7 +57,7 @@ typedef struct {
     const char *format;
 } FrameMemory;
 
-/* What a target's textures are. */
+/* Textures of a target. */
 typedef struct {
     const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL behind the last */
     /* pixels of the frame along an edge of one of its own */

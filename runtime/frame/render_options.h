@@ -1,4 +1,4 @@
-/* What a renderer is asked for. */
+/* Options of a renderer. */
 #ifndef MATC_FRAME_RENDER_OPTIONS_H
 #define MATC_FRAME_RENDER_OPTIONS_H
 #include "compiler/matc.h"
@@ -6,8 +6,8 @@
 
 typedef struct Render Render;
 
-/* What becomes of edges: coverage blends what lies on both sides of outlines, creases and horizons,
- * by the shares that they have of a pixel. */
+/* Antialiasing of edges: coverage blends both sides of outlines, creases and horizons by their
+ * shares of a pixel. */
 typedef enum { RENDER_EDGES_none, RENDER_EDGES_coverage } RenderEdges;
 
 enum {
@@ -52,8 +52,8 @@ typedef struct {
     bool unculled;               /* what is out of view is drawn, too: for tests */
 } RenderOptions;
 
-/* What the caller may change in the scene that is drawn, where it stands. No program, picture, mesh
- * or target is made for it. */
+/* Parts of the scene that the caller may change in place. No program, picture, mesh or target is
+ * made for it. */
 typedef enum {
     RENDER_CAMERA = 1, /* all of it */
     /* of their numbers none is fixed. Of another kind, with other shadows, or more or fewer: what

@@ -3,8 +3,8 @@
 #define MATC_FRAME_SURFACE_DRAW_H
 #include "runtime/frame/frame.h"
 
-/* What surfaces are drawn with: the framebuffer and the depth test; then the state of a context
- * that begins. */
+/* State for drawing surfaces: the framebuffer and the depth test; then the initial state of a
+ * context. */
 void surface_draw_begin(const Render *render, const Framebuffer *framebuffer, GLenum test);
 void surface_draw_end(const Render *render);
 /* The view shows surfaces. Draws the cache's objects, as the view has them; the planes: those that

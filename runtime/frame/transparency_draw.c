@@ -1,4 +1,4 @@
-/* What the passes of transparent surfaces share. */
+/* Functions that the passes of transparent surfaces share. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"

@@ -8,7 +8,7 @@ bool transparency_check(GlContext *gl, const RenderOptions *options);
 /* Lists, if nothing else is wanted, and there are some. */
 Transparency transparency_first(const Render *render);
 bool transparency_has_lists(const GlContext *gl);
-/* Of a buffer of fragments. */
+/* Greatest size of a buffer of fragments. */
 size_t transparency_most_bytes(const Render *render);
 /* Something is transparent, and that is how it is drawn. */
 bool transparency_is(const Render *render, Transparency way);

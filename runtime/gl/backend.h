@@ -1,5 +1,4 @@
-/* What a way of opening a context has to offer. context.c has the list of them; nobody else looks
- * here. */
+/* Interface of a way to open a context. context.c lists them; no other file includes this. */
 #ifndef MATC_GL_BACKEND_H
 #define MATC_GL_BACKEND_H
 #include <stdbool.h>

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What EGL 1.4 exports: F(NAME, Name) stands for eglName. */
+/* Functions of EGL 1.4: F(NAME, Name) stands for eglName. */
 #define EGL_FUNCTIONS(F)                                                                           \
     F(BINDAPI, BindAPI)                                                                            \
     F(CHOOSECONFIG, ChooseConfig)                                                                  \

@@ -56,7 +56,7 @@ static bool is_words(GLenum format)
 
 bool framebuffer_has_words(const Framebuffer *f, int color) { return is_words(f->formats[color]); }
 
-/* Of the texture that is bound. */
+/* Sets nearest filtering of the bound texture. */
 static void set_nearest(const GlContext *gl)
 {
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
@@ -95,7 +95,7 @@ static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLe
     return texture;
 }
 
-/* What is not there yet is made. */
+/* Creates missing attachments. */
 static void attach(const GlContext *gl, Framebuffer *f)
 {
     gl->GenFramebuffers(1, &f->name);

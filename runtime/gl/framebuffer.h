@@ -32,8 +32,8 @@ typedef struct {
  * is empty. */
 bool framebuffer_make(GlContext *gl, const FramebufferSpec *spec, Framebuffer *made);
 
-/* The same with a format for each colour target by its name, such as "RGBA16F" or "RG32UI";
- * color_format is not read. */
+/* Makes a framebuffer with a format for each color target by its name, such as "RGBA16F" or
+ * "RG32UI"; color_format is not read. */
 bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const char *const *names,
                             Framebuffer *made);
 /* Targets by themselves, for framebuffers that share them: nearest filter. 0: see gl->error. Delete

@@ -101,7 +101,7 @@
     F(VERTEXATTRIBPOINTER, VertexAttribPointer)                                                    \
     F(VIEWPORT, Viewport)
 
-/* What a driver may lack: of OpenGL 3.1, 3.3, 4.2, 4.3 and 4.5. */
+/* Functions that a driver may lack: OpenGL 3.1, 3.3, 4.2, 4.3 and 4.5. */
 #define GL_OPTIONAL_FUNCTIONS(F)                                                                   \
     F(BEGINTRANSFORMFEEDBACK, BeginTransformFeedback)                                              \
     F(BINDBUFFERBASE, BindBufferBase)                                                              \

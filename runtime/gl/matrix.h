@@ -27,8 +27,7 @@ bool mat4_inverse(const Mat4 *a, Mat4 *inverse);
 Mat3 mat3_from_mat4(const Mat4 *a); /* the upper left part */
 Mat3 mat3_multiply(const Mat3 *a, const Mat3 *b);
 
-/* What normals are transformed by where positions are by `a`: the inverse transpose of its upper
- * left part, up to a positive factor, so that a singular one is no fault. Normals want normalising
- * anyway. */
+/* Normal matrix of `a`: the inverse transpose of its upper left part, up to a positive factor, so
+ * that a singular matrix is no fault. Results are not of unit length. */
 Mat3 mat3_normal(const Mat4 *a);
 #endif

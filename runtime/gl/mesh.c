@@ -132,7 +132,7 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
     return done;
 }
 
-/* Of those that there are: `_COLOR` is "color" where the file has no COLOR_0. */
+/* Number of a named attribute: `_COLOR` is "color" if the file has no COLOR_0. */
 static GLuint extra_of(const Mesh *mesh, const char *name)
 {
     for (int i = 0; i < SHAPE_EXTRAS; i++)

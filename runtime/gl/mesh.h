@@ -39,10 +39,10 @@ typedef struct {
 
 /* On false *made is empty, see gl->error. */
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
-/* Of any shape, which is not kept. */
+/* Makes a mesh of any shape, which is not kept. */
 bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
-/* What a driver writes that makes a mesh: a row of its buffer. */
+/* Row of the buffer of a mesh that the GPU writes. */
 typedef struct {
     ShapeVertex vertex;
     float base[3]; /* where it was */

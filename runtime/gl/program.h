@@ -5,7 +5,7 @@
 
 enum { PROGRAM_PIECES = 64 }; /* texts that one shader may be put together from */
 
-/* What a program is made of. Locations that a text itself declares need no names here. */
+/* Texts of a program. Locations that a text itself declares need no names here. */
 typedef struct {
     const char *vertex[PROGRAM_PIECES]; /* read one after the other; NULL ends the list */
     const char *fragment[PROGRAM_PIECES];

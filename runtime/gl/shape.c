@@ -16,8 +16,8 @@ static void put(float to[3], double x, double y, double z)
     to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
 }
 
-/* Of a number of turns: the same for each, and 0 where it is 0, so that a seam's vertices, and a
- * pole's, have one place. */
+/* Sine of an angle in turns: equal for equal fractions, and 0 at whole and half turns, so that a
+ * seam's vertices, and a pole's, coincide. */
 static double sine(double turns)
 {
     const double part = turns - floor(turns);

@@ -30,7 +30,7 @@ typedef struct {
     float tangentV[3]; /* dP/dv */
 } ShapeVertex;
 
-/* What materials know as attributes of the mesh, where a file has it: two that each glTF may have,
+/* Attributes of the mesh that materials can read, if a file has them: two that each glTF may have,
  * and those that its author named. */
 enum { SHAPE_NAMED = 8, SHAPE_NAME = 64 /* bytes of a name, with its end */ };
 typedef enum {
@@ -57,7 +57,7 @@ bool shape_find(const char *name, ShapeKind *kind);
 
 /* False when memory ran out; *made is empty then. */
 bool shape_make(ShapeKind kind, Shape *made);
-/* The same in another number of steps along u and v, each at least 1. */
+/* Makes a shape with another number of steps along u and v, each at least 1. */
 bool shape_make_detailed(ShapeKind kind, const int steps[2], Shape *made);
 /* Vertices `to` on of one shape have what `from` has of the other; its extras have room for it, or
  * are not there. */
@@ -70,8 +70,8 @@ void shape_free(Shape *shape);
  * its letters' case. */
 bool shape_extra_is(const char (*names)[SHAPE_NAME], int extra, const char *name);
 
-/* What a shape's triangles enclose, vertices in one place taken together. Wrong about one of 2^63
- * that enclose less. shape_closed.c */
+/* Whether a shape's triangles are closed, with vertices at one position taken together. Wrong for
+ * one in 2^63 of those that are not. shape_closed.c */
 typedef enum {
     SHAPE_BODY_none,
     /* each edge has an even number of triangles: of two bodies that touch, or cross, each does */

@@ -25,7 +25,7 @@ typedef struct {
 /* OpenGL's number of a format's name; 0: unknown. */
 GLint texture_format(const char *name);
 
-/* Of "repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border"; 0: unknown. */
+/* Wrap mode of "repeat", "mirrored_repeat", "clamp_to_edge", "clamp_to_border"; 0: unknown. */
 GLint texture_wrap(const char *name);
 
 /* The spec can be one. */

@@ -1,4 +1,4 @@
-/* What is transparent: lists of fragments, or layers that are peeled, laid over the light. */
+/* Transparent surfaces: lists of fragments, or depth peeling, composited over the light. */
 #ifndef MATC_GLASS_GLASS_H
 #define MATC_GLASS_GLASS_H
 #include "compiler/base/text.h"

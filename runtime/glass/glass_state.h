@@ -1,10 +1,10 @@
-/* What a frame keeps of what is transparent: data alone, of the passes in runtime/glass. */
+/* State of transparent surfaces: data of the passes in runtime/glass. */
 #ifndef MATC_GLASS_GLASS_STATE_H
 #define MATC_GLASS_GLASS_STATE_H
 #include "runtime/frame/frame.h"
 #include "runtime/draw/screen_pass.h"
 
-/* Of pass_lists.c. */
+/* State of pass_lists.c. */
 typedef struct {
     GLuint buffer;
     GLuint fragments; /* that it has room for: as many as there are */
@@ -13,7 +13,7 @@ typedef struct {
     bool full;      /* they would take more than there may be */
 } FrameLists;
 
-/* What is transparent: where each pixel's fragments lie in lists, or are peeled in layers. */
+/* Transparent surfaces: per-pixel lists of fragments, or peeled layers. */
 struct FrameGlass {
     ScreenPass blend, peel; /* of lists; of a layer */
     FrameLists lists;

@@ -36,9 +36,9 @@ static double nearest_of(const Render *render)
     return nearest;
 }
 
-/* What a way that is `reach` long, from a surface that the picture shows, takes of it at most, in
- * pixels: at a distance of d, with s the slope of the ray to the picture's corner, an end is seen
- * up to (1 + s) reach / (d - reach) from the begin. Infinite: what is shown may be too near. */
+/* Greatest length in pixels of a ray of length `reach` from a visible surface: at a distance of d,
+ * with s the slope of the ray to the picture's corner, an end is seen up to (1 + s) reach / (d -
+ * reach) from the origin. Infinite: the surface may be too near. */
 static double pixels_of(const Render *render, double reach)
 {
     const float *ray = render->space.ray;
@@ -51,8 +51,8 @@ static double pixels_of(const Render *render, double reach)
     return nearest > 2 * reach ? (1 + slope) * reach / (nearest - reach) / width : INFINITY;
 }
 
-/* Of what goes on from tile to tile, or from frame to frame, or looks at one place of the picture,
- * there is none. */
+/* Nothing continues from tile to tile or from frame to frame, or depends on one place of the
+ * picture. */
 static bool is_whole(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;

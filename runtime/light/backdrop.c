@@ -1,5 +1,5 @@
-/* What stands where nothing is seen: shown by the pass tone as it is, and, behind what is
- * transparent, by the pass light as light. */
+/* Backdrop of pixels without a surface: the pass tone shows it as it is, and the pass light adds it
+ * behind transparent surfaces. */
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"

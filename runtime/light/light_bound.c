@@ -123,7 +123,7 @@ static bool has_buffers(const GlContext *gl)
     return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS && textures >= TEXTURES;
 }
 
-/* What hinders it, also where it is insisted on. */
+/* Reason why it cannot be used, even on request. */
 static const char *find_lack(const Render *render, int count)
 {
     double budget[2];

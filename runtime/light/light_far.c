@@ -1,13 +1,13 @@
-/* What the passes gather and light both go by where lights are many: the GLSL's constants, what may
- * be left out, the buffers of light_room.c. */
+/* Data for the passes gather and light with many lights: constants of the GLSL, error budgets, the
+ * buffers of light_room.c. */
 #include "runtime/light/light_far.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
 #include <stdio.h>
 
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
-/* Of a group of pixels or of lights. What sums a series has few: each needs many registers, and
- * sums wait for nobody but a warp. */
+/* Work group sizes for groups of pixels or lights. Summing a series uses few invocations: each
+ * needs many registers, and sums wait for one warp only. */
 static const int invocations_hardware[] = {
     [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
 enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's lanes */ };

@@ -12,8 +12,8 @@ const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
 /* Lights, at most: programs are shared by numbers of lights that are near. A multiple of 32. */
 int light_far_most(const Render *render);
-/* What light may be off, at exposure 0: times itself, and besides; `linear`: of a picture of light
- * as halves. False: it may not. */
+/* Error budget of light at exposure 0: relative, and absolute; `linear`: for a picture of light in
+ * half floats. False: none is allowed. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
 /* Blocks in a row of so many pixels. */
 int light_far_blocks(int pixels);
@@ -24,9 +24,8 @@ typedef struct {
     int bits, tops, near, marks, block;
 } LightFarWords;
 LightFarWords light_far_words(const Render *render);
-/* What the plan's light takes besides, in buffers: bytes of a pixel, rounded up, or 0; the edge of
- * the blocks of pixels that take them, or 1; the most rows of a tile so wide; a line on them, once
- * they are there. */
+/* Buffers beside the plan's light: bytes of a pixel, rounded up, or 0; the edge of the blocks of
+ * pixels, or 1; the most rows of a tile of that width; a line on them, once they exist. */
 int light_far_bytes(const Render *render);
 int light_far_block(const Render *render);
 int light_far_rows(const Render *render, int width);
@@ -36,8 +35,8 @@ void light_far_delete(Render *render);
 /* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in
  * space are neighbours. False: out of memory. light_order.c */
 bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
-/* What the GLSL of both passes goes by; told to one; bound for the pass gather, and for the pass
- * light. */
+/* Constants of the GLSL of both passes; uniforms of one; bindings for the pass gather, and for the
+ * pass light. */
 enum { LIGHT_FAR_DEFINITIONS = 512 };
 /* in this order */
 typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;

@@ -64,7 +64,7 @@ void shadow_sheet_delete(Render *render);
 /* An infinite plane in the eye's space, where its matrix says: its normal, and what makes points of
  * it 0. */
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4]);
-/* What lights see, before any pass is made. */
+/* Makes the views of lights, before any pass is made. */
 bool shadow_make_views(Render *render);
 /* The view is another; or the lights or objects are, and the maps are drawn again. False: lights
  * cast shadows by more or fewer maps. */

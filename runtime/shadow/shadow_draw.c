@@ -25,8 +25,7 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 
 enum { STEPS_PUSHED = -2 }; /* of depth */
 
-/* Of a slope over a texel, by which it is pushed away from the light. shadow.glsl says by how much,
- * and why. */
+/* Slope-scaled bias of a map in texels. shadow.glsl gives its size and reason. */
 static float slopes_of(const Render *render)
 {
     return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64;
@@ -71,7 +70,7 @@ typedef struct {
     CacheLightTrace trace;
 } Casting;
 
-/* What a view shows of what is opaque, or of the rest. */
+/* Draws the opaque or the transparent shadow casters of a view. */
 static void cast_view(Render *render, const CacheSource *source, const Casting *casting,
                       bool transparent)
 {

@@ -51,8 +51,8 @@ struct ShadowMethod {
     bool apart;     /* it has opaque casters apart from its maps, which are asked for transparent
                      * ones alone and have no alpha-tested ones */
     bool even; /* it has all casters but those whose transparency varies: maps have the others */
-    /* What programs of opaque surfaces write to the target `seen`, for the first row that wants it;
-     * whether it wants that, before and after the scene's surfaces are known. */
+    /* Text with which programs of opaque surfaces write the target `seen`, for the first row that
+     * wants it; whether the row wants it, before and after the scene's surfaces are known. */
     const SeenText *seen;
     bool (*seen_wanted)(const Render *render);
     bool (*seen_needed)(const Render *render);

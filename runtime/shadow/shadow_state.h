@@ -1,4 +1,4 @@
-/* What a frame keeps of shadows: data alone, of the passes in runtime/shadow. */
+/* State of shadows: data of the passes in runtime/shadow. */
 #ifndef MATC_SHADOW_SHADOW_STATE_H
 #define MATC_SHADOW_SHADOW_STATE_H
 #include "runtime/frame/frame.h"
@@ -22,7 +22,7 @@ typedef struct {
     bool full; /* all of them would take more than there may be */
 } ShadowGlass;
 
-/* What infinite planes let through whose transparency varies: shadow_sheet.c. */
+/* Transmittance of infinite planes if it varies: shadow_sheet.c. */
 typedef struct {
     Material *materials;    /* by layer and sheet */
     int layer_count, count; /* of lights, of sheets */

@@ -1,4 +1,4 @@
-/* What the lighting of surfaces reads of shadows: views and planes as texels. */
+/* Shadow data that lighting reads: views and planes as texels. */
 #include "gen/shadow_view_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -90,7 +90,7 @@ int shadow_count_panes(const Render *render)
     return count;
 }
 
-/* What a plane lets through: of a cut-out all or nothing. */
+/* Transmittance of a plane: 0 or 1 for a cut-out. */
 static void put_through(const Render *render, const SetProgram *program, float texel[4])
 {
     const float *t = program->through;
@@ -192,7 +192,8 @@ bool shadow_change(Render *render, bool drawn_again)
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
-/* Of an extent, behind its first edge: 1 + the first of its layers, or 0 if it casts no shadow. */
+/* Entry of an area light, behind its first edge: 1 + the first of its layers, or 0 if it casts no
+ * shadow. */
 static void put_extent(const Render *render, int light, float (*texels)[4])
 {
     const ShadowViews *views = &render->shadows->views;

@@ -30,7 +30,7 @@ static void add_piece(ShadowText *made, const char *piece)
     made->pieces[count] = piece;
 }
 
-/* What all techniques share. False: no light casts shadows by that. */
+/* Definitions that all techniques share. False: no light casts shadows by any. */
 static bool define(const Render *render, bool nearest, char defined[SHADOW_TEXT_CHARS])
 {
     const bool maps = shadow_has_maps(render), planes = shadow_has_planes(render);

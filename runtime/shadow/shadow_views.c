@@ -156,7 +156,7 @@ static void snap(int size, Reach *reach)
     reach->half = texel * size / 2;
 }
 
-/* What a cascade shows along two axes, or all that casts shadows. */
+/* Fits a view to the extent of a cascade along two axes, or to all shadow casters. */
 static void fit_box(const Fit *fit, const SceneLight *light, const double (*shown)[2],
                     ShadowView *view)
 {

@@ -37,8 +37,8 @@ typedef struct {
     ShadowLight *lights; /* of each light of the scene */
 } ShadowViews;
 
-/* Of a picture of that size, which cascades are fitted to; `methods` are the rows of techniques, up
- * to NULL. False: memory ran out; *made is empty then. */
+/* Makes views for a picture of that size, which cascades are fitted to; `methods` are the rows of
+ * techniques, up to NULL. False: memory ran out; made is empty then. */
 bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
                        const int size[2], ShadowViews *made);
 /* How many casters have a transparency that varies. */

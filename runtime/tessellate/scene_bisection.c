@@ -107,7 +107,7 @@ static double length_of(const SceneBisection *b, const uint32_t vertex[2])
     return sum;
 }
 
-/* Of edges that are equally long, one order for all triangles: by the places of their ends. */
+/* Orders equally long edges by the positions of their ends, equally for all triangles. */
 static bool is_longer(const SceneBisection *b, const uint32_t x[2], const uint32_t y[2])
 {
     const double by_x = length_of(b, x), by_y = length_of(b, y);

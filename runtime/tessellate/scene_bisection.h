@@ -25,8 +25,8 @@ typedef struct {
     int depth;          /* so many bisections of the base have led to it */
 } SceneBisectionTriangle;
 
-/* What vertices of one position have together: that of the first moves it, along the unit sum of
- * their normals. */
+/* Data shared by vertices at one position: the first one's displacement moves it, along the unit
+ * sum of their normals. */
 typedef struct {
     uint32_t first;
     float normal[3];
@@ -58,7 +58,7 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made);
 /* Twice the area of a triangle within its base, in parts squared; its sign tells how it turns. */
 double scene_bisection_turn(const int a[3], const int b[3], const int c[3]);
-/* Of the triangle, as the shape has it. */
+/* Area of the triangle in the shape. */
 double scene_bisection_area(const SceneBisection *b, uint32_t triangle);
 /* Safe on an empty one. */
 void scene_bisection_end(SceneBisection *b);

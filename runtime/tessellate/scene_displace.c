@@ -23,8 +23,8 @@ typedef struct {
     int mesh_count;
 } Maker;
 
-/* What the shape depends on: the object's own, the material, and of the matrix what it measures, to
- * a millionth, which turns and places leave as it is; or all of it. */
+/* Key of a displaced shape: the object's own shape, the material, and the matrix: its scales to a
+ * millionth, which rotations and translations leave as they are, or all of it. */
 static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase *base)
 {
     const SceneDisplacer *by = scene->displacer;

@@ -11,9 +11,9 @@ bool scene_displace(Scene *scene, struct Session *session, const MatcOptions *op
 /* Frees what it has beside the session's memory. */
 void scene_displace_free(Scene *scene);
 
-/* What a change is to meshes: nothing; they go by it, and are what they were; objects have others,
- * which whoever draws the scene takes by drawing it as a new one; or those could not be made, and
- * objects have what they had. */
+/* Effect of a change on meshes: none; they depend on it, and are unchanged; objects have new ones,
+ * so that the scene has to be drawn as a new one; or these could not be made, and objects keep the
+ * old ones. */
 typedef enum {
     SCENE_DISPLACED_none,
     SCENE_DISPLACED_same,
@@ -29,9 +29,8 @@ SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
 /* Detail that goes by the picture (scene_detail.h) goes by one of another size. */
 SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
-/* Whoever draws the scene cannot displace patches, or something wants their triangles: they become
- * meshes that are divided alike, and so do those of later changes. False: see
- * scene_displace_fault. */
+/* Replaces patches by meshes that are divided evenly, for a renderer that cannot displace patches
+ * or needs their triangles; later changes do so, too. False: see scene_displace_fault. */
 bool scene_displace_patches(const Scene *scene);
 /* A material's params have the values that were set, in its document, until this is called once
  * more. */

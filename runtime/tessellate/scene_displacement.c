@@ -79,7 +79,7 @@ static bool move_points(void *user, const ShapeVertex *at, int count, double (*t
     return fine;
 }
 
-/* What is solid over points, and where a height of 1 in the world leads. */
+/* Finds the solid intervals over points, and the direction of a height of 1 in the world. */
 static bool find_solid(void *user, SceneColumn *columns, int count)
 {
     const Mover *mover = user;
@@ -162,7 +162,7 @@ static bool move_shape(Mover *mover, Shape *shape)
     return fine;
 }
 
-/* Of an edge, so that all triangles become so many. */
+/* Parts of an edge that give that many triangles in all. */
 static int parts_for(const Shape *from, double triangles)
 {
     const double parts = ceil(sqrt(triangles / fmax(from->index_count / 3., 1)));
@@ -204,7 +204,7 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     return scene_refine(from, &refining, made);
 }
 
-/* What of a motion of length 1 in the world is along an axis of the object's space: a row of the
+/* Extent of a motion of length 1 in the world along an axis of the object's space: a row of the
  * inverse. */
 static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
 {

@@ -32,8 +32,8 @@ double scene_displaced_bound(const MatcDocument *document, int material,
  * nobody knew else where points are. False: memory ran out, or a value takes too many operations;
  * *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
-/* Whoever draws the scene displaces by that method, where an error may have so many pixels, or, 0,
- * is not looked at. */
+/* The renderer displaces by that method, with an error of at most that many pixels, or, 0, without
+ * a criterion. */
 bool scene_displaced_by_driver(Word method, double pixels);
 /* Pictures are traced, over triangles that are divided evenly. */
 bool scene_displaced_traced(Word method);

@@ -18,7 +18,7 @@ static bool comes_first(const float a[3], const float b[3])
     return false;
 }
 
-/* Of three, by weights that are whole numbers and sum up to n; in the order of the corners'
+/* Interpolates three values by whole weights that sum to n, in the order of the corners'
  * coordinates. */
 static float mixed(const float *const v[3], const int weight[3], int lane, int n)
 {

@@ -39,7 +39,7 @@ typedef struct {
 } SceneMiss;
 
 static const double STEP = 0.7; /* of a step of Jacobi's: two whole ones overshoot */
-/* Of the square that a place's worst triangle misses: one that misses less is flat. */
+/* Share of the square of the worst triangle's error below which a triangle is flat. */
 static const double FLAT = 0.02 * 0.02;
 
 typedef struct {
@@ -333,14 +333,14 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
 
 /* -- rounds */
 
-/* Of each triangle, when there are as many as now: half as many in all as triangles are wanted. */
+/* Samples of each triangle at first: half as many in all as triangles are wanted. */
 static int first_samples(const Refiner *r)
 {
     const size_t share = (size_t)r->how->triangles / 2 / r->b.count;
     return share < SAMPLES ? SAMPLES : share > FIRST_SAMPLES ? FIRST_SAMPLES : (int)share;
 }
 
-/* What was touched is ranked anew. */
+/* Ranks the changed triangles again. */
 static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3])
 {
     bool fine = true;

@@ -10,9 +10,10 @@ typedef struct {
     SceneMove move;
     void *user;
     int triangles; /* to as many, or a few more, or as many as there are */
-    /* Of lengths at a point: the error is to be small times that; NULL: 1. */
+    /* Scale of lengths at a point: the error bound is relative to it; NULL: 1. */
     double (*scale)(void *user, const double at[3]);
-    /* Of a motion: no place moves by more than the longest of those asked for; NULL: Euclid's. */
+    /* Length of a motion: no position moves by more than the longest of those queried; NULL:
+     * Euclidean. */
     double (*length)(void *user, const double by[3]);
     double least; /* error of a triangle, times the scale, that is small enough; 0: none is */
 } SceneRefining;

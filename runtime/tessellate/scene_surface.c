@@ -224,7 +224,7 @@ bool scene_surface_join(SceneSurface *surface)
     return fine;
 }
 
-/* Of a corner: the unit sum of all normals in its place, and where it is. */
+/* A corner's position, and the unit sum of all normals there. */
 static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3],
                           double at[3])
 {

@@ -26,8 +26,8 @@ typedef struct {
     int count;    /* of triangles */
 } SceneSurface;
 
-/* Of so many objects, in the space that their matrices lead to; none is a Plane. False: memory ran
- * out, and nothing is made. */
+/* Makes the surface of that many objects, in the space that their matrices lead to; none is a
+ * Plane. False: memory ran out, and nothing is made. */
 bool scene_surface_make(const Scene *scene, const SceneObject *objects, int count,
                         SceneSurface *made);
 void scene_surface_free(SceneSurface *surface);
@@ -36,9 +36,9 @@ double scene_surface_area(const SceneSurface *surface);
  * surface has an area. */
 void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3],
                          double normal[3]);
-/* The same point as vertices of its object, in that object's space: itself, and four around it in
- * the plane of its triangle, before and behind it by a part of each of two edges. Which object,
- * among those of the surface. */
+/* The point as vertices of its object, in that object's space: itself, and four around it in the
+ * plane of its triangle, before and behind it by a part of each of two edges. Returns the number of
+ * the object in the surface. */
 enum { SCENE_SURFACE_AROUND = 5 };
 int scene_surface_around(const SceneSurface *surface, const double numbers[3],
                          ShapeVertex around[SCENE_SURFACE_AROUND]);

@@ -239,7 +239,7 @@ static void put_wall_normal(const Making *m, const SceneNode *node, const SceneC
     put_unit(across, 1, normal);
 }
 
-/* What is around two nodes is the same. */
+/* The surroundings of two nodes are equal. */
 static bool same_around(const Making *m, const SceneSpot *spots, uint32_t a, uint32_t b)
 {
     return m->cells.nodes[a].triangle == m->cells.nodes[b].triangle &&
@@ -262,7 +262,7 @@ typedef struct {
     SceneColumn *room;
 } Putting;
 
-/* Of the nodes from `first` on, in their order, as many as there is room for what is around them.
+/* Puts nodes from `first` on, in their order, as many as there is room for with their surroundings.
  * Returns how many. */
 static size_t put_some(const Making *m, const Putting *p, size_t first, Shape *made)
 {

@@ -23,7 +23,7 @@ enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MOST_CORNERS = 4 };
 /* As they are seen from outside, sides first; -1: a triangle has no fourth. */
 static const int faces[FACES][MOST_CORNERS] = {
     {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
-/* Of two corners: around the bottom, around the top, up. */
+/* Corners of the edges: around the bottom, around the top, up. */
 static const int edges[EDGES][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
                                     {5, 3}, {0, 3}, {1, 4}, {2, 5}};
 
@@ -60,7 +60,7 @@ static uint32_t add_node(Walk *w, SceneNode node)
     return (uint32_t)made->node_count++;
 }
 
-/* Of an edge of a prism, which is shared by all that have it. */
+/* Node of a prism's edge, shared by all prisms that have it. */
 static uint32_t shared_node(Walk *w, SceneNode node)
 {
     const uint32_t low = node.a < node.b ? node.a : node.b,
@@ -181,7 +181,7 @@ static uint32_t rim_corner(Walk *w, const Cell *cell, int side, int corner)
         w, (SceneNode){SCENE_NODE_corner, a, a, cell->level + (corner >= 3), cell->triangle, side});
 }
 
-/* What of a side is solid: each run from where it is entered to where it is left; or all. */
+/* Puts the solid part of a side: each run from where it is entered to where it is left; or all. */
 static void put_wall(Walk *w, const Cell *cell, int side)
 {
     const int *face = faces[side];

@@ -5,7 +5,7 @@
 #include "runtime/gl/shape.h"
 #include <stddef.h>
 
-/* What stands over one place. */
+/* The solid intervals over one place. */
 typedef struct {
     ShapeVertex at;
     /* solid from [0] to [1] and from [2] to [3]; nothing where the second is no more */

@@ -17,7 +17,7 @@ static const double truncation = .2; /* of ITP */
 static const double jump =
     1. / 16; /* of what f is between the ends of an edge: what is more, over a 1024th, is a cliff */
 
-/* Of a node along an edge: between low and high, only one of which is solid. */
+/* Search of a node along an edge: between low and high, only one of which is solid. */
 typedef struct {
     uint32_t node;
     int asked;
@@ -178,7 +178,7 @@ static size_t edge_end(const Looking *l, size_t first)
     return end;
 }
 
-/* What to ask for the searches of one edge: once for neighbours that know as much. */
+/* Queries for the searches of one edge: once for adjacent searches with equal knowledge. */
 static int ask_edge(Looking *l, size_t first, size_t end, int count)
 {
     const Search *last = NULL;

@@ -3,8 +3,7 @@
 #define MATC_VIEW_CAMERA_H
 #include "runtime/scene/scene.h"
 
-/* What a camera is asked for: where it stands, what it looks at, both in the world, whose z is
- * up. */
+/* Position of a camera and its target, both in the world, whose z is up. */
 typedef struct {
     double position[3], target[3];
     double angle; /* of view, of the picture's shorter side, in radians */

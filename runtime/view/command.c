@@ -311,7 +311,7 @@ ScenePictureOptions command_pictures(const Command *command, int samples)
                                  .bits = command->bits};
 }
 
-/* What is seen, and from where. */
+/* Checks the view and the camera. */
 static const char *check_view(Command *command)
 {
     PreviewOptions *preview = &command->preview;

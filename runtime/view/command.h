@@ -57,7 +57,7 @@ const char *command_check_material(const Command *command);
 /* How pictures are drawn that have so many samples unless the command says else; their size is left
  * out. */
 ScenePictureOptions command_pictures(const Command *command, int samples);
-/* What the command says of a scene's tools, whose sizes stay, and of indirect light. */
+/* Applies the command's options for a scene's tools, whose sizes stay, and for indirect light. */
 void command_set_scene(const Command *command, Scene *scene);
 void command_free(Command *command);
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What a cell is drawn by: a word of the list, and a variant of some techniques of shadows. */
+/* Method of a cell: a word of the list, and a variant of some shadow techniques. */
 typedef struct {
     Word method, variant; /* WORD_COUNT: none */
 } Way;
@@ -82,8 +82,8 @@ static void find_ways(Comparison *c, const Listing *listing)
 
 /* -- displacement: no finer than its cells show */
 
-/* Of a map's edge: at least one for each pixel of a cell's. Tracing 4096 x 4096 takes minutes under
- * llvmpipe. */
+/* Edge of a map: at least one texel for each pixel of a cell. Tracing 4096 x 4096 takes minutes
+ * under llvmpipe. */
 static int cell_texels(const Sheet *sheet)
 {
     enum { LEAST = 256 };
@@ -93,7 +93,7 @@ static int cell_texels(const Sheet *sheet)
     return texels;
 }
 
-/* Of a mesh: one for so many pixels, as large as they can be without being seen. */
+/* Triangles of a mesh: one for so many pixels, as large as they can be without being visible. */
 static int cell_triangles(const Sheet *sheet)
 {
     enum { PIXELS = 8, LEAST = 4096 };

@@ -74,7 +74,7 @@ static bool set_params(MaterialPictures *p, MaterialSaid *said)
     return fine;
 }
 
-/* What the compiler says of it has places of its own. */
+/* Reports a fault; the compiler's diagnostics have places of their own. */
 static bool fail(const MaterialPictures *p, MaterialSaid *said)
 {
     MatcProgram *program = compile(p, MATC_FRAGMENT);

@@ -18,13 +18,13 @@ typedef struct {
 
 typedef struct MaterialPictures MaterialPictures;
 
-/* What was said of a material. */
+/* Messages about a material. */
 typedef struct {
     char *diagnostics; /* of its programs, from malloc; or NULL */
     char error[8192];  /* what else went wrong, or "" */
 } MaterialSaid;
 
-/* What the options point to is there until the end. NULL: gl->error says why. */
+/* Opens; data that the options point to must live until the end. NULL: gl->error says why. */
 MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOptions *options);
 /* Makes a material's scene, which is drawn next. False: see the diagnostics, then the error, which
  * stays empty when they tell it. */

@@ -61,7 +61,7 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
     return document;
 }
 
-/* What stands on the terminal's last line. */
+/* State of the progress line of the terminal. */
 typedef struct {
     double last;
     int frame, frames; /* of a motion: the one that is drawn, of several */
@@ -82,7 +82,7 @@ static void show_rows(void *user, int done, int rows)
     arena_free(&arena);
 }
 
-/* What all documents of a run are drawn with. */
+/* Settings that all documents of a run share. */
 typedef struct {
     const Command *command;
     GlContext *gl;
@@ -299,7 +299,7 @@ static int draw_scene(Run *run, Scene *scene, const char *input)
     return status;
 }
 
-/* What the picture is made of: also of a document that could not be read. */
+/* Files that the picture depends on, also for a document that could not be read. */
 static void watch_input(const Command *command, const char *input, const MatcDocument *document)
 {
     if (!command->watched)

@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What the compiler made of "{ param: name, default: VALUE }". */
+/* Reads the uniform that the compiler made of "{ param: name, default: VALUE }". */
 static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param,
                          int colors)
 {

@@ -17,8 +17,8 @@ typedef struct {
     bool color; /* the lanes are sRGB's; else numbers. A PNG says so */
 } PictureSpec;
 
-/* What a file of that name holds: *format, which stays as it is of a name without an ending. False:
- * an ending of something else. */
+/* Format of a file by the ending of its name; a name without an ending leaves format unchanged.
+ * False: an unknown ending. */
 bool picture_file_ending(const char *path, PictureFormat *format);
 
 typedef struct PictureFile PictureFile;

@@ -1,4 +1,4 @@
-/* What pictures are called: after their documents, unless the command line says else. */
+/* Names of pictures: those of their documents, unless the command line gives one. */
 #ifndef MATC_VIEW_PICTURE_NAME_H
 #define MATC_VIEW_PICTURE_NAME_H
 #include "compiler/base/names.h"
@@ -24,7 +24,7 @@ const char *picture_name_claim(PictureOwners *owners, const char *path, const ch
 void picture_name_of(const char *input, const char *material, char name[PICTURE_NAME_ROOM]);
 /* Where a picture of that name goes. */
 void picture_name_path(const Command *command, const char *name, char path[PICTURE_NAME_PATH]);
-/* The same of a frame of a scene, with its number. NULL, or what is wrong with the command line. */
+/* Name of a frame of a scene, with its number. NULL, or the fault of the command line. */
 const char *picture_name_frame(const Command *command, const char *input, int frame,
                                char path[PICTURE_NAME_PATH]);
 #endif

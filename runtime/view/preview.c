@@ -107,7 +107,7 @@ static bool add_object(const PreviewOptions *o, Preview *p)
     return true;
 }
 
-/* What is all around has no upper end; film has. */
+/* A sky has no upper limit; film has. */
 static void be_sky(const MatcOptions *compile, Preview *p)
 {
     p->scene.sky = 0;

@@ -26,7 +26,7 @@ typedef struct {
 
 typedef struct ScenePictures ScenePictures;
 
-/* What the options point to is there until the end. NULL: gl->error says why. */
+/* Opens; data that the options point to must live until the end. NULL: gl->error says why. */
 ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options);
 /* The scene that is drawn from now on, and is there until the next one, or the end. False:
  * gl->error says why. */
@@ -42,7 +42,7 @@ bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const fl
 bool scene_pictures_turn(ScenePictures *pictures, Scene *scene, Scene *seen);
 /* False: gl->error says why, and there is no file. */
 bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);
-/* The same as bytes: three a pixel, row 0 is the bottom row. */
+/* The picture as bytes: three a pixel, row 0 is the bottom row. */
 bool scene_pictures_pixels(ScenePictures *pictures, unsigned char *rgb);
 /* NULL is nothing. */
 void scene_pictures_close(ScenePictures *pictures);

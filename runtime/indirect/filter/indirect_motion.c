@@ -1,6 +1,6 @@
-/* What moved since rays were kept. Of each object of a scene that keeps them, its matrix of that
- * time; objects that stand elsewhere now are drawn once more, where they are seen, as numbers of
- * their motions. Where nothing moves, nothing of that runs. */
+/* Motion vectors of objects since rays were kept. A scene that keeps rays stores each object's
+ * matrix; objects that moved are drawn once more where they are visible, as numbers of their
+ * motions. If nothing moves, none of this runs. */
 #include "runtime/indirect/filter/indirect_motion.h"
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
@@ -117,7 +117,7 @@ static void put_boxes(const VoxelRange *boxes, int count, float (*block)[4])
 
 /* -- motions */
 
-/* Of a box's middle, from where one matrix has it to where another does: turned by the eye's. */
+/* Step of a box's center from one matrix to another, rotated into eye space. */
 static void put_step(const double eye[16], const CullBox *box, const SceneMatrix *from,
                      const SceneMatrix *to, float step[4])
 {

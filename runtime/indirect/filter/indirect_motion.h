@@ -1,4 +1,4 @@
-/* What moved since rays were kept: where it was, and the boxes around it, then and now. */
+/* Motion since rays were kept: previous positions, and the boxes around objects, then and now. */
 #ifndef MATC_INDIRECT_INDIRECT_MOTION_H
 #define MATC_INDIRECT_INDIRECT_MOTION_H
 #include "runtime/indirect/settings/indirect_state.h"
@@ -13,6 +13,6 @@ void indirect_motion_add(Render *render, int first, int count);
 /* Draws what moved since, and fills counts, boxes, steps and motions of the block History. `was` is
  * the eye space of the history. False: nothing moved. */
 bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4]);
-/* What is kept now was found where objects stand now. */
+/* The rays kept now belong to the objects' current positions. */
 void indirect_motion_end(Render *render);
 #endif

@@ -50,8 +50,7 @@ static bool pass_history_make(Render *render)
     return done && indirect_motion_make(render);
 }
 
-/* What undoes the eye's matrix: it turns and moves alone, so that the inverse of the turn is its
- * transpose. */
+/* Inverse of the eye's matrix, which is rigid: the inverse of its rotation is the transpose. */
 static void invert_eye(const double eye[16], double made[16])
 {
     memset(made, 0, 16 * sizeof *made);

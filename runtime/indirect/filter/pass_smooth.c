@@ -89,7 +89,7 @@ static bool pass_spread_make(Render *render)
            (!is_spread(render) || make(render, true, coarse, &render->indirect->spread));
 }
 
-/* What rays found. */
+/* Texture with the rays' results. */
 static GLuint found(const Render *render)
 {
     return indirect_keeps(render) && !indirect_moves(render)

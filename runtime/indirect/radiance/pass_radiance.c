@@ -52,8 +52,8 @@ static void wait(const Render *render)
                               GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/* Of what is closed its fronts alone: a back would send light within it, and have rays from there
- * go out through a thin wall. The map's texture says how large the framebuffer is. */
+/* Draws only front faces of closed meshes: a back face would send light within them, and have rays
+ * from there leave through a thin wall. The map's texture gives the framebuffer's size. */
 static void draw_surfaces(Render *render, int step)
 {
     const GlContext *gl = render->gl;

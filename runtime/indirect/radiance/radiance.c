@@ -1,5 +1,5 @@
-/* What cached radiance is made with: programs of materials that end in nodes, buffers, and what
- * passes read of it. */
+/* Makes cached radiance: programs of materials that write nodes, buffers, and the data that passes
+ * read. */
 #include "runtime/indirect/radiance/radiance.h"
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
@@ -35,7 +35,7 @@ int radiance_texels(const Render *render)
 
 /* -- programs */
 
-/* Of each kind that fills voxels, once. */
+/* Makes one program for each kind that fills voxels. */
 static bool make_keepers(Render *render)
 {
     const Cache *cache = &render->cache;

@@ -67,7 +67,7 @@ void radiance_bind(const Render *render, int unit);
 void radiance_put(Text *out, const Render *render);
 /* Sets a uniform of an object's material. */
 bool radiance_param(Render *render, int material, const MaterialValue *value);
-/* What a surface sends goes by the time. */
+/* Emission depends on the time. */
 bool radiance_by_time(const Render *render);
 
 /* The rows of the frame graph. */

@@ -1,4 +1,4 @@
-/* What every pass of indirect_place.glsl takes: definitions, the block Indirect, textures. */
+/* Inputs of every pass of indirect_place.glsl: definitions, the block Indirect, textures. */
 #include "gen/indirect_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/blue_noise.h"

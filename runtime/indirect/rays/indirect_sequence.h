@@ -38,8 +38,7 @@ double indirect_sequence_third(Word sequence, int i);
 int indirect_sequence_edge(const IndirectSequence *of);
 /* So many of Sobol's samples a pixel has to itself: the count, rounded up to a power of two. */
 int indirect_sequence_block(const IndirectSequence *of);
-/* Of a pixel: what its samples are shifted by, 0 to 1, and a third number for what is random
- * besides. Of Sobol's and rotation tile the shift is by exclusive or of the first 16 bits, else by
- * addition modulo 1. */
+/* Shift of a pixel's samples, 0 to 1, and a third random number. For Sobol's sequence with rotation
+ * tile the shift is by exclusive or of the first 16 bits, otherwise by addition modulo 1. */
 void indirect_sequence_shift(const IndirectSequence *of, int x, int y, double shift[3]);
 #endif

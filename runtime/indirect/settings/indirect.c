@@ -1,4 +1,4 @@
-/* What is found of indirect light, and by which numbers. */
+/* Settings of indirect light, resolved from the scene. */
 #include "runtime/indirect/settings/indirect.h"
 #include <string.h>
 

@@ -26,7 +26,7 @@ bool indirect_reads_voxels(const Render *render);
 bool indirect_reads_radiance(const Render *render);
 /* Pixels of the picture along an edge of one from which rays go out: 1, 2 or 4. */
 int indirect_coarse(const Render *render);
-/* The same while something moves, if that is more; else 0. */
+/* Resolution divisor while something moves, if it is larger; else 0. */
 int indirect_moving(const Render *render);
 /* This frame uses that. */
 bool indirect_moves(const Render *render);

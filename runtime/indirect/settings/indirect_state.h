@@ -12,7 +12,7 @@ typedef struct {
     Framebuffer seen; /* whole numbers: 0, or which motion; made when something has moved */
 } IndirectMotion;
 
-/* What rays found in frames before: of pass_history.c. */
+/* Results of rays in previous frames: pass_history.c. */
 typedef struct {
     ScreenPass blend, place;
     Framebuffer values[2], places[2]; /* one is kept, the other drawn to */
@@ -33,7 +33,7 @@ typedef struct {
     Framebuffer found, smoothed; /* the targets rays and smooth */
 } IndirectMoving;
 
-/* Of the passes. */
+/* State of the passes. */
 struct FrameIndirect {
     const IndirectMethod *method; /* NULL: the scene has none */
     IndirectHistory history;

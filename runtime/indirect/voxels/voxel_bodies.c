@@ -57,7 +57,7 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
     return made;
 }
 
-/* Of each mesh by the first object that has it. */
+/* Measures each mesh by the first object that has it. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
 {
     const Cache *cache = &render->cache;
@@ -126,8 +126,8 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
     return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MOST;
 }
 
-/* What is cut out asks its material, and what the driver displaces has its triangles there alone:
- * both are the rasteriser's. */
+/* Cut-out surfaces evaluate their material, and triangles displaced by the GPU exist only there:
+ * both are rasterized. */
 unsigned char voxel_bodies_surface(const Render *render, int number)
 {
     const FrameVoxels *voxels = render->voxels;

@@ -54,7 +54,7 @@ static void touch(Render *render, int mesh, int count)
     gl->DispatchCompute(groups < GROUPS_MOST ? groups : GROUPS_MOST, (GLuint)count, 1);
 }
 
-/* What fills voxels is sorted by mesh, in parts. */
+/* Objects that fill voxels are sorted by mesh, in parts. */
 void voxel_fine_draw(Render *render)
 {
     const Cache *cache = &render->cache;

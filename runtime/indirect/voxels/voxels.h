@@ -23,7 +23,7 @@ typedef struct {
     int size;            /* voxels along an edge of the whole */
 } VoxelGrid;
 
-/* Of a mesh, in its own space. */
+/* Properties of a mesh, in its own space. */
 typedef struct {
     bool closed;
     double volume, area; /* within it; of its triangles */
@@ -72,11 +72,11 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
  * is a surface. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels);
 bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
-/* What an opaque place of the cache is: a body; or a surface, and why: its mesh is open, it is too
- * thin, it crosses too many others. */
+/* Kind of an opaque place of the cache: a closed body; or a surface, and why: its mesh is open, it
+ * is too thin, it crosses too many others. */
 typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
 VoxelKind voxel_bodies_kind(const Render *render, int place);
-/* What a place has in `waves` that is no body: 0, or VOXELS_FINE where its triangles are small, and
+/* Entry in `waves` of a place that is no body: 0, or VOXELS_FINE if its triangles are small and
  * there are programs for these (voxel_fine.c). */
 unsigned char voxel_bodies_surface(const Render *render, int place);
 bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
@@ -108,8 +108,7 @@ void voxel_bricks_draw(Render *render);
 void voxel_bricks_bind(const Render *render, int unit);
 void voxel_bricks_delete(Render *render);
 
-/* Of a view "voxels", or "voxels1" and so on, of a level above; -1: it is another, or none.
- * voxels.c */
+/* Level of a view "voxels", or "voxels1" and so on; -1: it is another view, or none. voxels.c */
 int voxels_view_level(const char *view);
 
 /* A place of the cache fills voxels: it is opaque, or cut out. voxel_grid.c */

@@ -42,8 +42,8 @@ static void put_edge(const MeshEdge *from, int face, SilhouetteEdge edge)
     memcpy(edge[3], from->apexes[from->open ? face : 1], sizeof edge[3]);
 }
 
-/* Of an edge that is open one for each face, of which there may be more than two: those that were
- * met first and last. */
+/* An open edge is put once for each face, of which there may be more than two: the first and the
+ * last that were met. */
 static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
 {
     int count = 0;

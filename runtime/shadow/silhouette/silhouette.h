@@ -5,8 +5,8 @@
 #define MATC_SHADOW_SILHOUETTE_H
 #include "runtime/shadow/shadow_method.h"
 
-/* Of edge_mesh.h: an edge's ends, then the third corners of its faces; the same one twice where a
- * face is alone. */
+/* An edge of edge_mesh.h: its ends, then the third corners of its faces; the same corner twice if
+ * there is one face. */
 typedef float SilhouetteEdge[4][3];
 
 /* Edges of a mesh, in the buffer of all. */
