@@ -177,8 +177,7 @@ static double area_lambert(const AreaCase *c)
     return sum / (2 * AREA_PI);
 }
 
-/* What a direction's light is worth, by a place on the light and the light's normal times an
- * area. */
+/* Weight of a direction's light, by a place on the light and the light's normal times an area. */
 static double area_density(const AreaCase *c, const double p[3], const double face[3])
 {
     const double square = area_dot(p, p), length = sqrt(square);

@@ -97,7 +97,7 @@ static inline void assert_miss(Cache *cache, Key key)
     assert_null(cache_get(cache, key, &size));
 }
 
-/* What is put where it matters what it is. */
+/* A blob for tests in which its content matters. */
 static const char blob[] = "void main() { gl_FragColor = vec4(1.0); }";
 
 /* Setup and teardown of a test, whose state is a Folder. */

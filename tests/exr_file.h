@@ -43,7 +43,7 @@ static inline void exr_put_int(PictureFile *file, int64_t number, int bytes)
         picture_put(file, &(uint8_t){(uint8_t)(number >> 8 * i)}, 1);
 }
 
-/* Of a number that has one: sign, exponent over -15, ten bits of what is above the power of two. */
+/* Half float of a number that has one: sign, exponent over -15, ten bits above the power of two. */
 static inline uint16_t exr_half(double number)
 {
     int exponent;
@@ -150,7 +150,7 @@ static inline void exr_put_file(PictureFile *file, const ExrHeader *h)
     picture_put(file, lines.bytes, lines.size);
 }
 
-/* What a texel of the picture is, by the names of channels. */
+/* Expected texel of the picture, by the names of channels. */
 static inline float exr_wanted(const ExrHeader *h, int lane, int x, int y)
 {
     const bool is_grey = strchr(h->channels, 'Y') && !strpbrk(h->channels, "RGB");

@@ -1,13 +1,13 @@
-/* What the words of formulas mean, from the mathematics, in long double: for test_expression.c. It
- * knows nothing of matc. */
+/* Meaning of the words of formulas, from the mathematics, in long double: for test_expression.c. It
+ * uses nothing of matc. */
 #ifndef MATC_FORMULA_RULES_H
 #define MATC_FORMULA_RULES_H
 #include <math.h>
 #include <stdbool.h>
 
 typedef long double Number;
-/* What the tree is made of: the text's form, the level that it binds at, its parts' widths ('g' its
- * own), its result's, its lanes. */
+/* A rule of the tree: the text's form, its level of binding, its parts' widths ('g': its own), its
+ * result's, its components. */
 typedef struct Rule {
     const char *form; /* a name, or an operator between its parts */
     int level;        /* of an operator; 0: a call */

@@ -1,4 +1,4 @@
-/* What the tests of the GL layer share: a context in software, programs in every language that it
+/* Helpers of the tests of the GL layer: a context in software, programs in every language that it
  * takes, their uniforms. */
 #ifndef TESTS_GL_TEXTS_H
 #define TESTS_GL_TEXTS_H
@@ -64,7 +64,7 @@ static const Language languages[] = {
      "= 2. * value; }"},
 };
 
-/* Of the current program; false: it has none such. */
+/* Sets a uniform of the current program; false: it has none such. */
 static inline bool set(GlContext *gl, GLuint program, const char *name, const float *values)
 {
     GlUniforms uniforms;

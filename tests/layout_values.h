@@ -49,7 +49,7 @@ static inline void make_values(uint64_t *seed, int set, double values[PARAMS][4]
         }
 }
 
-/* What a document leaves out. */
+/* Slots that a document lacks. */
 typedef enum { ALL, OPAQUE, CLEAR, GLOW, KEPT_COUNT } Kept;
 
 static inline bool leaves_out(Kept kept, const char *key)

@@ -1,5 +1,5 @@
-/* What any lobe keeps, of pixels that a program drew: light and eye may change places, and white
- * stays white in light from all around. */
+/* Properties of any lobe, checked at pixels that a program drew: reciprocity, and a white furnace.
+ * */
 #ifndef MATC_LOBE_CLAIMS_H
 #define MATC_LOBE_CLAIMS_H
 #include <math.h>

@@ -57,7 +57,7 @@ static inline const Image *picture_of(const MatcDocument *document)
     return document->graph->images[0];
 }
 
-/* What a file holds: RGBA, the bottom row first; bytes, words or floats by `bits`. */
+/* Content of a file: RGBA, the bottom row first; bytes, words or floats by `bits`. */
 typedef struct {
     int width, height, bits;
     bool opaque;

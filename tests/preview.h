@@ -101,7 +101,7 @@ static inline void draw_pixels(MatcDocument *document, const MaterialPictureOpti
     gl_close(gl);
 }
 
-/* Of which material, as what. */
+/* Material and program of a preview. */
 typedef struct {
     const char *text, *pass, *normals, *slot;
 } Subject;

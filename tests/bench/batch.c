@@ -101,7 +101,7 @@ static double cpu_now(void)
            (double)(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec) * 1e-6;
 }
 
-/* What glslang alone takes to parse and link all, by so many threads. */
+/* Time in which glslang alone parses and links all pairs, with so many threads. */
 static BatchTimes link_all(Pairs *pairs, int threads)
 {
     pthread_t others[THREADS];

@@ -4,7 +4,7 @@
 #include "batch_run.h"
 #include "runtime/gl/context.h"
 
-/* What sharing programs, layouts made for a scene and programs for each pass save: a table on
+/* Savings by shared programs, layouts made for a scene, and programs for each pass: a table on
  * standard output. */
 bool batch_measure_scene(BatchFolder *folder, GlKind gl, bool timed);
 #endif

@@ -62,7 +62,7 @@ static void fill(Writer *w, const char *text)
     }
 }
 
-/* What a Blend mixes. */
+/* Maps that a Blend mixes. */
 static const char *const layers[8] = {
     "$c",
     "{ map: Checker, color1: $c, color2: $c, input: { map: UVTransform, scaleU: $s, scaleV: $s } }",
@@ -76,7 +76,7 @@ static const char *const layers[8] = {
     "{ map: Blend, blend: [{ value: -$n, input: $d }, { value: $n, input: $c }], "
     "input: { map: VolumeTurbulence, octaves: 3, noiseRatio: 0.6, size: $s } }"};
 
-/* What a Blend lays its items along; a wave's name is put behind. */
+/* Inputs of a Blend; a wave's name follows. */
 static const char *const masks[6] = {
     "{ map: VolumeTurbulence, octaves: 4, noiseRatio: 0.5, size: $s, waveForm: ",
     "{ map: VolumeTurbulence, octaves: 2, size: $s, input: { map: XYZTransform, transform: { "

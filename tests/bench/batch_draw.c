@@ -82,7 +82,7 @@ static void set_block(Material *made, const cJSON *constants, const cJSON *use)
     material_write(made, cJSON_GetObjectItem(constants, "block")->valuestring, block, sizeof block);
 }
 
-/* What reflection says of the sampler of that name. */
+/* Sets up the sampler of that name by the reflection. */
 static void set_sampler(TextureSpec *spec, const cJSON *textures, const char *name)
 {
     const cJSON *texture;

@@ -12,7 +12,7 @@ typedef struct {
     size_t bytes;     /* of all documents */
 } BatchFolder;
 
-/* What a process took. */
+/* Time and memory of a process. */
 typedef struct {
     double seconds, cpu; /* wall, and of all threads */
     long memory;         /* greatest resident, KiB; 0: it ended too soon to tell */
@@ -29,7 +29,7 @@ bool batch_folder_list(const BatchFolder *folder, const char *name, int first, i
  * says is shown. */
 bool batch_run(const BatchFolder *folder, const char *list, const char *out,
                const char *const *arguments, BatchTimes *times);
-/* What FOLDER/cache holds. */
+/* Content of FOLDER/cache. */
 typedef struct {
     long entries, bytes;
 } BatchCache;

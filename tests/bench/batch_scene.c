@@ -1,6 +1,6 @@
-/* What a scene of 500 materials, such as a game has, saves: programs that differ in constants only
- * are one, layouts are made for what the materials contain, and a pass has only what it needs. Each
- * with and without. */
+/* Savings in a scene of 500 materials, such as a game has: programs that differ in constants only
+ * are one, layouts are made for the materials, and a pass computes only what it needs. Each with
+ * and without. */
 #include "batch.h"
 #include "batch_documents.h"
 #include "batch_draw.h"

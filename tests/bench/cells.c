@@ -14,7 +14,7 @@ enum { JITTERS = 3, WIDTHS = 2, SIDE = 8, POINTS = 40000, SQUARES = 1200 };
 static const char *const distances[] = {"euclidean", "manhattan", "chebyshev"};
 static const char *const measures[MEASURES] = {"F1", "F2", "edge", "random", "centre"};
 
-/* Of one kind of cells, by what is measured. */
+/* Statistics of one kind of cells, by measure. */
 typedef struct {
     double mean[MEASURES], variance[MEASURES], slope[MEASURES];
 } Moments;

@@ -44,7 +44,7 @@ static MatcOptions options_for(bool validate)
     return options;
 }
 
-/* Of the processor, which other programs change little. */
+/* Time of the processor, on which other programs have little effect. */
 static double processor_now(void)
 {
     struct timespec time;
@@ -134,7 +134,7 @@ static const char *largest_formula(void)
     return formulas[sizeof formulas / sizeof *formulas - 1];
 }
 
-/* What a formula adds to a document: beside the same with a number in its place. */
+/* Cost of a formula in a document, compared with a number in its place. */
 static void print_formula(bool timed)
 {
     char with[1024];

@@ -1,4 +1,4 @@
-/* What the parts of `matbench error` share: what is measured with, and where the figures go. */
+/* State that the parts of `matbench error` share: drawing, and where results go. */
 #ifndef MATBENCH_ERROR_H
 #define MATBENCH_ERROR_H
 #include "runtime/measure/measure.h"
@@ -44,7 +44,7 @@ typedef struct {
 __attribute__((format(printf, 4, 5))) void error_target(ErrorBench *bench, const char *what,
                                                         bool reached,
                                                         const char *wanted_then_measured, ...);
-/* What a figure of the CSV is of. */
+/* Subject of a figure of the CSV. */
 typedef struct {
     const char *group, *name, *variant;
 } ErrorSubject;
@@ -57,7 +57,7 @@ MatcDocument *error_document(const char *name, const char *text);
 /* A program of pass value, slot diffuse, of a document's first material. NULL: it does not
  * compile. */
 MatcProgram *error_program(const MatcDocument *document, const Variant *variant);
-/* The same, to be drawn. False: it does not compile. */
+/* Makes a material, to be drawn. False: it does not compile. */
 bool error_material(ErrorBench *bench, const MatcDocument *document, const Variant *variant,
                     Material *made);
 

@@ -25,7 +25,7 @@ static const double checker_scale = 0.78;
 static const char checker_document[] =
     "material: Phong\ndiffuse: { map: Checker, color1: 1, color2: 0 }\n";
 
-/* The same by samples within the shader: what filtering competes with. */
+/* Samples within the shader: the competitor of filtering. */
 static const char samples_text[] = "#version 330 core\n"
                                    "in vec2 uv;\n"
                                    "layout(location = 0) out vec4 fragment0;\n"

@@ -109,8 +109,7 @@ static int by_time(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* What is computed before it is packed, worst of all slots: the layout's share is seen beside
- * it. */
+/* Worst error of all slots before packing, to be compared with the layout's share. */
 static double computed(const Measured *m)
 {
     double most = 0;

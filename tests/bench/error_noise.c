@@ -122,7 +122,7 @@ static Distance difference(ErrorBench *bench, const MeterDraw *draw, const float
     return (Distance){most, sqrt(squares)};
 }
 
-/* What is drawn, and into what. */
+/* The drawing, and its target. */
 typedef struct {
     const Field *field;
     const Framebuffer *target;

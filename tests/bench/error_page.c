@@ -30,13 +30,13 @@ static void put_targets(const ErrorBench *bench, FILE *out)
     }
 }
 
-/* What is put into the template. */
+/* Insertions of the template. */
 typedef struct {
     const char *plot;
     char *const *parts; /* SECTION_PART_count */
 } Insertions;
 
-/* What stands for a name of the template. */
+/* Writes the text of a name of the template. */
 static void put_name(ErrorBench *bench, const char *name, size_t size, const Insertions *texts,
                      FILE *out)
 {

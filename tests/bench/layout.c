@@ -1,5 +1,5 @@
-/* What encodings cost: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their
- * bits and their errors. The same square with nothing to do is taken off. */
+/* Cost of encodings: nanoseconds a pixel to pack and to unpack, drawn over a square, beside their
+ * bits and their errors. The time of an empty square is subtracted. */
 #include "matbench.h"
 #include "compiler/describe/describe.h"
 #include "tests/draw/canvas.h"
@@ -50,7 +50,7 @@ static double measure_call(Canvas *canvas, const Call *call)
     return measure(canvas, call->function, text, call->words);
 }
 
-/* What is below the time of the store itself is 0. */
+/* Times below that of the store itself are 0. */
 static double beyond(double all, double nothing)
 {
     return isnan(all) ? all : fmax(all - nothing, 0);

@@ -1,4 +1,4 @@
-/* What a layout costs a frame: the G-buffer pass of a material whose every slot is a uniform, so
+/* Cost of a layout in a frame: the G-buffer pass of a material whose every slot is a uniform, so
  * that nothing is packed beforehand, and a pass that reads all slots back. Both fill a square; the
  * least of several draws counts. */
 #include "matbench.h"
@@ -56,7 +56,7 @@ static void reader_text(const LayoutRow *layout, char *text)
     snprintf(text + size, (size_t)(TEXT_ROOM - size), "}\n");
 }
 
-/* What a pass is drawn with. */
+/* State for drawing a pass. */
 typedef struct {
     GlContext *gl;
     Store *store;

@@ -1,4 +1,4 @@
-/* What the benchmarks share: time, medians, tables. */
+/* Functions that the benchmarks share: time, medians, tables. */
 #ifndef MATBENCH_H
 #define MATBENCH_H
 #include "compiler/base/option.h"

@@ -14,7 +14,7 @@
 #include <string.h>
 
 enum { LONGEST_TEXT = 1024, BATCHES = 16, RUNS = 301, KEPT_BYTES = 16 };
-/* What floats leave of a formula, and the normal's degrees. */
+/* Rounding of a formula in floats, and of the normal in degrees. */
 static const double FLOAT_SLACK = 1e-6, FLOAT_DEGREES = 1e-4;
 
 static const struct {
@@ -154,7 +154,7 @@ static bool measure(Sweep *s, int which)
     return fine;
 }
 
-/* What a program for a layout takes; pass `value`, of one slot in floats, would say little. */
+/* Cost of a program for a layout; pass `value`, of one slot in floats, would say little. */
 static void put_cost(int which, bool timed)
 {
     static const char *const layouts[] = {"compact", "integer"};

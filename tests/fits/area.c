@@ -41,8 +41,8 @@ static double lambda(double alpha, double cosine)
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
 }
 
-/* Of a direction: what the lobe has there, all being 1, and the density by which facets are chosen;
- * 0 below the horizon. */
+/* Value of the lobe in a direction, all being 1, and the density by which facets are chosen; 0
+ * below the horizon. */
 static double lobe(const Facets *f, const double l[3], double *density)
 {
     *density = 0;

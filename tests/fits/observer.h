@@ -12,8 +12,8 @@ static inline double observer_lobe(double x, double middle, double below, double
     return exp(-t * t / 2);
 }
 
-/* Of a wavelength in nanometres; some are negative. Their sums over all wavelengths are what is
- * white, about as much for each lane. */
+/* Color matching functions at a wavelength in nanometers; some are negative. Their sums over all
+ * wavelengths are white, about equal for each component. */
 static inline void observer_lanes(double nm, double lanes[3])
 {
     const double x = 1.056 * observer_lobe(nm, 599.8, 37.9, 31) +

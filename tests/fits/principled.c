@@ -179,7 +179,7 @@ static void find_mean(Layer *layer)
     layer->mean = sum / all;
 }
 
-/* Of index 1.6. */
+/* Makes a coat of index 1.6. */
 static void make_coat(double rough, Layer *layer)
 {
     static Rays rays;
@@ -222,7 +222,7 @@ static double veil(const Layer *layer, double through, double rough, double cosi
     return through / sqrt(through + .86 * x * x * (3 - 2 * x) * (layer->mean - through));
 }
 
-/* What of light a white mirror lacks below each layer, as roughnesses and angles go. */
+/* Adds the light that a white mirror loses below each layer, by roughness and angle. */
 static void add_base(double rough, const Layer *layers, Fit *fit)
 {
     static Rays rays;

@@ -29,12 +29,12 @@ typedef struct {
     BisectionBody kept[2]; /* so that programs of both materials stay */
 } BisectionBodies;
 
-/* Of a group of tests; *state is BisectionBodies. */
+/* Setup of a group of tests; state is BisectionBodies. */
 int bisection_bodies_open(void **state);
 int bisection_bodies_close(void **state);
 Scene *bisection_body_scene(const char *how, const char *object, const MatcOptions *options,
                             MatcDocument **document);
-/* What fails ends the test. */
+/* A failure ends the test. */
 BisectionBody bisection_body_begin(const BisectionBodies *with, const char *how,
                                    const char *object);
 void bisection_body_end(BisectionBody *b);

@@ -26,7 +26,7 @@ double displaced_nearest(const Shape *shape, const float position[3], const floa
 /* Pixels of the background where a picture without holes shows the body, as it does two pixels
  * around; `within` counts those that show it. */
 int displaced_holes(const float *light, const float *whole, long *within);
-/* The same of all views of two bodies that are displaced by `how`, against their meshes divided
+/* Counts holes in all views of two bodies that are displaced by `how`, against their meshes divided
  * finely. */
 int displaced_holes_of(GlContext *gl, const int bodies[2], const char *how, long *within);
 #endif

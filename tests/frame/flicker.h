@@ -1,4 +1,4 @@
-/* What pixels do while a light moves by small steps. An end of a shadow that passes over a pixel
+/* Pixels while a light moves by small steps. An end of a shadow that passes over a pixel
  * turns it once, from lit to dark or back, a step sooner or later than it should; a pixel that
  * turns and turns back, and should not, flickers.
  *
@@ -19,7 +19,7 @@ bool flicker_open(int pixels, Flicker *made);
 /* A step: of each pixel, the share of the light that arrives, of which half is lit; below 0:
  * nothing could arrive there. */
 void flicker_add(Flicker *flicker, const float *shares);
-/* The same, of four floats a pixel: the first with shadows over the first without. */
+/* Adds pictures of four floats a pixel: the first with shadows over the first without. */
 void flicker_add_pictures(Flicker *flicker, const float *with, const float *without);
 /* How often its pixels flickered. */
 long flicker_count(const Flicker *flicker, const Flicker *truth);

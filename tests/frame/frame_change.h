@@ -10,8 +10,8 @@ float *frame_change_next(Render *render);
 void frame_change_assert(GlContext *gl, const RenderOptions *how, Render *changed,
                          const Scene *scene);
 
-/* What is moved, one after the other, in the world's units: object 1 along x, a light along an
- * axis; then the camera, a quarter up. */
+/* Motions, one after the other, in the world's units: object 1 along x, a light along an axis; then
+ * the camera, a quarter up. */
 typedef struct {
     double object;
     int light, axis;

@@ -12,7 +12,7 @@ static inline int ascending(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Of pixels spread evenly: the differences of those on objects, outside of the band along edges. */
+/* Differences at pixels spread evenly: those on objects, outside of the band along edges. */
 typedef struct {
     double differences[1 << 16];
     int count, lit;

@@ -1,4 +1,4 @@
-/* What tests of frames do again and again. */
+/* Steps that many tests of frames share. */
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
 #include <stdlib.h>

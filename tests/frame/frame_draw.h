@@ -19,11 +19,11 @@ GlKind frame_kind(int count, char **arguments);
 float *frame_floats_by(GlContext *gl, Render *render, const Scene *scene);
 /* By one of its own. */
 float *frame_floats(GlContext *gl, const Scene *scene, const RenderOptions *options);
-/* The same of the whole picture, by its tiles, the last column and row first. */
+/* Draws the whole picture by its tiles, the last column and row first. */
 float *frame_tiles(GlContext *gl, const Scene *scene, const RenderOptions *options);
 /* render_graph with one space between words, so that columns may move. From malloc. */
 char *frame_graph(const Render *render);
-/* The same of a scene, drawn once; or, where it can't be, why. From malloc. */
+/* Graph of a scene that is drawn once; or why it cannot be drawn. From malloc. */
 char *frame_graph_or_fault(GlContext *gl, const Scene *scene, const RenderOptions *options);
 void frame_forget(Scene *scene, MatcDocument *document);
 #endif

@@ -14,7 +14,7 @@ typedef struct {
 
 #define FRAME_LAMPS_CAMERA                                                                         \
     "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0] }\n"
-/* The same, of so narrow a view that a block's pixels see a light from nearly the same side. */
+/* A view so narrow that a block's pixels see a light from nearly the same side. */
 #define FRAME_LAMPS_ZOOM                                                                           \
     "camera: { camera: Perspective, position: [.5, -6, 3], target: [0, 0, 0], angle: 4 }\n"
 /* An object 12 by 12 at the height 0. */
@@ -25,9 +25,9 @@ typedef struct {
 
 /* The document, the lights at random places, without shadows. From malloc. */
 char *frame_lamps_text(const FrameLamps *lamps, int width, int height);
-/* What a screen is to send of light, from 0 to 1, by the formulas that matc --list=scenes gives;
- * `greatest` is the pixel's greatest lane for Exponential, the picture's for Linear. That as IEC
- * 61966-2-1 has it; and both, for what sees one lane alone: Clamp, Filmic, Shoulder. */
+/* Display value of light, from 0 to 1, by the formulas that matc --list=scenes gives; `greatest` is
+ * the pixel's greatest component for Exponential, the picture's for Linear. The value encoded by
+ * IEC 61966-2-1; and both, for mappings that depend on one component: Clamp, Filmic, Shoulder. */
 double frame_lamps_mapped(SceneKind tone, double light, double greatest);
 double frame_lamps_encoded(double mapped);
 double frame_lamps_shown(SceneKind tone, double exposure, double light);

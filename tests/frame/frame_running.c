@@ -1,4 +1,4 @@
-/* What fails ends the test. */
+/* A failure ends the test. */
 #include "tests/frame/frame_running.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

@@ -12,7 +12,7 @@ typedef struct {
     float *rgba; /* the frame that was drawn last */
 } FrameRunning;
 
-/* Of a document, without a frame yet; `options` but for `compile`. What fails ends the test. */
+/* Opens a document, without a frame yet; `options` except `compile`. A failure ends the test. */
 void frame_running_open(GlContext *gl, const char *text, const RenderOptions *options,
                         FrameRunning *made);
 /* Draws a frame: its view, which is there until the next. */

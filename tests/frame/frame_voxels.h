@@ -28,7 +28,7 @@
     "- { object: Parallelogram, material: m, u: [.5, 1.5, .3], v: [.4, -.2, 1], transform: { "     \
     "translation: [.9, -1.4, "                                                                     \
     ".3] } }\n"
-/* Of small triangles, two of one mesh, the second mirrored. */
+/* Small triangles, two objects of one mesh, the second mirrored. */
 #define FRAME_VOXELS_FINE                                                                          \
     "- { object: Sphere, detail: 32, material: m, transform: { translation: [.2, 0, 1.013] } }\n"  \
     "- { object: Sphere, detail: 32, material: m, transform: { translation: [1.3, -1.2, .4], "     \
@@ -47,7 +47,7 @@ typedef struct {
 
 FrameVoxelsDrawn frame_voxels_drawn(const char *objects, int size);
 void frame_voxels_forget(FrameVoxelsDrawn *drawn);
-/* Of a level of the map: words of its columns. From malloc. */
+/* A level of the map: words of its columns. From malloc. */
 uint32_t *frame_voxels_level(const FrameVoxelsDrawn *drawn, int level);
 bool frame_voxels_bit(const FrameVoxelsDrawn *drawn, const int at[3]);
 #endif

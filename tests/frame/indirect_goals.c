@@ -11,8 +11,8 @@
 
 enum { EDGE = 512, TEXT = 4096, FRAMES = 15 };
 
-/* Of llvmpipe on two cores, which takes as many milliseconds for the thesis' march of openness:
- * times are told as shares of that. */
+/* Time of the thesis' march of ambient occlusion under llvmpipe on two cores: times are shares of
+ * that. */
 static const double march_milliseconds = 1700;
 
 typedef struct {
@@ -29,7 +29,7 @@ static const char *const usual[] = {"rays: 8", "method: voxels"};
 
 static bool is_light(const Goal *goal) { return !strcmp(goal->view, "indirect"); }
 
-/* Of this program, of all processors together: what else runs on a machine counts little. */
+/* Time of this process on all processors together: other programs have little effect. */
 static double processor_seconds(void)
 {
     struct timespec time;

@@ -1,5 +1,5 @@
-/* What openness and light from other surfaces are to reach, as rows: how far they are off many rays
- * in double, what their passes take, and what the march of the thesis takes in the same run. */
+/* Goals for ambient occlusion and indirect light, as rows: error against many rays in double, cost
+ * of their passes, and the cost of the thesis' march in the same run. */
 #ifndef MATC_INDIRECT_GOALS_H
 #define MATC_INDIRECT_GOALS_H
 #include <stdbool.h>

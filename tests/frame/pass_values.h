@@ -1,9 +1,9 @@
-/* What a pass over all pixels computes, read back: for tests of GLSL. */
+/* Values that a pass over all pixels computes, read back: for tests of GLSL. */
 #ifndef MATC_PASS_VALUES_H
 #define MATC_PASS_VALUES_H
 #include "runtime/draw/screen_pass.h"
 
-/* Of a square of side x side pixels, row 0 at the bottom; `text` is of the format RGBA32F. A fault
- * fails the test. */
+/* Draws a square of side x side pixels, row 0 at the bottom; `text` is of the format RGBA32F. A
+ * fault fails the test. */
 void pass_values(GlContext *gl, const ScreenPassText *text, int side, float (*values)[4]);
 #endif

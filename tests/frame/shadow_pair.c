@@ -1,4 +1,4 @@
-/* What fails ends the test. */
+/* A failure ends the test. */
 #include "tests/frame/shadow_pair.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -4,11 +4,11 @@
 #define MATC_SHADOW_SCENE_H
 #include "tests/frame/frame_draw.h"
 
-/* Of a picture of any size, from the front and above, with the material m. */
+/* A picture of any size, from the front and above, with the material m. */
 #define SHADOW_SCENE_VIEW                                                                          \
     "camera: { camera: Perspective, position: [1.5, -7, 4], target: [0, 0, .5], angle: 42 }\n"     \
     "materials: { m: { material: Phong, diffuse: .5 } }\n"
-/* What all else stands on: the first object. */
+/* The ground that all other objects stand on: the first object. */
 #define SHADOW_SCENE_GROUND                                                                        \
     "objects:\n- { object: Parallelogram, u: [8, 0, 0], v: [0, 8, 0], material: m, transform: { "  \
     "translation: [-4, "                                                                           \
@@ -72,8 +72,8 @@ Scene *shadow_scene(const ShadowScene *from, const MatcOptions *options, MatcDoc
 
 Scene *shadow_scene_mixed(const char *mixed, const char *through, const MatcOptions *options,
                           MatcDocument **document);
-/* Of the first light: the pane's shadow has half of the light, a quarter where it is seen through
- * the pane. */
+/* Checks the first light: the pane's shadow has half of the light, a quarter where it is seen
+ * through the pane. */
 void shadow_scene_assert_glass(GlContext *gl, const char *mixed);
 /* OpenGL 3.3 refuses it, and says so. */
 void shadow_scene_assert_refused(GlContext *gl, const char *mixed, const char *message);

@@ -14,8 +14,8 @@ typedef struct {
     float (*directions)[4];
 } VoxelPoints;
 
-/* Of across * across directions, one for each cell of the unit square, as dense as the cosine. The
- * texels are 0. False: memory ran out. */
+/* Makes points with across x across directions, one for each cell of the unit square, distributed
+ * by the cosine. The texels are 0. False: memory ran out. */
 bool voxel_points_make(int wide, int high, int across, VoxelPoints *made);
 /* A point of the world, with its unit normal; which axes it gets. */
 void voxel_points_set(const VoxelPoints *points, int number, const VoxelGrid *grid,

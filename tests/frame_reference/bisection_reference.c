@@ -68,7 +68,7 @@ typedef struct {
     double w[3][3], p[3][3]; /* corners by weights of the base, and where they go to */
 } Triangle;
 
-/* Of a part, by its corners within the triangle: the mean square of distances from the plane. */
+/* Mean square of a part's distances from the plane, by its corners within the triangle. */
 static double part_deviates(const Reference *r, const Triangle *t, double (*inside)[3])
 {
     const double(*p)[3] = t->p;
@@ -145,7 +145,7 @@ static double reach_of(const Reference *r, int lane)
     return reach;
 }
 
-/* Of a triangle with such a number, whose corners are `w`; and of all within it. */
+/* Range of a triangle with that number, whose corners are `w`, and of all triangles within it. */
 static void find_range(Reference *r, int base, uint32_t number, double (*w)[3])
 {
     double(*range)[3] = r->ranges[((uint32_t)base << (r->ranged + 1)) + number];

@@ -1,4 +1,4 @@
-/* What bisection by compute stages is measured against. */
+/* Bisection on the processor, which judges that by compute stages. */
 #ifndef TESTS_BISECTION_REFERENCE_H
 #define TESTS_BISECTION_REFERENCE_H
 #include "runtime/scene/scene_patches.h"

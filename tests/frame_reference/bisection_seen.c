@@ -19,7 +19,7 @@ typedef struct {
     double from[3], way[3], last, grows[3];
 } Line;
 
-/* The same from what is between the eye and a light, by thirds, which leave out the worse: the
+/* Distance from the segment between the eye and a light, by thirds, which leave out the worse: the
  * distance has one minimum there. */
 static double line_far(const Line *line, const BisectionBox *box)
 {

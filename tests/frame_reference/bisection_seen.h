@@ -1,4 +1,4 @@
-/* What bisection_reference.c asks of a camera. */
+/* Queries of bisection_reference.c about a camera. */
 #ifndef TESTS_BISECTION_SEEN_H
 #define TESTS_BISECTION_SEEN_H
 #include "runtime/scene/scene.h"

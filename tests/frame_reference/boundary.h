@@ -15,9 +15,9 @@ typedef struct {
     double widest;
 } Boundary;
 
-/* Of the end of the truth's shadow, within 3 % for ends that run in all directions. */
+/* Length of the true shadow's end, within 3 % for ends that run in all directions. */
 double boundary_length(const Boundary *boundary);
-/* Of points that are in the shadow by these shares and not by the truth, or the other way round:
- * over the length, the mean distance of their ends. */
+/* Area of points that are in the shadow by these shares and not by the truth, or the other way
+ * round: over the length, the mean distance of their ends. */
 double boundary_area(const Boundary *boundary, const float *shares);
 #endif

@@ -77,7 +77,7 @@ static const Glass *glass_of(const Tracer *tracer, const Hit *hit)
     return &glasses[i];
 }
 
-/* What a surface lets through. Its front is the side on which the light is: rays go towards it. */
+/* Transmittance of a surface. Its front is the side of the light: rays go towards it. */
 static const double *through(const Tracer *tracer, const Hit *hit)
 {
     const Glass *glass = glass_of(tracer, hit);

@@ -1,5 +1,5 @@
-/* What openness and light from other surfaces are at places of a picture, by many rays in double
- * (open_ray.h), and how far a picture is off that. */
+/* Ambient occlusion and indirect light at places of a picture, by many rays in double (open_ray.h),
+ * and the error of a picture against that. */
 #ifndef MATC_INDIRECT_TRUTH_H
 #define MATC_INDIRECT_TRUTH_H
 #include "tests/frame/indirect_scenes.h"
@@ -19,12 +19,12 @@ typedef struct {
     double light; /* mean over places and lanes */
 } IndirectTruth;
 
-/* Of places in rows and columns, not at edges of objects: a pixel's middle may be on either side
- * there. Of `rays` state is set for each place. */
+/* Finds the truth at places in rows and columns, not at edges of objects: a pixel's center may be
+ * on either side there. The state of `rays` is set for each place. */
 void indirect_truth_find(const Scene *scene, const OpenRays *rays, const MatcOptions *options,
                          IndirectTruth *truth);
-/* Of a view of the whole picture, root of the mean square: of openness, or of light, over its
- * mean. */
+/* Error of a view of the whole picture, root mean square: of ambient occlusion, or of light
+ * relative to its mean. */
 double indirect_truth_off(const IndirectTruth *truth, const float *rgba, bool light);
 /* How much more its mean of light is, as a share. */
 double indirect_truth_more(const IndirectTruth *truth, const float *rgba);

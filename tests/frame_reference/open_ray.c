@@ -12,7 +12,7 @@ static double chance(uint64_t *state)
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Of a place of the unit square, around a unit vector. */
+/* Direction around a unit vector, by a place of the unit square. */
 static void direction(const double n[3], const double place[2], bool uniform, double way[3])
 {
     const double z = uniform ? 1 - place[0] : sqrt(1 - place[0]), r = sqrt(fmax(1 - z * z, 0)),
@@ -50,7 +50,7 @@ static double distance_along(const Tracer *tracer, const Ray *ray)
     return hit.distance;
 }
 
-/* What a ray meets within the radius sends back along it. */
+/* Adds the light that a surface within the radius sends back along the ray. */
 static void add_light(const Tracer *tracer, const Ray *ray, OpenRays *rays,
                       const MatcOptions *options, double sum[3])
 {

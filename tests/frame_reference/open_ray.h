@@ -28,7 +28,7 @@ typedef struct {
     double way[3];
 } Open;
 
-/* Of a point that a ray met. `options` compile its material, and others'; NULL: light is not asked
- * for. */
+/* Result for a point that a ray met. `options` compile its material, and others'; NULL: no light.
+ * */
 Open open_ray(const Tracer *tracer, const Hit *hit, OpenRays *rays, const MatcOptions *options);
 #endif

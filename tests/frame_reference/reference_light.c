@@ -25,7 +25,7 @@ static Surface reference_surface(const Hit *hit)
     return surface;
 }
 
-/* What a light sends to a point, and the way to it. scene.def has the formulas. */
+/* Light that arrives at a point, and its direction. scene.def has the formulas. */
 static double reference_arrives(const SceneLight *light, const double point[3], double l[3])
 {
     double square = 1, cosine;
@@ -42,7 +42,7 @@ static double reference_arrives(const SceneLight *light, const double point[3], 
     return s <= 0 ? 0 : s >= 1 ? 1 / square : s * s * (3 - 2 * s) / square;
 }
 
-/* What transparency leaves of diffuse and specular. */
+/* Share of diffuse and specular that transparency leaves. */
 static double reference_kept(const SlotValues *slots, int lane)
 {
     return slots->lane[SLOT_interpolatedTransparency][0] != 0
@@ -94,7 +94,7 @@ static double reference_around(const SceneLight *light, int lane, double z, bool
     return ground + (light->light[lane] - ground) * (mirror ? s * s * (3 - 2 * s) : (1 + z) / 2);
 }
 
-/* What a Hemisphere's light gives; `normal` and `reflected` in the world. */
+/* Light of a Hemisphere; `normal` and `reflected` in the world. */
 static double reference_hemisphere(const SceneLight *light, const SlotValues *slots, int lane,
                                    const double reflected[3])
 {

@@ -1,6 +1,6 @@
-/* What a frame's light should be, in double, for tests: the material at what a ray meets is the C
- * oracle's, the light is summed by the formulas of semantics.md 4.1 and scene.def. No shader and no
- * compiler has a part in it. */
+/* Expected light of a frame, in double, for tests: the material at a ray's hit is the C oracle's,
+ * the light is summed by the formulas of semantics.md 4.1 and scene.def. No shader and no compiler
+ * has a part in it. */
 #ifndef MATC_REFERENCE_LIGHT_H
 #define MATC_REFERENCE_LIGHT_H
 #include "compiler/matc.h"
@@ -14,16 +14,16 @@ typedef struct {
 
 enum { REFERENCE_LAYERS = 64 };
 
-/* What a ray sees: front to back, until nothing passes, the sky last. Returns how many surfaces
- * count, and behind them what ends it. */
+/* Light along a ray: front to back, until nothing passes, the sky last. Returns how many surfaces
+ * count, and the hit that ends it. */
 int reference_pixel(const Tracer *tracer, const Ray *ray, const MatcOptions *options, double sum[3],
                     Hit hits[REFERENCE_LAYERS]);
-/* What a surface that a ray met sends back along it, of what lights send to it and of its own. */
+/* Light that a surface sends back along a ray, reflected and emitted. */
 void reference_surface_light(const Tracer *tracer, const Hit *hit, const Ray *ray,
                              const MatcOptions *options, double light[3]);
 /* Its slot diffuse, as far as it is opaque. */
 void reference_surface_diffuse(const Tracer *tracer, const Hit *hit, const MatcOptions *options,
                                double diffuse[3]);
-/* What pixel x, y should be. */
+/* Expected value of pixel x, y. */
 Sample reference_sample(const Tracer *tracer, int x, int y, const MatcOptions *options);
 #endif

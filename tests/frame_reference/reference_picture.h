@@ -10,8 +10,8 @@ typedef struct {
     const float *rgba;
 } ReferencePicture;
 
-/* Of a folder and a name there: cycles/matt. False: it cannot be read, and the document's
- * diagnostics say why. */
+/* Reads a picture of a folder and a name there: cycles/matt. False: it cannot be read, and the
+ * document's diagnostics say why. */
 bool reference_picture_read(const char *name, ReferencePicture *picture);
 void reference_picture_free(ReferencePicture *picture);
 #endif

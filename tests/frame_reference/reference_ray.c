@@ -85,7 +85,7 @@ static void reference_bend(const SceneObject *object, const ShapeVertex *corner[
     }
 }
 
-/* The same of a tangent, by whose offset in a vertex it is; its image is in the world. */
+/* Slopes of a tangent, given by its offset in a vertex; its image is in the world. */
 static void reference_swing(const SceneObject *object, const ShapeVertex *corner[3], size_t tangent,
                             double slopes[2][3])
 {

@@ -1,6 +1,5 @@
-/* What a pixel's ray meets, in double, for tests: Embree finds the triangle, the point on it is
- * computed in double. It shares the triangles with the renderer, and nothing else: no matrix, no
- * shader. */
+/* First hit of a pixel's ray, in double, for tests: Embree finds the triangle, the point on it is
+ * computed in double. It shares the triangles with the renderer, but no matrix and no shader. */
 #ifndef MATC_REFERENCE_RAY_H
 #define MATC_REFERENCE_RAY_H
 #include "tests/frame_reference/reference_space.h"
@@ -10,7 +9,7 @@ typedef struct {
     double at[3], way[3]; /* at + t way */
 } Ray;
 
-/* What a ray meets first. */
+/* The first hit of a ray. */
 typedef struct {
     double distance; /* infinite: nothing */
     int object;
@@ -30,7 +29,7 @@ typedef struct Tracer Tracer;
 typedef void (*ReferenceShares)(const Tracer *tracer, const SceneLight *light, const Hit *hit,
                                 double shares[3]);
 
-/* What rays are traced in; geometry i is object i, but for planes, which have none. */
+/* Scene for rays; geometry i is object i, except for planes, which have none. */
 struct Tracer {
     const Scene *scene;
     Shape *shapes; /* of each object */
@@ -44,7 +43,7 @@ Tracer reference_open(const Scene *scene);
 void reference_close(Tracer *tracer);
 /* Through a place of the picture; a pixel's middle is at x + .5, y + .5, y up. */
 Ray reference_ray(const Scene *scene, double x, double y);
-/* What is met behind a distance, as multiples of the ray's direction. */
+/* First hit behind a distance, in multiples of the ray's direction. */
 Hit reference_hit(const Tracer *tracer, const Ray *ray, double behind);
 /* Something but a plane is met before a distance, in multiples of the direction. */
 bool reference_is_blocked(const Tracer *tracer, const double from[3], const double way[3],

@@ -45,8 +45,8 @@ static const struct {
      2},
 };
 
-/* Of a picture: where the light has what is seen, in texels; 1 where that is judged; whether light
- * reaches it. */
+/* Data of a picture's pixels: their place in the light's map, in texels; 1 where it is judged;
+ * whether light reaches it. */
 typedef struct {
     double (*places)[2];
     float *light, *truth;

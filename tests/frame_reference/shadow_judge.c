@@ -6,7 +6,7 @@ enum { DIRECTIONS = 10 };
 
 static const double tie = 1e-6; /* of the reach */
 
-/* What a ray from the eye meets: a triangle's corners in the world, or a plane. */
+/* Hit of a ray from the eye: a triangle's corners in the world, or a plane. */
 typedef struct {
     int object;
     unsigned triangle;

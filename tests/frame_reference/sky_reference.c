@@ -57,7 +57,7 @@ static void albedo_at(const SkyReferenceSurface *surface, double cosine, double 
         albedo[k] = (i + 1 - at) * surface->albedos[i][k] + (at - i) * surface->albedos[i + 1][k];
 }
 
-/* What Smith's masking leaves out, over what it leaves. */
+/* Smith's masking: the masked share over the visible share. */
 static double masked(double cosine, double alpha)
 {
     return (sqrt(1 + alpha * alpha * (1 / (cosine * cosine) - 1)) - 1) / 2;
@@ -69,7 +69,7 @@ static double facets_along(double high, double alpha)
     return alpha * alpha / (LOBE_PI * wide * wide);
 }
 
-/* What facets of a mean reflection send on after more than one of them, over what they would as
+/* Light that facets of a mean reflectance send on after several bounces, over that of ideal
  * mirrors. */
 static double again_of(double mean_reflected, const double mean[2])
 {

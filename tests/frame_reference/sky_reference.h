@@ -30,7 +30,8 @@ void sky_reference_surface(SkyReferenceSurface *surface);
 /* pi times the lobe and the light's cosine, of directions of unit length, the normal being z. */
 void sky_reference_lobe(const SkyReferenceSurface *surface, const double eye[3],
                         const double way[3], double lobe[3]);
-/* Of a normal, and the direction to the eye, in the world; by so many directions of either kind. */
+/* Light sent to the eye, for a normal and a direction to the eye, in the world; by so many
+ * directions of either kind. */
 void sky_reference_sent(const SkyReference *reference, const SkyReferenceSurface *surface,
                         double ways[2][3], int samples, double rgb[3]);
 #endif

@@ -33,7 +33,7 @@ static bool reaches(const Tracer *tracer, const Hit *hit, const double way[3])
     return ray.tfar > 0 && !shadow_is_behind_plane(tracer->scene, from, way, 1);
 }
 
-/* What of one ray arrives. */
+/* Share of one ray that arrives. */
 static void trace(const Tracer *tracer, const Hit *hit, const double way[3], bool glass,
                   double shares[3])
 {

@@ -22,7 +22,7 @@ static void expect(bool holds, const char *what)
 
 static bool is_near(double a, double b) { return fabs(a - b) <= 1e-4 * fabs(b); }
 
-/* Of x, the texture coordinate's u, at 4: 1/2, and -4^(-3/2) / 2 = -1/16 by u. */
+/* Checks x, the texture coordinate's u, at 4: 1/2, and -4^(-3/2) / 2 = -1/16 by u. */
 static void check_value(const Ir *ir)
 {
     double inputs[INPUT_COUNT][4] = {{0}}, result[MOST_OUTPUTS][4];

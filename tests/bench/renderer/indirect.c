@@ -113,7 +113,7 @@ static double map_time(const Place *p, int levels, int frames)
     return least;
 }
 
-/* The same as bricks, which rays read: of what the map takes. */
+/* Time of making the map's bricks, which rays read, relative to that of the map. */
 static double bricks_time(const Place *p)
 {
     double least = INFINITY;

@@ -109,7 +109,7 @@ static double each_frame(const Row *row)
     return sum;
 }
 
-/* What is to be reached is of the first row alone, and on a GPU. */
+/* Goals are those of the first row, and of GPUs. */
 static void put_row(const IndirectPasses *p, const Place *place, const Row *row, const Row *march,
                     int number)
 {
@@ -124,7 +124,7 @@ static void put_row(const IndirectPasses *p, const Place *place, const Row *row,
     putchar('\n');
 }
 
-/* Of a row that says its bounces these, else the place's. */
+/* Opens with the row's keys, which may give bounces; otherwise those of the place. */
 static bool open_keys(GlContext *gl, const IndirectPasses *p, const Place *place, const char *keys,
                       Row *row)
 {

@@ -1,4 +1,4 @@
-/* Of matbench indirect: the table passes. */
+/* The table passes of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_PASSES_H
 #define MATC_BENCH_INDIRECT_PASSES_H
 #include "runtime/render/render.h"

@@ -1,4 +1,4 @@
-/* Of matbench indirect: the table path. */
+/* The table path of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_PATH_H
 #define MATC_BENCH_INDIRECT_PATH_H
 #include "runtime/render/render.h"

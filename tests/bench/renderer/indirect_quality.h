@@ -1,4 +1,4 @@
-/* Of matbench indirect: the table quality. */
+/* The table quality of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_QUALITY_H
 #define MATC_BENCH_INDIRECT_QUALITY_H
 #include "runtime/render/render.h"

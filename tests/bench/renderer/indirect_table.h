@@ -1,4 +1,4 @@
-/* Of matbench indirect: the thesis' tables. */
+/* The thesis' tables of matbench indirect. */
 #ifndef MATC_BENCH_INDIRECT_TABLE_H
 #define MATC_BENCH_INDIRECT_TABLE_H
 #include "runtime/render/render.h"

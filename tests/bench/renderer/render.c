@@ -69,8 +69,8 @@ static const char *way_name(const Series *of, int way)
     return names[way];
 }
 
-/* Of pixels, by how much: the default layout is off by 1/255 of some, what is left out of lights by
- * half of that. */
+/* Bound of differences, and share of pixels beyond: the default layout has an error of 1/255 at
+ * some, light clustering half of that. */
 static const double bound = 2.0 / 255, pixels_beyond = .002;
 
 static const char *same_picture(double apart)

@@ -1,6 +1,7 @@
-/* What a point light takes, by the surface: nanoseconds a pixel and light, from 1 to 64 lights, and
- * times Phong's. Frames of all surfaces and numbers of lights are drawn in turns, and the least of
- * each counts. `plastic+` is plastic in a scene in which another material has a coat and fuzz. */
+/* Cost of a point light by surface: nanoseconds a pixel and light, from 1 to 64 lights, and
+ * relative to Phong's. Frames of all surfaces and numbers of lights are drawn in turns, and the
+ * least of each counts. `plastic+` is plastic in a scene in which another material has a coat and
+ * fuzz. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"
@@ -71,8 +72,8 @@ static double processor_seconds(void)
     return (double)time.tv_sec + (double)time.tv_nsec * 1e-9;
 }
 
-/* Of a GPU those of the pass light; else those that all threads of the process take for a frame,
- * which other programs change little. */
+/* On a GPU the seconds of the pass light; otherwise processor time of all threads for a frame, on
+ * which other programs have little effect. */
 static double light_seconds(const Bench *bench, BenchScene *scene)
 {
     RenderPassTime times[RENDER_PASSES_MOST];

@@ -1,4 +1,4 @@
-/* What passes of a frame take, bytes of a pixel, and what a transparent fragment takes. */
+/* Cost of a frame's passes, bytes of a pixel, and cost of a transparent fragment. */
 #include <stdio.h>
 #include "render_passes.h"
 #include "tests/bench/matbench.h"
@@ -112,7 +112,7 @@ static double seconds_of(const RenderPassTime *passes, int count, const char *co
     return sum;
 }
 
-/* Of square pictures, since all pixels are covered; no ratio depends on their size. */
+/* Measures square pictures, since all pixels are covered; no ratio depends on their size. */
 static bool measure_layers(const Bench *bench, int layers, const char *way)
 {
     enum { SIDE = 256, SIDE_OF_GPU = 1024 };

@@ -5,6 +5,6 @@
 
 bool bench_passes(const Bench *bench);
 bool bench_fragments(const Bench *bench);
-/* What a light takes of each surface, beside Phong's. */
+/* Cost of a light by surface, relative to Phong's. */
 bool bench_lobes(const Bench *bench);
 #endif

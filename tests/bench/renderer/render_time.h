@@ -23,7 +23,7 @@ typedef struct {
     Forward *forward; /* or NULL */
 } BenchScene;
 
-/* Who draws a scene. */
+/* Renderer that draws a scene. */
 typedef enum { BENCH_WAY_deferred, BENCH_WAY_bounded, BENCH_WAY_forward, BENCH_WAYS } BenchWay;
 
 typedef struct {

@@ -63,7 +63,7 @@ static bool measure_errors(const Shadows *s)
 
 /* -- times */
 
-/* What the shadows take alone is what a frame takes more than one without. */
+/* Time of shadows alone: that of a frame less that of one without them. */
 static void put_times(const Shadows *s, const ShadowsTime times[SHADOWS_METHODS_MOST])
 {
     const ShadowsTime none = times[0], pcf = times[s->pcf];

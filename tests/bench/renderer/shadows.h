@@ -1,4 +1,4 @@
-/* What the tables of matbench shadows share. */
+/* State that the tables of matbench shadows share. */
 #ifndef SHADOWS_H
 #define SHADOWS_H
 #include "shadows_scene.h"
@@ -38,6 +38,6 @@ bool shadows_polygons(const Shadows *s);
  * many polygons. */
 bool shadows_table1(const Shadows *s);
 bool shadows_steps(const Shadows *s);
-/* What the thesis claims of quality. */
+/* The thesis' claims of quality. */
 bool shadows_claims(const Shadows *s);
 #endif

@@ -1,5 +1,5 @@
-/* What the thesis says of quality, in numbers: how a small map's volume compares with large maps,
- * how many quads have the right diagonal by chance, and how early a blurred volume starts. */
+/* The thesis' claims of quality, in numbers: how a small map's volume compares with large maps, how
+ * many quads have the right diagonal by chance, and how early a blurred volume starts. */
 #include "tests/bench/matbench.h"
 #include "runtime/scene_reader/scene_read.h"
 #include "shadows.h"

@@ -1,5 +1,5 @@
-/* What matbench shadows draws: casters of one mesh, in sunlight, before different receivers, and
- * the methods that a light has. */
+/* Scenes of matbench shadows: casters of one mesh, in sunlight, before different receivers, and the
+ * methods of a light. */
 #ifndef SHADOWS_SCENE_H
 #define SHADOWS_SCENE_H
 #include "runtime/render/render.h"

@@ -84,7 +84,7 @@ static bool walk(const ShadowsTarget *target, const ShadowsPlace *place,
     return fine;
 }
 
-/* Of each method, beside exact shadows. */
+/* Counts for each method, beside exact shadows. */
 static bool count(const Shadows *s, ShadowsScene which, long flickers[SHADOWS_METHODS_MOST],
                   long *turns)
 {

@@ -15,7 +15,7 @@
 
 enum { EDGE = BISECTION_BODY_EDGE, PIXELS = EDGE * EDGE };
 
-/* What stands at the edge of what may be is decided by rounding: a few of thousands. */
+/* Rounding decides triangles at the edge of the criterion: a few of thousands. */
 static void triangles_are_those_of_the_processor(void **state)
 {
     static const struct {

@@ -88,7 +88,7 @@ static void little_moves_do_not_matter(void **state)
     }
 }
 
-/* What a view depends on but the camera's place makes all anew. */
+/* Anything that a view depends on beside the camera's position rebuilds everything. */
 static void what_else_changes_counts(void **state)
 {
     BisectionBody b =

@@ -13,9 +13,9 @@
 enum { EDGE = 160, PIXELS = EDGE * EDGE, TEXT = 4000 };
 #define DOCUMENT SOURCE_FOLDER "/tests/reference/cycles/displaced.yaml"
 
-/* Of the sheet, then of the box: the longest edge of the two triangles of a face, and the greatest
+/* For the sheet, then for the box: the longest edge of a face's two triangles, and the greatest
  * second derivative of the height by length: the sum over both sines of amplitude times the square
- * of the wave's number. So much, at most, a unit normal turns by a length of the face. */
+ * of the wave's number. A unit normal turns by at most this much a length of the face. */
 static const struct {
     double edge, bent;
 } bodies[2] = {{3 * 1.41421356, .08 * (144 + 25) / 9 + .05 * (49 + 256) / 9},
@@ -37,7 +37,7 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 #define ROUNDED 5e-6 /* files hold multiples of 2^-18, Cycles its rays in floats */
 
-/* What all is drawn by, and Cycles' points and normals. */
+/* Options of all drawings, and Cycles' points and normals. */
 typedef struct {
     const MatcOptions *options;
     MatcLayout *layout;
@@ -76,7 +76,7 @@ static Scene *open_scene(const char *how, const char *scale, const MatcOptions *
     return scene;
 }
 
-/* What is off over what may be, of points and of normals, on each body. */
+/* Errors over their bounds, of points and of normals, on each body. */
 typedef struct {
     double share[2][2][PIXELS], off[2][2][PIXELS];
     int count[2], missing;

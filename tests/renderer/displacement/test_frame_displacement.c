@@ -180,7 +180,7 @@ static void write_torus(const char *path)
     assert_int_equal(fclose(file), 0);
 }
 
-/* What is moved by how much: along its normals, or by a vector. */
+/* Displacement of a body: along its normals, or by a vector. */
 typedef struct {
     CurvedBody body;
     double scale;

@@ -77,7 +77,7 @@ static long divided(const Criterion *c, double (*p)[3], int step)
     return sum;
 }
 
-/* Of the square, whose corners are 1 from its middle. */
+/* Triangles of the square, whose corners are 1 from its center. */
 static long divided_square(const Criterion *c)
 {
     static const double corners[4][3] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
@@ -146,7 +146,7 @@ static void all_near_is_an_even_division(void **state)
     gl_close(gl);
 }
 
-/* Of a ball, whose triangles differ in area, and of the square. */
+/* Skirts of a ball, whose triangles differ in area, and of the square. */
 static void skirts_hide_gaps(void **state)
 {
     (void)state;

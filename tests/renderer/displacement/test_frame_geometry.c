@@ -23,8 +23,8 @@ static int triangles_of(GlContext *gl, int body, const char *how, MatcDocument *
     return shape_of(*scene)->index_count / 3;
 }
 
-/* Of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose edges are
- * hard, which mix the sum of two normals. */
+/* Patches of 7 parts, which nothing divides; of 12, which are three parts of four; on a box whose
+ * edges are hard, which mix the sum of two normals. */
 static void points_are_those_of_the_reference(void **state)
 {
     (void)state;

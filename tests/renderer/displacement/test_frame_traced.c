@@ -70,8 +70,8 @@ static float *picture(GlContext *gl, Render *render, const SceneText *of)
     return made;
 }
 
-/* What a picture is off the truth: distances where both meet the body; and pixels in which one of
- * them does alone. */
+/* Errors of a picture: distances where both meet the body; and pixels in which only one of them
+ * does. */
 typedef struct {
     double off[PIXELS];
     int count, disagree;
@@ -117,7 +117,8 @@ static double march(const Ray *ray)
     return INFINITY;
 }
 
-/* Of a pixel. NAN beside an outline: there rays a third of a pixel away come elsewhere. */
+/* True distance at a pixel. NAN beside an outline: there rays a third of a pixel away hit another
+ * place. */
 static double find_truth(const Scene *scene, int k)
 {
     const Ray middle = reference_ray(scene, k % EDGE + .5, k / EDGE + .5);
@@ -248,7 +249,7 @@ static void bodies_are_those_of_fine_meshes(void **state)
     render_close(depth), render_close(normals_of), gl_close(gl);
 }
 
-/* What else a scene may say: vectors, corners that are pushed out, parallel rays, instances that
+/* Further options of scenes: vectors, corners that are pushed out, parallel rays, instances that
  * are smaller or mirrored. A grid as fine as its edges allow is the truth. */
 static const struct {
     const char *name, *fine, *coarse, *camera, *objects;
