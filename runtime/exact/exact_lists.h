@@ -1,4 +1,4 @@
-/* What each light whose shadows are exact sees of the triangles, for lists of them by cells:
+/* Views of lights with exact shadows on the triangles, for lists of them by cells:
  * whatever hides a point of a cell from the light is in the cell's list. exact_cover.h makes the
  * lists. No GL.
  *

@@ -1,5 +1,5 @@
-/* What the pass gather keeps of blocks of pixels for the pass light, as light_bound.c says: two
- * buffers, and the room that they take. */
+/* Storage of the pass gather for the pass light, by blocks of pixels (light_bound.c): two buffers,
+ * and their sizes. */
 #include "runtime/light/light_far.h"
 #include <limits.h>
 
@@ -72,7 +72,7 @@ void light_far_put(Text *out, const Render *render)
         text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
 
-/* Of so many bytes for each block. */
+/* Makes a buffer of so many bytes for each block. */
 static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
 {
     const GlContext *gl = render->gl;

@@ -14,7 +14,7 @@
 enum { FACE = SKY_FACE, FACES = 6, DEGREE = 6, POWERS = DEGREE + 1 };
 #define PI 3.14159265358979323846
 
-/* Of bands 0, 1, 2, 4, 6: (2l+1)/(4 pi) A_l/pi. */
+/* Factors of bands 0, 1, 2, 4, 6: (2l+1)/(4 pi) A_l/pi. */
 static const double bands[] = {1 / (4 * PI), 1 / (2 * PI), 5 / (16 * PI), -3 / (32 * PI),
                                13 / (256 * PI)};
 
@@ -144,7 +144,7 @@ static void make_numbers(Moments *m, float out[SKY_WORLD][4])
     put_numbers(sum, m->odd, out);
 }
 
-/* What the sky shows on a face, and that into the cube. */
+/* Draws the sky's face of a cube map, and reads it. */
 static bool draw_face(Render *render, int face, const Framebuffer *target, float *rgba)
 {
     GlContext *gl = render->gl;

@@ -1,4 +1,4 @@
-/* What a frame keeps of light: data alone, of the passes in runtime/light. */
+/* State of light: data of the passes in runtime/light. */
 #ifndef MATC_LIGHT_LIGHT_STATE_H
 #define MATC_LIGHT_LIGHT_STATE_H
 #include "gen/sky_layout.h"
@@ -21,7 +21,7 @@ typedef struct {
     float first[3];                 /* as it is in one place */
 } SkyLight;
 
-/* Of pass_gather.c, where lights are many. */
+/* State of pass_gather.c, for many lights. */
 typedef struct {
     ScreenPass groups, near, gather; /* one after the other */
     GLuint numbers, words;           /* storage buffers of far_blocks.glsl */

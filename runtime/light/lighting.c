@@ -1,5 +1,5 @@
-/* What every pass that lights surfaces takes: the GLSL between what gives a Surface and the pass's
- * own, numbers, textures. */
+/* Inputs of every pass that lights surfaces: the GLSL between the unpacking of a Surface and the
+ * pass's own, numbers, textures. */
 #include "runtime/light/lighting.h"
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow.h"
@@ -9,7 +9,7 @@
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
 _Static_assert(SHADOW_UNIT + SHADOW_UNITS == LIGHTING_UNITS, "units");
 
-/* What stands for a layout where no surface has one. */
+/* Replacement of a layout if no surface has one. */
 static const char no_surface[] = "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 "
                                  "pixel) { return Surface(0.0); }\n";
 
@@ -64,7 +64,7 @@ static bool fail_model(const Render *render)
 
 bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
 
-/* What gives a Surface, and its model behind the kinds of light that this asks for. */
+/* Adds the unpacking of a Surface, and its model behind the kinds of light that it needs. */
 static void add_surface(const Render *render, bool places, ScreenPassText *text)
 {
     screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);

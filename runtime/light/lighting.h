@@ -13,8 +13,8 @@ void light_sky_set(const Render *render, int unit, ScreenPass *pass);
 void light_sky_bind(const Render *render, int unit);
 extern const FramePass pass_gather, pass_light;
 
-/* What a pass lights, and by what: layers of what is transparent by all lights; what is nearest, by
- * all lights but those that indirect light dims; or that by
+/* Surfaces that a pass lights, and the lights: layers of what is transparent by all lights; what is
+ * nearest, by all lights but those that indirect light dims; or that by
  * light from all around alone, without any that has a place, and without shadows; nodes of cached
  * radiance, by the lights of what is nearest. */
 typedef enum { LIGHTING_layers, LIGHTING_nearest, LIGHTING_around, LIGHTING_nodes } LightingOf;

@@ -1,4 +1,4 @@
-/* What several kinds share. */
+/* Functions that several kinds share. */
 #include "runtime/light_kinds/light_kind.h"
 #include "compiler/base/vec3.h"
 

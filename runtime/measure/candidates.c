@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What is measured is GLSL 3.30; what is wanted may be another target, which can lack a layout. */
+/* Measurements use GLSL 3.30; the requested target may be another one, which can lack a layout. */
 static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
 {
     if (!options->target || !strcmp(options->target, "glsl330"))

@@ -172,7 +172,7 @@ static const Known *find_known(const Errors *e, const char *fragment, int slot, 
     return NULL;
 }
 
-/* What does not vary over the surface has no varyings; it is neither slow nor aliased. */
+/* A material that is constant over the surface has no varyings; it is neither slow nor aliased. */
 static bool is_constant(const char *fragment) { return !strstr(fragment, "\nin "); }
 
 static const Known *learn(Errors *e, const Variant *variant, int slot, MatcProgram *program)

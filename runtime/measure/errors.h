@@ -18,7 +18,7 @@ typedef struct {
     float *mean[SLOT_COUNT]; /* supersampled; NULL: not made yet */
 } Truth;
 
-/* What is drawn, and what is known of the programs that were. */
+/* State of drawing, and results of the programs that were drawn. */
 typedef struct {
     Meter *meter;
     const MeasureRequest *request;
@@ -36,7 +36,7 @@ void errors_close(Errors *e);
 /* False, with a word in the meter: the reference takes too long for what nothing can then be
  * compared with. */
 bool errors_has_truth(Errors *e, const Variant *variant);
-/* Of m->variant, whose program of pass gbuffer is given: makes its material, and fills in all
+/* Measures m->variant, whose program of pass gbuffer is given: makes its material, and fills in all
  * errors of m. False: it cannot be drawn. */
 bool errors_measure(Errors *e, Measured *m, MatcProgram *program, Material *material);
 /* From calloc; memory that is missing ends the process. */

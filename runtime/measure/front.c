@@ -2,7 +2,7 @@
 #include "runtime/measure/measure.h"
 #include <math.h>
 
-/* Who is a hundredth more exact at greater cost has gained nothing. */
+/* A variant a hundredth more exact at greater cost has gained nothing. */
 static bool beats(const FrontPoint *a, const FrontPoint *b)
 {
     const double alike = 1.01;

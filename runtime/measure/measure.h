@@ -39,7 +39,7 @@ typedef struct {
     double constant; /* nanoseconds a pixel of the constant colour */
 } MeasuredList;
 
-/* What to measure. The document was read with `pixels`. */
+/* Request of a measurement. The document was read with `pixels`. */
 typedef struct {
     const MatcDocument *document;
     int material;
@@ -66,7 +66,7 @@ void measure_free(MeasuredList *list);
  * POINTS. False: they take more operations than the reference is given, and are not known. */
 bool measure_reference(const MeasureRequest *request, const Variant *variant,
                        const FieldVertex *points, SlotValues *values);
-/* Of one slot over the points; `lanes` lanes each. */
+/* Distance of one slot over the points; `lanes` components each. */
 Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count);
 
 /* Marks the members for which no other is better in one of time and error and as good in the other;
@@ -84,6 +84,6 @@ int measure_choose(const MeasuredList *list, double most, int *best);
 /* The table as CSV, a header line and a line each; `subject` fills the first column. From malloc.
  * Without `header`, lines alone. */
 char *measure_csv(const MeasuredList *list, const char *subject, const GlContext *gl, bool header);
-/* The same as a table to be read. */
+/* The list as a table for people. */
 char *measure_table(const MeasuredList *list);
 #endif

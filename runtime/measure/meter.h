@@ -15,7 +15,7 @@ typedef struct {
     char error[4096];
 } Meter;
 
-/* What is drawn, by what, where to. */
+/* A drawing to be timed: material, mesh and target. */
 typedef struct {
     Material *material;
     const Field *field;

@@ -138,7 +138,7 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, Pa
     return done && out;
 }
 
-/* What is chosen is how well something is computed, not what. */
+/* Choices vary how well something is computed, not what. */
 static VariantAxes open_for_choice(const MatcOptions *options)
 {
     VariantAxes open = variant_open(options);
@@ -200,7 +200,7 @@ static bool refuse(const MeasuredList *list, int best, double most, const Varian
                         name, list->at[best].error, worst_slot(&list->at[best]));
 }
 
-/* What was open is set; the rest stays as it was given. */
+/* Sets the open axes; the rest stays as it was given. */
 static void take(const Variant *variant, const VariantAxes *open, MatcOptions *options)
 {
     if (open->layout)

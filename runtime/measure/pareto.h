@@ -1,5 +1,5 @@
-/* What matc's --pareto and --max-error do: measure, and put what was found into words and pictures.
- * Prints nothing. */
+/* Implements matc's --pareto and --max-error: measures, and writes the results as words and
+ * pictures. Prints nothing. */
 #ifndef MATC_MEASURE_PARETO_H
 #define MATC_MEASURE_PARETO_H
 #include "runtime/measure/measure.h"

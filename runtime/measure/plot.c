@@ -16,7 +16,7 @@ enum {
     LABELS = 256
 };
 
-/* Of lines, a row at the top of the panel: how long a line's sample is, and the room of a
+/* Key of lines, a row at the top of the panel: length of a line's sample, and the width of a
  * letter. */
 enum { KEY_SAMPLE = 14, KEY_GAP = 4, KEY_LETTER = 6, KEY_HEIGHT = 18 };
 

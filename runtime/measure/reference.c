@@ -1,4 +1,4 @@
-/* What the numbers should be, and how far they are from that. */
+/* Reference values, and distances from them. */
 #include "compiler/evaluate.h"
 #include "runtime/measure/measure.h"
 #include <math.h>

@@ -1,5 +1,5 @@
-/* What is drawn to measure a material: points, a fragment each, whose inputs are given floats; and
- * a plane in perspective up to its horizon. */
+/* Drawings that measure a material: points, a fragment each, whose inputs are given floats; and a
+ * plane in perspective up to its horizon. */
 #ifndef MATC_MEASURE_SAMPLE_H
 #define MATC_MEASURE_SAMPLE_H
 #include "compiler/oracle/oracle.h"
@@ -10,7 +10,7 @@ enum { POINTS_WIDTH = 64, POINTS_HEIGHT = 32, POINTS = POINTS_WIDTH * POINTS_HEI
 /* Points spread evenly in [-range, range] on every coordinate, with unit normals at any angle and
  * unit tangents at right angles to them. The same ones at every call. */
 void sample_points(FieldVertex points[POINTS], double range);
-/* What the oracle sees there: the very same floats, from the front, ior 1. */
+/* The oracle's surface at the point: the very same floats, from the front, ior 1. */
 void sample_surface(const FieldVertex *point, Surface *surface);
 
 /* Where the plane z = 0 is seen from, one unit above it. The horizon is the picture's upper

@@ -9,7 +9,7 @@ typedef struct {
     int layout;             /* of layout_table */
 } Variant;
 
-/* What may be varied. */
+/* Axes that may vary. */
 typedef struct {
     bool axis[AXIS_COUNT];
     bool layout;
@@ -19,8 +19,8 @@ enum { VARIANT_LIMIT = 8192, VARIANT_NAME = 256 };
 
 /* The variant that options mean. False: they name what does not exist. */
 bool variant_of(const MatcOptions *options, Variant *variant);
-/* What options leave open: an axis that neither its own option nor --precision sets; the layout
- * without --layout. */
+/* Axes that options leave open: those that neither their own option nor --precision sets; the
+ * layout without --layout. */
 VariantAxes variant_open(const MatcOptions *options);
 /* Options that name all of a variant, whatever else `base` says. */
 MatcOptions variant_options(const Variant *variant, const MatcOptions *base);
@@ -31,7 +31,7 @@ MatcProgram *variant_compile(const MatcDocument *document, int material, unsigne
 /* Every combination of what is open, `base` itself first, then by how many choices differ from it;
  * at most VARIANT_LIMIT. From malloc. */
 Variant *variant_list(const Variant *base, const VariantAxes *open, int *count);
-/* The same program, by choices that may differ: all but the comment that names those. */
+/* Programs are equal up to the comment that names the choices. */
 bool variant_programs_equal(const char *a, const char *b);
 /* How many choices differ, the layout counted in. */
 int variant_distance(const Variant *a, const Variant *b);

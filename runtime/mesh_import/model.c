@@ -26,7 +26,7 @@ enum { HAS_MEMORY_LIMIT = 1 };
 
 enum { MESSAGE = 1024, BROKEN = 3 };
 
-/* What goes through the pipe first; then vertices, indices, runs, and the extras that there are. */
+/* Head of a message through the pipe; vertices, indices, runs and optional data follow. */
 typedef struct {
     bool done, has_normals, has_coordinates;
     int vertex_count, index_count, run_count;
@@ -149,7 +149,7 @@ static bool receive_extras(int pipe, const Head *head, Shape *shape)
     return true;
 }
 
-/* What the other process says; false: it said it not, or not to its end. */
+/* Receives the message of the child process; false: it did not come, or not to its end. */
 static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
 {
     if (!receive_all(pipe, head, sizeof *head))
@@ -174,7 +174,7 @@ static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
            are_whole(*runs, head) && receive_extras(pipe, head, shape);
 }
 
-/* What comes of reading a file, and what it is read into. */
+/* Result of reading a file. */
 typedef struct {
     Shape shape;
     ModelRun *runs;

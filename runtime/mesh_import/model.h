@@ -29,11 +29,11 @@ typedef struct {
  * empty. */
 bool model_read(const char *path, Shape *made, char *error, size_t room);
 
-/* The same where it stands, in its own size, for scenes. */
+/* Reads a mesh with its own position and size, for scenes. */
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
 
-/* The same, a shape for each material that triangles have, in the order of the file's materials:
- * *made has *count of them, from malloc. */
+/* Reads a shape for each material that triangles have, in the order of the file's materials: *made
+ * has count of them, from malloc. */
 typedef struct {
     int material;
     Shape shape;

@@ -23,9 +23,9 @@ typedef struct {
     size_t count, room;
 } ModelAttributes;
 
-/* What a .gltf or .glb has of them; of other files nothing. Lanes that an accessor lacks are 0, 0,
- * 0, 1; whole numbers are themselves, or where they are `normalized` what glTF 2.0 says, section
- * 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: *error says where. */
+/* Reads the attributes of a .gltf or .glb; other files have none. Components that an accessor lacks
+ * are 0, 0, 0, 1; whole numbers are themselves, or, if `normalized`, as glTF 2.0 states in section
+ * 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: error says why. */
 bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
                            char *error, size_t room);
 #endif

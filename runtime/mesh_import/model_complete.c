@@ -104,7 +104,7 @@ static void make_normals(Shape *shape)
     }
 }
 
-/* Of unit length; upwards where there is none to be had. */
+/* Makes normals unit vectors; up where there is none. */
 static void mend_normals(Shape *shape)
 {
     static const float up[3] = {0, 0, 1};
@@ -113,8 +113,8 @@ static void mend_normals(Shape *shape)
             memcpy(shape->vertices[i].normal, up, sizeof up);
 }
 
-/* Of a vertex: how many triangles gave it tangents; by how much more of their area those turn right
- * around its normal than left. */
+/* A vertex: how many triangles gave it tangents; by how much more of their area turns right around
+ * its normal than left. */
 typedef struct {
     int faces;
     float turn;
@@ -228,8 +228,7 @@ const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
     return complete(shape, has_normals, has_coordinates, &size, NULL);
 }
 
-/* What is computed of a mesh is computed at the size of one: whether an area is small is then a
- * question with an answer. */
+/* Computations on a mesh use it scaled to size 1: whether an area is small is then well defined. */
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
 {
     float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);

@@ -161,7 +161,7 @@ static bool add_vertices(const struct aiMesh *mesh, const ModelAttributes *attri
     return true;
 }
 
-/* Of a mesh; names of a glTF's are numbers (model_number.h). */
+/* Material of a mesh; names of a glTF's are numbers (model_number.h). */
 static int material_of(const struct aiScene *scene, const struct aiMesh *mesh)
 {
     struct aiString name = {0};
@@ -222,7 +222,7 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
     return fits || fail_many(vertices, indices, error, room);
 }
 
-/* What assimp says is wrong; a name of C++ says nothing to who wrote the file. */
+/* Error message of assimp; a name of C++ says nothing to the author of the file. */
 static const char *said(void)
 {
     const char *text = aiGetErrorString();

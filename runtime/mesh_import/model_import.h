@@ -5,7 +5,7 @@
 #include "runtime/mesh_import/model.h"
 #include <stddef.h>
 
-/* What a file has, as it stands in it; vertices without tangents. */
+/* Content of a file as it is; vertices without tangents. */
 typedef struct {
     Shape shape;
     ModelRun *runs;

@@ -7,7 +7,7 @@
  * the author's have theirs, and buffers of one file are one; from malloc. NULL: it has none of
  * these, or is broken. */
 char *model_number_text(const char *text, size_t size);
-/* The same of the bytes of a .glb. */
+/* Numbers the bytes of a .glb. */
 char *model_number_binary(const char *bytes, size_t size, size_t *made);
 /* The number that such a name is; MODEL_NO_MATERIAL: it is none. */
 int model_material_number(const char *name);

@@ -150,7 +150,7 @@ static bool begin_whole(Render *render)
     return true;
 }
 
-/* What the second round measures takes what the first has. */
+/* The second round of measuring uses the result of the first. */
 static bool pass_tone_count(Render *render, FrameCount step)
 {
     const bool second = render->picture->whole[0] != 0;
@@ -169,7 +169,7 @@ static bool pass_tone_count(Render *render, FrameCount step)
     }
 }
 
-/* Of one tile that is the picture. */
+/* Measures a picture of one tile. */
 static void measure_picture(Render *render)
 {
     const GLuint light = frame_texture(render, FRAME_TARGET_light, 0);

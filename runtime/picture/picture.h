@@ -6,7 +6,7 @@
 #include "runtime/light/lighting.h"
 
 bool pass_edge_needed(const Render *render);
-/* What is asked for and not there; NULL: nothing. */
+/* Reason why a requested pass is missing; NULL: none. */
 const char *pass_edge_lacks(const Render *render);
 /* The pass runs, and has its target. */
 bool pass_tools_are_there(const Render *render);

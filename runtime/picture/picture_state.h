@@ -1,4 +1,4 @@
-/* What a frame keeps of edges and tools: data alone, of the passes in runtime/picture. */
+/* State of edges and tools: data of the passes in runtime/picture. */
 #ifndef MATC_PICTURE_PICTURE_STATE_H
 #define MATC_PICTURE_PICTURE_STATE_H
 #include "runtime/frame/frame.h"
@@ -6,14 +6,14 @@
 #include "runtime/draw/screen_pass.h"
 #include "runtime/gl/framebuffer.h"
 
-/* Of the pass edge. */
+/* State of the pass edge. */
 typedef struct {
     Material material;
     GLuint lines; /* texels of edge_list.h */
     int count;    /* of lines */
 } FrameEdge;
 
-/* Of pass_tools.c. */
+/* State of pass_tools.c. */
 typedef struct {
     Material material;
     GLuint array, buffer;      /* of vertices of tool_lines.h */

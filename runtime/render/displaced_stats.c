@@ -39,7 +39,7 @@ static void put_grids(Text *out, const Render *render)
         }
 }
 
-/* What was to be traced, and is not. */
+/* Surfaces that were to be ray-marched, and are not. */
 static void put_traced(Text *out, const Render *render)
 {
     const Cache *cache = &render->cache;

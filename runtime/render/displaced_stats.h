@@ -1,4 +1,4 @@
-/* What the user should know of how surfaces are displaced. */
+/* Lines of --stats on how surfaces are displaced. */
 #ifndef MATC_RENDER_DISPLACED_STATS_H
 #define MATC_RENDER_DISPLACED_STATS_H
 #include "runtime/frame/frame.h"

@@ -57,7 +57,7 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 
 /* -- the plan */
 
-/* What triangles are seen is kept for the next frame. */
+/* The triangle ids are kept for the next frame. */
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
@@ -118,7 +118,7 @@ void frame_place(Render *render)
             passes[i]->place(render);
 }
 
-/* What a pass counts in: all that is drawn before it, if it sees light, else depths alone. */
+/* Draws everything before a pass that counts fragments, if it reads light; else depths alone. */
 static void draw_before(Render *render, int pass)
 {
     const bool all = (passes[pass]->plan.reads & FRAME_BIT(light)) != 0;

@@ -1,5 +1,5 @@
-/* What a frame's targets are made of, by the scene, its shadows and its indirect light; and the
- * bytes of it all. */
+/* Formats of a frame's targets, by the scene, its shadows and its indirect light; and their bytes.
+ * */
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
@@ -56,7 +56,7 @@ static const char *format_of(const Render *render, FrameTarget target, int textu
     return texture == 0 ? one[target] : NULL;
 }
 
-/* Of pixels of the frame, along an edge of a target's. */
+/* Pixels of the frame along an edge of a target's pixel. */
 static int coarse_of(const Render *render, FrameTarget target)
 {
     if (target == FRAME_TARGET_shown)

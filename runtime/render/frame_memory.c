@@ -53,8 +53,7 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static int round_up(int a, int step) { return (a + step - 1) / step * step; }
 
-/* What stays together: blocks of 2 x 2, or of pixels for which rays go out, and the samples of a
- * pixel. */
+/* Size of indivisible blocks: 2 x 2 pixels, pixels of the ray pass, and the samples of a pixel. */
 static int step_of(const Render *render)
 {
     const int block = indirect_coarse(render) > 2 ? indirect_coarse(render) : 2;
@@ -72,7 +71,7 @@ static bool is_whole(const Render *render)
            (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
 }
 
-/* What a tile looks at around itself: edges at their neighbours, indirect light farther. */
+/* Guard band of a tile: edges read neighbors, indirect light farther pixels. */
 static int margin_of(const Render *render)
 {
     const unsigned there = render->targets.plan.there;

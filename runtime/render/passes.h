@@ -18,7 +18,7 @@ Slot render_find_slot(const char *name); /* SLOT_COUNT: there is none */
 /* The passes in the order of a frame. */
 const FramePass *frame_pass(int pass);
 int frame_pass_count(void);
-/* The same, and in buffers of far lights and of sheets: all memory there is, but for lists.
+/* All memory of a frame, with buffers of light clustering and of planes, but without lists.
  * frame_forms.c */
 int frame_all_bytes(const Render *render);
 /* Fills render->targets.forms. frame_forms.c */
@@ -40,7 +40,7 @@ bool frame_fall_back(Render *render);
 void frame_clear(Render *render);
 /* Why a pass does not run; NULL: it does. */
 const char *frame_reason(const Render *render, const FramePlanRequest *request, int pass);
-/* What the plan was asked for. */
+/* Request of the current plan. */
 void frame_request(const Render *render, FramePlanRows *made);
 
 extern const FramePass pass_surface, pass_plane, pass_sky;

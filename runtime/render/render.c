@@ -202,7 +202,7 @@ static bool wants_triangles(const Render *render)
            shadow_methods_need(render).triangles;
 }
 
-/* What the driver cannot displace becomes meshes. */
+/* Patches that the driver cannot displace become meshes. */
 static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
@@ -252,8 +252,7 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
     return true;
 }
 
-/* What the scene before was drawn with goes when all is there for the next: programs and pictures
- * of both are not made again. */
+/* Builds the new scene before freeing the old, so that shared programs and pictures survive. */
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
@@ -355,8 +354,8 @@ bool render_changed_meshes(Render *render)
     return has_scene(render) && render_again(render, render->scene);
 }
 
-/* What changed may have more transparent fragments, or layers. Where lists would be too long, the
- * scene is made again. */
+/* A change may bring more transparent fragments, or layers. If lists would be too long, the scene
+ * is rebuilt. */
 static bool recount(Render *render)
 {
     render->uncounted = false;

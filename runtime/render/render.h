@@ -31,8 +31,7 @@ bool render_changed_objects(Render *render, int first, int count);
 /* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params
  * stay as they were set. */
 bool render_changed_meshes(Render *render);
-/* The same, of the scene that was drawn, where making it anew has failed and it is as before
- * again. */
+/* Rebuilds the scene that was drawn, after rebuilding has failed and the scene is as before. */
 bool render_again(Render *render, const Scene *scene);
 /* Draws pictures of so many pixels from now on; 0: as the scene says. False: the targets cannot be
  * made, and all is as it was. */
@@ -44,7 +43,7 @@ bool render_param(Render *render, int material, const char *name, const float *l
  * changed since the one before. */
 bool render_frame(Render *render);
 
-/* Of the picture, and of what is drawn at once. */
+/* Size of the picture, and of the part that is drawn at once. */
 int render_width(const Render *render);
 int render_height(const Render *render);
 int render_tile_width(const Render *render);
@@ -53,7 +52,7 @@ int render_tile_height(const Render *render);
  * so that pixels keep their neighbours in a block of 2 x 2. What lies beyond the picture is drawn,
  * too, and of no use. */
 void render_move(Render *render, int x, int y);
-/* Of the view: 4 where it is of light, 1 of depth, as the slot has it, and 3 where that has 2. */
+/* Components of the view: 4 for light, 1 for depth, those of a slot, and 3 if a slot has 2. */
 int render_lanes(const Render *render);
 /* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light"
  * linear, "depth" in the first lane. Of depth and of slots the last lane is the share of the pixel
@@ -77,23 +76,23 @@ bool render_lacks_view(const Render *render);
  * malloc. */
 char *render_diagnostics(const Render *render);
 
-/* What a pass took, drawn once more: by the driver's clock where it has one (clock.h), else until
- * it was finished; 0: it does not run. */
+/* Time of a pass, drawn once more: by the driver's clock if it has one (clock.h), else until it was
+ * finished; 0: it does not run. */
 typedef struct {
     const char *name;
     double seconds;
 } RenderPassTime;
 enum { RENDER_PASSES_MOST = 32 };
-/* Of all passes, in the order of a frame; maps of shadows are drawn again. How many there are. */
+/* Times of all passes, in the order of a frame; shadow maps are drawn again. Returns how many. */
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST]);
-/* Of all targets together; of a fragment in a list, 0: there are no lists. */
+/* Bytes of a pixel in all targets; of a fragment in a list, 0: there are no lists. */
 int render_pixel_bytes(const Render *render);
 int render_fragment_bytes(const Render *render);
 
 /* The passes: what each reads and writes, which run, and why not; targets, their bytes and which
  * share memory. From malloc. */
 char *render_graph(const Render *render);
-/* The same with what a frame took, drawn once more pass by pass; programs, triangles, bytes. From
- * malloc. NULL: see the context's error. */
+/* The graph with the times of a frame, drawn once more pass by pass; programs, triangles, bytes.
+ * From malloc. NULL: see the context's error. */
 char *render_stats(Render *render);
 #endif

@@ -1,5 +1,4 @@
-/* What lights are, as far as programs, maps and targets are made by it: a change of that makes them
- * anew. */
+/* Properties of lights that programs, maps and targets depend on: a change rebuilds them. */
 #include "runtime/render/passes.h"
 #include <stdlib.h>
 #include <string.h>

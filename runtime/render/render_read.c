@@ -1,5 +1,5 @@
-/* What is read of a frame. The picture comes without samples; of any other view their mean is taken
- * here. */
+/* Reads a frame. The picture comes without samples; the mean of the samples of any other view is
+ * taken here. */
 #include "runtime/indirect/screen/pass_positions.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/voxels/voxels.h"

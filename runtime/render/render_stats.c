@@ -1,4 +1,4 @@
-/* What runs, in words: the passes and their targets, and what they took. */
+/* Describes a frame in words: the passes, their targets, and their times. */
 #include "compiler/base/session.h"
 #include "compiler/base/memory.h"
 #include "runtime/frame/transparency_draw.h"
@@ -166,7 +166,7 @@ static void put_unshadowed(Text *out, const Render *render)
                  "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
 }
 
-/* What an area light's points do not see. */
+/* Shadow casters outside the views of an area light. */
 static void put_soft(Text *out, const Render *render)
 {
     const int points = render->scene->shadow_points, areas = count_areas(render, true);

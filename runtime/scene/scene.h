@@ -92,7 +92,7 @@ typedef struct {
     double grid_step, axes_length, light_size;
 } SceneTools;
 
-/* What some methods of displacement go by. */
+/* Settings of some displacement methods. */
 typedef struct {
     Word skirts;   /* WORD_Skirts_auto, ... */
     Word symbol;   /* of points: WORD_Symbol_square, ... */
@@ -103,7 +103,7 @@ typedef struct {
     int steps;          /* of feedback: passes; 0: by the number of triangles */
 } SceneDividing;
 
-/* Of `indirect:`, as scene.def says. */
+/* Settings of `indirect:`, as scene.def describes them. */
 typedef struct {
     /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
     Word method;
@@ -186,11 +186,11 @@ const char *scene_displace_name(Word word);
 bool scene_shadows_find(const char *name, Word *method);
 /* The word, if it is the name of such a method; else NULL. */
 const char *scene_shadows_name(Word word);
-/* The same of the list Volume. */
+/* Name of a word of the list Volume. */
 const char *scene_volume_name(Word word);
 /* All lights that cast shadows do so by this method; an Area by map, unless that is none. */
 void scene_lights_shadow(Scene *scene, Word method);
-/* The same as of Shadows, of the list Indirect. */
+/* Queries of the list Indirect, as those of Shadows. */
 bool scene_indirect_is(const Scene *scene); /* it has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);

@@ -14,11 +14,11 @@ typedef struct {
     double translation[3], rotation[3], scale[3], shear[3];
 } ScenePlace;
 SceneMatrix scene_matrix_place(const ScenePlace *place);
-/* What a document's transformation does; its values are numbers. */
+/* Matrix of a document's transformation; its values are numbers. */
 SceneMatrix scene_matrix_of(const Transform *transform);
-/* What undoes it. False: nothing does. */
+/* Inverse. False: there is none. */
 bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
-/* Of the upper left part. */
+/* Determinant of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 
 /* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x

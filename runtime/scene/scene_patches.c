@@ -1,6 +1,6 @@
-/* What moves the points of patches. Within a patch it is its corners' own; on an edge that is hard,
- * the sum of its two sides' normals, mixed between its ends; along a seam, what the first patch has
- * there; at a corner the same of all around it.
+/* Displacement of the points of patches. Within a patch it is its corners' own; on an edge that is
+ * hard, the sum of its two sides' normals, mixed between its ends; along a seam, what the first
+ * patch has there; at a corner the same of all around it.
  *
  *     Two faces of a box: their edge moves along the sum of their normals, points beside it along
  *         their own face's. */
@@ -205,7 +205,7 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
     return (uint8_t)parts;
 }
 
-/* What is rounded by corners, or a symbol, may go farther than `bound`. */
+/* Surfaces rounded by corners, or a symbol, may exceed `bound`. */
 bool scene_patches_hide(const ScenePatches *patches)
 {
     return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 &&

@@ -43,7 +43,7 @@ void scene_patches_free(ScenePatches *patches);
  * first[i] is the place of vertex i (scene_places). Returns whether that turns them round, since
  * the edge leads from corner k + 1 to k + 2. */
 bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t ends[2]);
-/* Of the inside: as many as the edge has that has most. */
+/* Parts of the inside: those of the edge with the most. */
 int scene_patch_parts(const uint8_t parts[3]);
 /* A mesh and its patches; leaves an empty one behind. */
 void scene_mesh_free(SceneMesh *mesh);

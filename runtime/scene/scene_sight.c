@@ -66,8 +66,8 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
     return fmax(reach, light_from(light) == LIGHT_FROM_afar ? 0 : 1);
 }
 
-/* The same until no ray is before a ground any more. One that never comes there has no shadow on
- * it; infinite: a ray may run along it. */
+/* Length until no ray is before a ground any more. A ray that never reaches it has no shadow there;
+ * infinite: a ray may run along it. */
 static double ground_reach(const double ground[4], const SceneLight *light,
                            const SightTriangle *moved)
 {
@@ -97,7 +97,7 @@ static double far_from(const double at[3], const double low[3], const double hig
     return sqrt(square);
 }
 
-/* What a map spreads: its filter, and how far a point is lifted to ask it. */
+/* Margin of a map: its filter, and how far a point is lifted before it is looked up. */
 static double spread_of(const SceneSight *sight, const SceneLight *light,
                         const SightTriangle *moved, double reach)
 {

@@ -1,5 +1,4 @@
-/* What of the world a camera and shadows see: whoever divides surfaces leaves out what neither
- * does. */
+/* Part of the world that a camera and shadows can see: subdivision leaves out the rest. */
 #ifndef MATC_SCENE_SIGHT_H
 #define MATC_SCENE_SIGHT_H
 #include "runtime/scene/scene.h"

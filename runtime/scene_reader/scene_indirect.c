@@ -1,4 +1,4 @@
-/* What a scene says of indirect light. */
+/* Reads a scene's settings of indirect light. */
 #include "runtime/scene_reader/scene_part.h"
 
 static Word word_of(const SceneThing *thing, int param)

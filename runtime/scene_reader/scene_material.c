@@ -169,7 +169,7 @@ static int read_file(SceneReader *r, const Tree *tree)
     return index < 0 ? fail(r) : use(r, document, index);
 }
 
-/* What stands without a material in the file has its last, `default`. */
+/* Parts without a material in the file have its last one, `default`. */
 int scene_material_read_of(SceneReader *r, const Tree *path, int number)
 {
     MatcDocument *document = sound_document(r, path);

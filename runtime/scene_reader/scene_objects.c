@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What a group gives to what is in it. */
+/* Properties that a group passes to its members. */
 typedef struct {
     SceneMatrix world_from_group;
     int material;     /* -1: none */
@@ -245,7 +245,7 @@ static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix 
     scene->root_count = (int)count;
 }
 
-/* What is wrong with an object is told once, however often it is met. */
+/* Reports a fault of an object once, however often it is used. */
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
     SceneThing thing;
@@ -358,7 +358,7 @@ static void read_aside(SceneReader *r, Tree *tree, int depth)
     r->stand_count = stands;
 }
 
-/* Of objects as any, in the copies' space. False: told. */
+/* Reads objects as any, in the copies' space. False: reported. */
 static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around,
                          SceneSurface *made)
 {
@@ -376,7 +376,7 @@ static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *
     return done;
 }
 
-/* Of a density, to the nearest; beyond all that there may be: one more than that. */
+/* Copies of a density, rounded to nearest; above the limit: one more than the limit. */
 static int copies_of(const SceneThing *thing, const SceneSurface *surface)
 {
     if (!has(thing, "density"))
@@ -386,7 +386,7 @@ static int copies_of(const SceneThing *thing, const SceneSurface *surface)
                      SCENE_OBJECTS + 1);
 }
 
-/* What is wrong with one copy is wrong with all. */
+/* A fault of one copy is a fault of all. */
 static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around,
                        const SceneScatter *scatter)
 {

@@ -39,7 +39,7 @@ void scene_triangles_warn(SceneReader *r);
 
 /* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
 int scene_material_read(SceneReader *r, Tree *tree);
-/* The same of a file's material, by its number. */
+/* Reads a file's material, by its number. */
 int scene_material_read_of(SceneReader *r, const Tree *path, int number);
 /* `materials:` of the document, before any is read. */
 void scene_material_open(SceneReader *r, const Tree *document);

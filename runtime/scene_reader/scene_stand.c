@@ -195,8 +195,8 @@ static bool stands_on_moving(const Standing *s)
     return false;
 }
 
-/* What of materials aside moves, and what of it is rounded: no volume is, nor where nothing says
- * so. */
+/* Materials aside that move their surfaces, and that round them: volumes do not, nor do materials
+ * without that key. */
 typedef struct {
     bool *moves, *rounds, any;
 } Displaced;

@@ -19,7 +19,7 @@ typedef struct {
     size_t count, room;
 } SceneMeshFiles;
 
-/* What reading a scene keeps at hand. */
+/* State of reading a scene. */
 typedef struct {
     Session *session;  /* of the document, as is all memory */
     Resolver resolver; /* of the numbers */
@@ -67,7 +67,7 @@ typedef struct {
 bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing);
 /* The document itself: as the kind Scene, but that it may have the keys of a document, too. */
 bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
-/* What is where nothing is given: the first kind of its sort. */
+/* Default of a part that is not given: the first kind of its sort. */
 void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
 
 /* Sets the parameters that are not given to the values that go with the word of the parameter

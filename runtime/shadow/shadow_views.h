@@ -1,4 +1,4 @@
-/* What lights see of a scene: the views of which shadow maps are drawn, in double. No GL.
+/* Views of lights on a scene: the views of which shadow maps are drawn, in double. No GL.
  *
  * A view has three rows of four numbers; each, times (point, 1), is a lane of the point's place.
  * Perspective: x / z and y / z go from -1 to 1 over the map, z is the distance along the view, and

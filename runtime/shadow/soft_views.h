@@ -1,4 +1,4 @@
-/* What the points of an area light see, for soft shadows: a view for each point, which is a map of
+/* Views of the points of an area light, for soft shadows: a view for each point, which is a map of
  * its own. No GL.
  *
  * A view is all that is in front of the light, half of a cube around the point, unfolded into its

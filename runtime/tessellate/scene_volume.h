@@ -14,10 +14,10 @@ typedef struct {
     int triangles; /* about how many there shall be */
 } SceneVolume;
 
-/* What is solid over a shape, closed where it ends. Pieces and gaps that are thinner than a step
- * may be missed: across, an edge's part of the shape; along the normal no more than that, nor than
- * a quarter of what each pair of heights, and the gap between both, is thick where it is thickest.
- * `base` has what the points stand over. `steps`: how wide the cells are in the mean, and how high,
- * in units of heights. False: *made is empty. */
+/* Makes the solid parts over a shape, closed where it ends. Pieces and gaps that are thinner than a
+ * step may be missed: across, an edge's part of the shape; along the normal no more than that, nor
+ * than a quarter of what each pair of heights, and the gap between both, is thick where it is
+ * thickest. `base` has what the points stand over. `steps`: how wide the cells are in the mean, and
+ * how high, in units of heights. False: *made is empty. */
 bool scene_volume(const Shape *from, const SceneVolume *volume, Shape *made, double steps[2]);
 #endif

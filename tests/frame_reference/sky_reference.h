@@ -1,7 +1,7 @@
-/* What a Principled surface without layers sends of a sky, as integrals in double: half of the
- * directions are drawn where the sky is bright, half where GGX's facets look, and each counts by
- * how dense both are there together (Veach and Guibas 1995). Knows the lobe by its definition and
- * the sky by a function, and nothing of matc. */
+/* Light of a sky that a Principled surface without layers reflects, as integrals in double: half of
+ * the directions are drawn where the sky is bright, half where GGX's facets look, and each counts
+ * by how dense both are there together (Veach and Guibas 1995). Knows the lobe by its definition
+ * and the sky by a function, and nothing of matc. */
 #ifndef MATC_SKY_REFERENCE_H
 #define MATC_SKY_REFERENCE_H
 

@@ -65,9 +65,9 @@ void volume_data_draw(const Render *render, int view, bool shown);
 void volume_data_put(Text *out, const Render *render);
 void volume_data_delete(Render *render);
 
-/* The same where silhouettes cut volumes: whether they do; the samplers that volume_cells.glsl
- * reads; only cells in lists are drawn, or all of them, in one order, for a view that mixes
- * colours; bytes of the lists. volume_cells.c */
+/* Volumes cut by silhouettes: whether they are; the samplers that volume_cells.glsl reads; drawing
+ * only cells in lists, or all of them in one order, for a view that blends colors; bytes of the
+ * lists. volume_cells.c */
 bool volume_cells_are(const Render *render);
 bool volume_cells_make(Render *render);
 void volume_cells_write(Render *render);
@@ -79,8 +79,8 @@ size_t volume_cells_bytes(const Render *render);
 void volume_cells_delete(Render *render);
 /* A debug view by its name; NULL: it is another one. volume_shown.c */
 const FrameLook *volume_shown_find(const char *name);
-/* What the pass tools takes for volumes, once maps are made; the view is another; drawn, to light
- * and tools with depth. */
+/* Volumes in the pass tools: made once maps are made; placed for another view; drawn, to light and
+ * to tools with depth. */
 bool volume_shown_make(Render *render);
 void volume_shown_place(Render *render);
 void volume_shown_draw(Render *render);

@@ -47,7 +47,7 @@ static GLsizei put_quads(GLuint *indices, GLuint size)
     return count;
 }
 
-/* The same of a texture with two by two texels a quad, from its lower left corner around. */
+/* Indices for a texture with two by two texels a quad, from its lower left corner around. */
 static GLsizei put_corners(GLuint *indices, GLuint size)
 {
     static const GLuint right[QUAD_CORNERS] = {0, 1, 1, 0}, up[QUAD_CORNERS] = {0, 0, 1, 1};
@@ -135,7 +135,7 @@ const char *volume_data_text(const Render *render, bool shown)
 
 /* -- buffers */
 
-/* Of all views that are fetched or copied; of a computed one its own. */
+/* Makes the indices of all views that are fetched or copied; a computed view has its own. */
 static bool make_indices(Render *render)
 {
     GlContext *gl = render->gl;
@@ -210,7 +210,7 @@ static bool make_arrays(Render *render)
     return gl_check(render->gl, "making shadow volumes");
 }
 
-/* What decides diagonals, or writes all. */
+/* Makes the program that decides diagonals, or writes everything. */
 static bool make_writer(Render *render)
 {
     FrameVolumes *volumes = volume_state(render);

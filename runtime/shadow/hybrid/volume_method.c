@@ -52,7 +52,7 @@ static void draw(Render *render, const CacheSource *source, int view)
 
 /* -- for the lighting of surfaces */
 
-/* What is transparent asks a volume's cells; for the rest it is counted. */
+/* Text for transparent surfaces, which look up a volume's cells; other surfaces count its faces. */
 static const char *cells_text(const Render *render, bool nearest)
 {
     return volume_cells_are(render) && !nearest

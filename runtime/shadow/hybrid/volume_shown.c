@@ -86,7 +86,7 @@ bool volume_shown_make(Render *render)
     return fine;
 }
 
-/* What is behind is seen through a face by a share, wherever it is in the order: depth stays. */
+/* Surfaces behind show through a face by a share, in any order: depth stays. */
 static void begin(const Render *render)
 {
     const GlContext *gl = render->gl;

@@ -169,7 +169,8 @@ static void no_word_breaks_a_program(void **state)
         }
 }
 
-/* The same document in any file gives the same bytes; with another word only that word differs. */
+/* Any file with the same document gives the same bytes; with another word only that word differs.
+ * */
 static void programs_differ_in_words_alone(void **state)
 {
     (void)state;
