@@ -57,7 +57,7 @@ static void put_traced(Text *out, const Render *render)
         text_format(out, "none, triangles are drawn: %s",
                     !meshes          ? "it takes OpenGL 4.5, a height with a bound, and no volume"
                     : source.lines   ? "lines are those of triangles"
-                    : source.written ? "shadows go by the triangle that a pixel sees"
+                    : source.written ? "a shadow technique reads triangle ids"
                                      : "what is transparent is not traced");
     text_char(out, '\n');
 }

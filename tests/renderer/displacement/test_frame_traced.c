@@ -407,9 +407,7 @@ static void exact_shadows_have_the_grid(void **state)
     assert_memory_equal(light[0], light[1], 4 * PIXELS * sizeof(float));
     says(gl, &(SceneText){how[0], camera, exact, ball, ground}, "", false);
     says(gl, &(SceneText){how[1], camera, exact, ball, ground},
-         "traced none, triangles are drawn: exact shadows and silhouettes go by the triangle that "
-         "a pixel sees\n",
-         true);
+         "traced none, triangles are drawn: a shadow technique reads triangle ids\n", true);
     says(gl, &(SceneText){how[1], camera, "{ light: Directional, shadows: hybrid }", ball, ground},
          "traced the surface of 1 mesh; not so, but its grid's triangles: hybrid shadows\n", true);
     says(gl, &(SceneText){"method: traced, level: 20", camera, "", slab, NULL},
