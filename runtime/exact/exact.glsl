@@ -57,8 +57,8 @@ vec3 exactSeen(ExactRay ray, vec3 corner)
     return vec3(across, ray.shear.z * v.z);
 }
 
-// Of the three edges, each opposite to its corner: on which side of it the ray is, as areas that
-// sum to the triangle's.
+// Signed areas of the ray with the three edges, each opposite to its corner; they sum to the
+// triangle's.
 vec3 exactAreas(vec3 a, vec3 b, vec3 c)
 {
     precise vec3 areas = vec3(b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x);

@@ -147,8 +147,8 @@ Facet facetOf(View view, dvec3 places[3], int face)
 
 // -- cells of a row
 
-// What a side leaves of a range of x, in a row from y = heights.x to heights.y; a turn of -1 has
-// its inside on the other side.
+// Clips a range of x by a side, in a row from y = heights.x to heights.y; a turn of -1 has its
+// inside on the other side.
 void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 range)
 {
     dvec3 inward = turn * side;

@@ -1,5 +1,5 @@
-// What the screen sends where nothing is seen, linear: tiles, or a glow, by the formulas of
-// scene.def. A place is the middle of a sample in the picture.
+// Backdrop radiance, linear, of pixels without a surface: tiles, or a glow, by the formulas of
+// scene.def. A place is the center of a sample in the picture.
 layout(std140) uniform Backdrop {
     vec4 backdrop_place; // the tile's corner in the picture, and the picture's size
     float backdrop_tile; // edge of one

@@ -7,7 +7,7 @@ shared float far_group[GROUP_NUMBERS]; // as pass_groups.glsl keeps it
 
 int farCount() { return light_plain + light_points; }
 
-// What a spot's cone lets through, at least and at most, from the group.
+// Least and greatest share that a spot's cone lets through, from the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
     vec2 cone = lightTexel(light, LIGHT_CONE).xy;

@@ -1,6 +1,6 @@
-// What a surface sends to the eye, summed over all lights, in the eye's space: for every pass that
-// lights surfaces. view_space.h says what the block and the texels hold. Before it stand the texts
-// that declare Surface and the surface model.
+// Light that a surface sends to the eye, summed over all lights, in eye space: for every pass that
+// lights surfaces. view_space.h describes the block and the texels. Before it stand the texts that
+// declare Surface and the surface model.
 #include "light.layout.def"
 
 layout(std140) uniform Light {
@@ -30,7 +30,7 @@ vec4 lightTexel(int light, int texel)
     return lightNumbers((light < light_plain ? LIGHT_PLAIN_TEXELS * light : others) + texel);
 }
 
-// What arrives at a point of a point light that casts no shadow, from the direction l.
+// Irradiance at a point by a point light without shadows, and its direction l.
 vec3 lightPlain(int light, vec3 point, out vec3 l)
 {
     vec3 way = lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_PLACE).xyz - point;
@@ -39,7 +39,7 @@ vec3 lightPlain(int light, vec3 point, out vec3 l)
     return lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_POWER).xyz * (over * over);
 }
 
-// What arrives of any other.
+// Irradiance at a point by any other light.
 vec3 lightAt(int light, vec3 point, out vec3 l)
 {
     vec4 place = lightTexel(light, LIGHT_PLACE);
@@ -75,7 +75,7 @@ vec3 lightToEye(ivec2 pixel)
     return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(vec3((light_ray.zw - vec2(2 * pixel + 1)) * light_ray.xy, 1.0));
 }
 
-// Of the surface whose depth is `depth`, which is greater than 0.
+// The surface whose depth is `depth`, which is greater than 0.
 Seen lightSeen(ivec2 pixel, float depth, Surface surface)
 {
     bool orthographic = light_view.y > 0.0;
@@ -98,13 +98,13 @@ bool lightIsFirst()
 #endif
 }
 
-// What a pass lets through of the light that it is laid over: later runs add to the same.
+// Transmittance of a pass over the light below it: later runs only add light.
 vec3 lightOver(vec3 through)
 {
     return lightIsFirst() ? through : vec3(1.0);
 }
 
-// What it sends of light from all around, unshadowed; a sum over kinds of lights, composed by
+// Light from all around that it reflects, unshadowed; a sum over kinds of lights, composed by
 // light_sum.c.
 vec3 lightAround(Seen seen);
 

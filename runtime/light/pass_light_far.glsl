@@ -27,7 +27,7 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 }
 
 #ifdef SURFACE_HAS_specular
-// What gloss 1 sends back, of a point and a mirrored view.
+// Gloss by light 1, for a point and a mirrored view.
 vec3 farGloss(int at, vec3 point, vec3 mirror)
 {
     vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);
@@ -61,8 +61,8 @@ uint farPlain(int word, uint lights)
 #endif
 }
 
-// Of words that are not 0. A loop of its own for each kind: some compilers run both sides of a
-// branch.
+// Sums lights of words that are not 0. Each kind has a loop of its own: some compilers run both
+// sides of a branch.
 vec3 farNear(int at, Seen seen)
 {
     vec3 sum = vec3(0.0);

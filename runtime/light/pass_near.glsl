@@ -6,8 +6,7 @@ shared float far_parts[PARTS];  // parts of a sum; then shares of lights
 shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // as far_blocks.glsl has them
 shared uint far_shares[32];     // sums of lights' shares of the budget, by their size
 
-// What the light surely gives to each pixel of the group, but for what its surface sends back of
-// that.
+// Lower bound of the light at each pixel of the group, without the surface's reflectance.
 vec3 farSure(Far far)
 {
     if (!far.whole || far.least <= 0.0) return vec3(0.0);

@@ -137,9 +137,9 @@ float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
     return sum / AREA_PI;
 }
 
-// Of a sine, not below 0, and a cosine, of any length; from 0 to pi, within 2e-7 of itself, where a
-// driver's arctangent may have less. A quarter of it is an arctangent of at most 0.42, whose powers
-// fall fast.
+// Angle of a sine, not below 0, and a cosine, of any length; from 0 to pi, within a relative error
+// of 2e-7, where a driver's arctangent may have less. A quarter of it is an arctangent of at most
+// 0.42, whose series converges fast.
 float areaAngle(float sine, float cosine)
 {
     float t = sine / max(length(vec2(sine, cosine)) + abs(cosine), 1e-37);
@@ -217,9 +217,9 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
 
-// What a surface sends of light that arrives on one side of it: evenly, and around an axis, the
-// cosine's power counted in; or, where the exponent is below 0, evenly of directions times a
-// matrix. A model gives it (surface_model.h), so that the code of the integrals above stands in a
+// Reflection of light that arrives on one side of a surface: diffuse, and around an axis, the
+// cosine's power included; or, if the exponent is below 0, diffuse over directions times a matrix
+// (LTC). A model gives it (surface_model.h), so that the code of the integrals above stands in a
 // program once.
 struct AreaSide {
     vec3 normal, even;        // the side, and the share that it sends evenly

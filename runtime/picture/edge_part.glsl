@@ -1,10 +1,9 @@
-// What the pass edge left in a pixel: the share of it that lies beyond a line, and the pixel next
-// to it there.
+// Result of the pass edge in a pixel: the share of it beyond a line, and the adjacent pixel there.
 uniform usampler2D edge_words;
 
-// Of a box of edge 1 around a centre from which a line with the slope s in [-1, 1] is `away`, in
-// [0, 1], along the other axis: the area beyond the line. Where the line leaves through two sides
-// that meet, it is a triangle.
+// Area beyond a line of a box of edge 1 around a center from which the line, with the slope s in
+// [-1, 1], is `away`, in [0, 1], along the other axis. If the line leaves through two adjacent
+// sides, the area is a triangle.
 float edgeArea(float away, float s)
 {
     float most = 0.5 - away + 0.5 * s, least = 0.5 - away - 0.5 * s;

@@ -48,9 +48,9 @@ bool isSeen(ivec2 pixel)
     return all(greaterThanEqual(pixel, first)) && all(lessThanEqual(pixel, last));
 }
 
-// What a pixel shows, as far away as it is at the line, `way` pixels on: by the plane through this
-// pixel and the one behind it, along which depths are linear. Where that rises towards the line,
-// the pixel's own.
+// Depth of a pixel's surface extrapolated to the line, `way` pixels on: by the plane through this
+// pixel and the one behind it, along which depths are linear. If that rises towards the line, the
+// pixel's own depth.
 float depthToward(ivec2 pixel, ivec2 behind, float way)
 {
     float here = depthAt(pixel);

@@ -14,7 +14,7 @@ vec3 toneEncoded(vec3 c)
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-// What the screen is to send, or the light itself; linear.
+// Display value, or the light itself; linear.
 vec4 toneAt(ivec2 place)
 {
     vec4 light = texelFetch(tone_light, place, 0);

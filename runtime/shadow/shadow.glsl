@@ -1,6 +1,6 @@
-// What of a light reaches a point, by its shadow maps and by infinite planes. shadow_views.h says
-// what a view's rows are; here they start from the eye's space. SHADOW_SIZE texels has an edge of a
-// map, SHADOW_FILTER is over how many a shadow's edge is spread.
+// Share of a light that reaches a point, by its shadow maps and by infinite planes. shadow_views.h
+// says what a view's rows are; here they start from the eye's space. SHADOW_SIZE texels has an edge
+// of a map, SHADOW_FILTER is over how many a shadow's edge is spread.
 //
 // The bias. A map knows depth at the centres of texels. Each tap is compared at the depth of the
 // receiver's point, moved beside it to the tap's centre: by up to (SHADOW_FILTER + 1) / 2 texels
@@ -117,8 +117,7 @@ uvec2 shadowAt(int map, ivec2 texel)
     return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
 }
 
-// What all that is transparent and nearer to the light lets through: a product, for which nothing
-// has to be sorted.
+// Transmittance of all transparent casters nearer to the light: a product, which needs no sorting.
 vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
     vec3 through = vec3(1.0);
@@ -263,8 +262,8 @@ bool shadowBetween(vec4 plane, vec4 light, vec3 point)
     return here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w));
 }
 
-// Of all planes: first those that are opaque, then, two texels each, those that let through the
-// same everywhere.
+// Transmittance of all planes: first the opaque ones, then, two texels each, those of constant
+// transmittance.
 SHARE shadowPlanes(vec4 light, vec3 point)
 {
     SHARE share = SHARE(1.0);
@@ -282,7 +281,7 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 #ifdef SHADOW_SHEETS
 uniform usampler2DArray shadow_sheets;
 
-// What planes whose transparency varies let through of a light on its way to a pixel's point:
+// Transmittance of planes with varying transparency between a light and a pixel's point:
 // shadow_sheet.c. `layer` is 1 + its layer, or 0.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {

@@ -1,4 +1,4 @@
-// What a sheet lets through of a light, for each pixel: behind a plane's fragment program, whose
+// Transmittance of a plane for a light, for each pixel: behind a plane's fragment program, whose
 // main() is surfaceMain() here, and whose input worldRay is a variable. The way from what is seen
 // at a pixel to the light meets the plane at a point, and the ray to it from sheet_eye is what the
 // program is asked for. Where the plane is not between, it is asked for a point that there is.

@@ -58,8 +58,7 @@ vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_
 
 vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
-// What a place of the light counts for a matt surface, but for a factor that is the light's and the
-// point's own.
+// Weight of a place of the light for a diffuse surface, up to a factor of the light and the point.
 float softWeight(Soft s, vec3 place)
 {
     vec3 way = place - s.point;
@@ -133,7 +132,7 @@ SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 }
 #endif
 
-// Of infinite planes, from a place of the light.
+// Transmittance of infinite planes, from a place of the light.
 SHARE softPlanes(Soft s, vec2 part)
 {
 #ifdef SHADOW_PLANES
@@ -170,7 +169,7 @@ int softBit(SoftBits bits, int point)
     return int(word >> uint(point % 32) & 1u);
 }
 
-// What a light's points know of a surface.
+// Visibility of a surface from a light's points.
 struct SoftPoints {
     SoftBits dim, dark;     // less than all arrives, or nothing
     int asked, dims, darks; // numbers of points: of those that are not behind the surface
@@ -209,7 +208,7 @@ SoftPoints softAsk(Soft s)
     return points;
 }
 
-// Of a cell's corners: how many are dim, and dark.
+// How many of a cell's corners are dim, and dark.
 ivec2 softCorners(SoftPoints points, ivec2 cell)
 {
     ivec2 count = ivec2(0);
@@ -260,8 +259,8 @@ SHARE softCell(Soft s, ivec2 cell)
     return all > 0.0 ? sum / all : SHARE(1.0);
 }
 
-// What a surface sends of an area light, each lane once for radiance 1. First all of it, then, less
-// that, what of each cell does not arrive.
+// Light of an area light that a surface reflects, each component for radiance 1: first without
+// occlusion, then less the occluded part of each cell.
 vec3 softLight(int light, Seen seen)
 {
     vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);

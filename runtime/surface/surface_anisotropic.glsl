@@ -21,7 +21,7 @@ struct Anisotropy {
     vec4 loss[6], grazing[6];  // polynomials in what an angle gives, each number one in g
 };
 
-// Of p, roughness^2, and 1 - k^2.
+// Polynomials in p, roughness^2, and 1 - k^2.
 void lossLines(float p, float rest, out vec4 lines[6])
 {
     lines[0] = vec4(0.0317114, -0.173122, 0.236166, -0.0923749) +
@@ -78,7 +78,7 @@ void lossLines(float p, float rest, out vec4 lines[6])
                 p * (vec4(-3.03528, 0.484335, 33.8637, -13.2969))))));
 }
 
-// Of p, the roughness, and 1 - k^2.
+// Polynomials in p, the roughness, and 1 - k^2.
 void grazingLines(float p, float rest, out vec4 lines[6])
 {
     lines[0] = vec4(0.998919, 0.013488, -0.0124357, 0.00639183) +
@@ -188,7 +188,7 @@ vec2 albedoAround(float cosine, Anisotropy m)
     return 0.5 * (albedoAlong(cosine, sqrt(1.0 + off), m) + albedoAlong(cosine, sqrt(1.0 - off), m));
 }
 
-// What Smith's masking takes of a direction with that cosine.
+// cosine (1 + 2 Lambda) of Smith's masking for a direction with that cosine.
 float maskedAlong(Anisotropy m, vec3 v, float cosine)
 {
     vec2 wide = m.widths * vec2(dot(v, m.along), dot(v, m.across));

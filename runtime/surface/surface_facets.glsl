@@ -1,6 +1,6 @@
-// What facets, coats and fuzz send of light, by plain numbers: lobes, and polynomials that stand
-// for their integrals. tests/fits/principled.c prints the polynomials; test_principled.c and
-// test_principled_lobes.c hold them against the integrals.
+// Reflection by microfacets, coats and fuzz, by plain numbers: lobes, and polynomials that
+// approximate their integrals. tests/fits/principled.c prints the polynomials; test_principled.c
+// and test_principled_lobes.c compare them with the integrals.
 #if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
 #define LIT_COAT
 #if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_LACKS_coatNormal)
@@ -39,8 +39,8 @@ struct Row {
 
 float rowAt(Row a, float x) { return a.low.x + x * (a.low.y + x * (a.low.z + x * (a.low.w + x * (a.high.x + x * a.high.y)))); }
 
-// What of GGX's albedos depends on the roughness alone: polynomials in what an angle gives, by
-// albedo().
+// The part of GGX's albedos that depends on the roughness alone: polynomials in a function of the
+// angle, by albedo().
 struct Gloss {
     float alpha, rough;
     Row loss, grazing;
@@ -82,7 +82,7 @@ vec2 albedo(float cosine, Gloss g)
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
-// What the dielectric reflects of all that arrives from a direction.
+// Directional albedo of the dielectric.
 TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 {
     return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
@@ -102,7 +102,7 @@ struct Grain {
     TONE high, tilt, low, all; // all: the share of light that is sent once, of light from all around to all sides
 };
 
-// What comes in along the normal, and where the cosine is 1/4, and in the mean: the means of x and
+// Light that enters along the normal, where the cosine is 1/4, and in the mean: the means of x and
 // x^5 are 1/3 and 1/21.
 Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 {
@@ -118,7 +118,7 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
     return g;
 }
 
-// What of light from a direction is not sent once: 1 - the integral, within 0.001 of it
+// Share of a direction's light that single scattering loses: 1 - the integral, within 0.001 of it
 // (tests/fits/diffuse.c prints the polynomials).
 TONE grainLost(Grain g, float cosine)
 {
@@ -131,7 +131,7 @@ TONE grainLost(Grain g, float cosine)
 // The colour of what goes on within and leaves, over what is not sent once in the mean.
 vec3 grainAgain(Grain g, vec3 color) { return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all)); }
 
-// Of what comes in from l and leaves toward v, over what leaves of an even base of colour 1.
+// Reflection from l toward v, relative to that of a Lambertian base of color 1.
 vec3 grained(Grain g, vec3 color, vec3 again, float between, vec2 cosines, TONE lost)
 {
     float s = between - cosines.x * cosines.y, t = s > 0.0 ? max(cosines.x, cosines.y) : 1.0;
@@ -164,10 +164,10 @@ vec3 filmSum(float a, vec3 b, vec3 once, vec3 twice, vec3 thrice)
     return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) * (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
 }
 
-// What a film on a base reflects at an angle, the base by what it reflects along its normal without
-// one, as a dielectric does that reflects so much; metals' own phase is left out.
-//   Worked example, the path 0 and the index 1: there is no film, and the base reflects by
-//   Fresnel's formulas.
+// Reflectance of a film on a base at an angle; the base is given by its reflectance along the
+// normal without a film, as of a dielectric with that reflectance; metals' own phase is left out.
+// Worked example, the path 0 and the index 1: there is no film, and the base reflects by Fresnel's
+// formulas.
 vec3 filmReflected(Film film, float cosine, vec3 base)
 {
     float sine2 = 1.0 - cosine * cosine, inner2 = 1.0 - sine2 / (film.ior * film.ior), n = film.ior;
@@ -190,7 +190,7 @@ vec2 filmAngles(float cosine, float alpha)
     return clamp(mean + spread * vec2(-1.0, 1.15), 0.0, 1.0);
 }
 
-// What a film reflects on facets of a width, of those that mirror, in the mean.
+// Mean reflectance of a film over microfacets of a width, for those that mirror the light.
 vec3 filmAround(Film film, float cosine, float alpha, vec3 base)
 {
     vec2 angles = filmAngles(cosine, alpha);
@@ -231,7 +231,7 @@ float holesOf(Surface s)
     return clamp(holes, 0.0, 1.0);
 }
 
-// What Smith's masking takes of a direction by its cosine.
+// cosine (1 + 2 Lambda) of Smith's masking, by the direction's cosine.
 float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
 
 // GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the
@@ -246,14 +246,14 @@ float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 }
 
 #ifdef LIT_LAYERS
-// What a layer leaves of light that is reflected below it, by what it lets through of each
-// direction, and of all in the mean: the same when both change places. A mirror has the same share
-// both ways, which counts once; what is sent evenly counts the one over the mean, times the other.
-// A rough mirror is between, by evenOf(); what that lacks is spread, see below(). Of the eye, x is
-// its share, and y veiled() of it.
+// Transmittance of a layer for light reflected below it, from its transmittance for each direction
+// and its mean: symmetric in light and eye. A mirror has the same share both ways, which counts
+// once; diffuse reflection counts the one over the mean, times the other. A rough mirror is
+// between, by evenOf(); the part that lacks is spread, see below(). For the eye, x is its share,
+// and y veiled() of it.
 float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
 
-// Of an angle: what grazes is spread most.
+// Diffuse share by angle: grazing light is spread most.
 float evenOf(float rough, float cosine) { return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough); }
 
 vec2 veiled(float through, float mean, float rough, float cosine) { return vec2(through, mix(through, mean, evenOf(rough, cosine))); }
@@ -292,8 +292,8 @@ vec3 coatNormalOf(Surface s, vec3 normal)
 #endif
 }
 
-// What a white mirror of a roughness lacks below a coat: `share` is what such a coat has against a
-// smooth one.
+// Light that a white mirror of a roughness loses below a coat: `share` is that of such a coat
+// relative to a smooth one.
 Row coatSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);

@@ -62,7 +62,7 @@ vec3 surfaceGloss(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }
 
-// What comes straight through has no cosine.
+// Light that passes straight through has no cosine.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -100,8 +100,8 @@ vec3 surfaceHemisphere(Lit m)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// What comes through is the other side's: of its power, one is the cosine that the integral counts
-// in.
+// Transmitted light belongs to the other side: one of its power is the cosine that the integral
+// includes.
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {

@@ -85,7 +85,7 @@ vec2 baseAround(Lit m, float cosine)
 #endif
 }
 
-// What the dielectric reflects of all that arrives from a direction with that albedo() and cosine.
+// Directional albedo of the dielectric, from albedo() and the cosine.
 TONE baseReflected(Lit m, vec2 albedo, float cosine)
 {
 #ifdef LIT_FILM
@@ -101,8 +101,7 @@ float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine
 #endif
 
 #ifdef LIT_COAT
-// What the coat reflects of all that arrives from a direction; light that it reflects more than
-// once goes to what lies below.
+// Directional albedo of the coat; light that it reflects more than once goes to the layer below.
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
@@ -183,9 +182,9 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
     return found;
 }
 
-// Of a white mirror, and of one that reflects as the dielectric does, by the share that it reflects
-// of a direction; most from those from which layers let least through, so that a rough one lacks up
-// to 2.75 times as much.
+// Multiple-scattering loss of a white mirror, and of one that reflects as the dielectric does, by
+// its directional reflectance; greatest from directions where layers transmit least, so that a
+// rough one loses up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
     return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
@@ -237,7 +236,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 }
 
 #ifdef LIT_GRAIN
-// Of light from directions with that cosine, what comes to the base.
+// Share of light from directions with that cosine that reaches the base.
 TONE comesToBase(Lit m, float cosine)
 {
     vec2 own = baseAround(m, cosine);
@@ -248,7 +247,7 @@ TONE comesToBase(Lit m, float cosine)
 #endif
 }
 
-// What it sends of light from all around, of an even base's 1.
+// Reflection of light from all around, relative to that of a Lambertian base.
 vec3 litGrain(Surface s, TONE meanBase, inout Lit m)
 {
     m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), meanBase);

@@ -1,8 +1,8 @@
-// What a Principled surface sends of light: of a direction, of ambient light, the sky, hemispheres,
+// Light that a Principled surface reflects: of a direction, of ambient light, the sky, hemispheres,
 // areas. Before it stands surface_principled.glsl, which makes a Lit of a Surface.
 vec3 surfaceOwn(Lit m) { return m.emissive; }
 
-// What it reflects of light from all around, the coat's share too.
+// Specular reflection of light from all around, with the coat's share.
 vec3 glossAround(Lit m)
 {
 #ifdef LIT_COAT
@@ -12,7 +12,7 @@ vec3 glossAround(Lit m)
 #endif
 }
 
-// What it sends of light from all around behind it.
+// Diffuse transmission of light from all around behind it.
 vec3 evenFromBehind(Lit m)
 {
 #ifdef LIT_BEHIND
@@ -62,8 +62,8 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
-// What does not depend on l is in m. A lobe of no weight is left out: threads of a GPU do so where
-// all of a group do.
+// Values that do not depend on l are in m. A lobe of no weight is skipped: a GPU does so where all
+// threads of a group do.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -179,7 +179,7 @@ vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
     return sky_light.xyz * sum / all;
 }
 
-// What facets reflect twice and more, and what layers spread of gloss, is as good as even.
+// Multiple scattering between facets, and gloss spread by layers, count as diffuse.
 vec3 surfaceSky(Lit m)
 {
     vec3 sum = (m.even + m.glossAgain) * skyIrradiance(m.normal), once = m.gloss - m.glossAgain;
@@ -225,7 +225,7 @@ int surfaceAreaSides(Lit m)
     return sides;
 }
 
-// What it sends evenly, what the base reflects, what the coat reflects, what comes from behind.
+// Sides: diffuse, the base's specular, the coat's, transmission from behind.
 AreaSide surfaceAreaSide(Lit m, int i)
 {
 #ifdef LIT_BEHIND

@@ -1,6 +1,6 @@
-// What every surface model lets through: the share of the light behind it that passes, straight on.
-// Nothing is refracted. Of a Principled that lets light through as a dielectric the rest of it,
-// beside holes, is what its layers do not reflect toward toEye: as much as comes in from there.
+// Transmittance of every surface model: the share of the light behind it that passes, straight on,
+// without refraction. For a Principled that transmits as a dielectric it is, beside holes, the
+// share that its layers do not reflect toward toEye.
 #ifdef LIT_CLEAR
 vec3 notReflected(Surface s, vec3 toEye)
 {

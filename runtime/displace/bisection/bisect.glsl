@@ -29,14 +29,14 @@ const uint BISECT_THREADS = 64u;
 layout(local_size_x = 64) in;
 #endif
 
-// Of a base BISECT_BASE words: which corner is its a, and which of its edges run from the later
-// place to the earlier one; by edge where its word is, which says where its members begin, as the
-// next word does where they end; corners and their normals in the world. A member is 4 base + edge.
-// Edge k is opposite corner k.
+// Bases, of BISECT_BASE words each: which corner is its a, and which of its edges run from the
+// later place to the earlier one; by edge the offset of its word, which says where its members
+// begin, as the next word does where they end; corners and their normals in the world. A member is
+// 4 base + edge. Edge k is opposite corner k.
 layout(std430, binding = 0) readonly buffer BisectBases {
     uint bisect_bases[];
 };
-// Of four leaves seven words: the low 32 bits of each one's number and base, the high 8 of all
+// Leaves, four in seven words: the low 32 bits of each one's number and base, the high 8 of all
 // four, and their deviations.
 layout(std430, binding = 1) coherent buffer BisectLeaves {
     uint bisect_leaves[];
@@ -104,7 +104,7 @@ void bisectFence()
 #endif
 }
 
-// What a thread has to do, of tasks for groups.
+// Task of a thread, of tasks for groups.
 uint bisectTask(uint group)
 {
 #ifdef BISECT_FEW // those of neighbouring tasks run beside each other: on a device 32 neighbouring threads go one way after the other
@@ -159,8 +159,7 @@ void bisectPutBits(uint word, uint shift, uint mask, uint value)
         atomicXor(bisect_leaves[word], (had ^ value) << shift);
 }
 
-// Whoever reads it meanwhile finds the leaf as it was, or as it is, or one of a base that there is
-// not.
+// A concurrent reader finds the leaf as it was, or as it is, or one of a base that does not exist.
 void bisectPut(uint slot, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number), had = bisectIdAt(slot);
@@ -175,7 +174,7 @@ void bisectPut(uint slot, Leaf l)
     bisect_leaves[low] = id.x;
 }
 
-// The same, of a leaf that is known: a device waits for what it reads.
+// Replaces a known leaf: a device waits for values that it reads.
 void bisectReplace(uint slot, Leaf had, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number);
@@ -284,7 +283,7 @@ Corners bisectParent(uint number, Corners t)
 
 // -- neighbours
 
-// Of the triangles at edge a b of one, which are `count`, itself among them or not.
+// The `count` triangles at edge a b of a triangle, with or without itself.
 struct Ring {
     uint first, count; // members; first BISECT_NONE: the edge is within the base
     int depth;         // of who has it as its edge a b

@@ -18,8 +18,8 @@ void bisectTake(uvec2 children)
     bisect_work[bisectWord(LIST_WANTED + 1u, i)] = children.y;
 }
 
-// Who cannot leaves the list. It is asked again when another of its ring has become a leaf, and
-// else never.
+// Leaves that cannot merge leave the list. They are tried again only when another triangle of their
+// ring has become a leaf.
 void bisectMergeChoose(uint group)
 {
     uint i = bisectTask(group), swapped = bisect_head[SWAPPED];

@@ -1,6 +1,6 @@
-// What is seen of a triangle. A question's answer is a number: more than 0 is yes, and the camera
-// has to move that far at least, either way, before the answer is another one. So both of two
-// questions is the lesser of their numbers, one of them the greater, and not the negative.
+// Visibility of a triangle. A question's answer is a number: more than 0 is yes, and the camera has
+// to move that far at least, either way, before the answer is another one. So both of two questions
+// is the lesser of their numbers, one of them the greater, and not the negative.
 //
 //     in view by 2 from the nearest side, too coarse as it is unless it were 0.5 farther: both is
 //         0.5, and nobody has to look again before the camera has gone by 0.5

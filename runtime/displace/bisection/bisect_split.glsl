@@ -14,8 +14,8 @@ vec3 bisectWeights(ivec3 weights)
     return vec3(weights) / float(BISECT_WHOLE);
 }
 
-// Of a triangle's points, the four that are asked how far they are from its plane: the middles of
-// its grandchildren.
+// Four points of a triangle whose distance from its plane is evaluated: the centers of its
+// grandchildren.
 const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
 // How much deeper than the triangle its parts are: the worst of them counts; 0 where it is bisected
@@ -100,7 +100,7 @@ vec3 bisectMoves(uint base, vec3 weights)
     return moved - (matc_worldFromLocal * vec4(displaced_base, 1.0)).xyz;
 }
 
-// Of points all over it, and its corners; or, what both its children have.
+// Range of points all over it, and its corners; or the union of both children's ranges.
 void bisectFindRange(uint base, uint number)
 {
     uint at = bisectRangeOf(base, number), children = bisectRangeOf(base, 2u * number);
@@ -158,9 +158,9 @@ void main()
     bisectPut(base, Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
-// Of those that a group bisects: where they and their second children are, what they were, their
-// corners, where these and the middle go to; and of each child the worst part's mean square, as a
-// word: floats that are not negative have the order of their words.
+// Triangles that a group bisects: where they and their second children are, their previous values,
+// their corners, where these and the center are moved to; and the mean square of each child's worst
+// part, as a word: floats that are not negative are ordered as their words.
 struct Split {
     uint slot, place;
     Leaf leaf;
@@ -313,7 +313,7 @@ void bisectDisplace(uint count)
     }
 }
 
-// Of those chosen that the group bisects: all but their children; how many these are.
+// Bisects the chosen triangles of the group, without their children; returns how many there are.
 uint bisectDivide(uint group)
 {
     uint first = BISECT_SPLITS * group, all = bisect_head[FULL] != 0u ? 0u : bisect_head[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);

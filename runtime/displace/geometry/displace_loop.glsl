@@ -50,7 +50,7 @@ ivec3 corner(int t, int k)
     return inRows(i + int(k == 2), j + int(k > 0));
 }
 
-// Of skirts: two points for each of a band, whose outside is to the right of its way.
+// Points of skirts: two for each edge of a band, whose outside is to the right of its direction.
 int skirtPoints()
 {
     return displace_skirts == SKIRTS_OUTLINE ? 6 * (displace_rowCount + 1)

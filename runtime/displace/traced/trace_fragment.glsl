@@ -197,7 +197,7 @@ bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
     return off < 1e-3 * (length(byA) + length(byB)) / float(trace_parts) && hit.t >= ray.begin && hit.t <= 0.0;
 }
 
-// What polygon offsets add, which do not count where depth is written.
+// Polygon offset, which has no effect if the program writes depth.
 float traceOffset(int number, TracePart part, vec4 clip)
 {
     vec3 byA, byB;

@@ -1,5 +1,5 @@
-// What programs of rays are given, and what they tell: the depth, and what finds the place again, a
-// and b (trace_patch.glsl), the patch and the instance.
+// Inputs of ray-marching programs, and their results: the depth, and data that finds the place
+// again, a and b (trace_patch.glsl), the patch and the instance.
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };

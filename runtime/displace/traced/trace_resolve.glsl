@@ -54,7 +54,7 @@ void traceAttributes(TraceCorners corners, vec2 at)
     traceRun();
 }
 
-// Of the place on the screen, in clip space, by a and b: columns.
+// Derivatives of the place on the screen, in clip space, by a and b: columns.
 mat2 traceScreen(TraceCorners corners, vec2 at)
 {
     const vec2 one = vec2(1.0, 0.0);

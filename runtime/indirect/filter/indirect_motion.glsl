@@ -1,6 +1,6 @@
-// What moved since rays were kept, drawn where it is seen: the number of its motion in the block
-// History, from 1 on. Vertices are shadow_depth.glsl's; what is seen is what has the depth that the
-// surfaces' own programs left, but for rounding.
+// Objects that moved since rays were kept, drawn where they are visible: the number of their motion
+// in the block History, from 1 on. Vertices are shadow_depth.glsl's; a pixel is visible if it has
+// the depth that the surfaces' own programs left, up to rounding.
 uniform sampler2D motion_depth;
 uniform float motion_number;
 layout(location = 0) out uint motion_seen;

@@ -40,8 +40,8 @@ vec3 historyUnpack(vec2 p)
     return normalize(n);
 }
 
-// What was kept of a point that was there, with that normal, in the eye's space of before: between
-// the pixels that are nearest to where it was seen. No sets: nothing.
+// Kept samples of a point that was there, with that normal, in the previous eye space: interpolated
+// between the pixels nearest to its reprojection. No sets: rejected.
 HistoryKept historyAt(vec3 was, vec3 turned)
 {
     HistoryKept kept = HistoryKept(vec4(0.0), 0.0);
@@ -69,9 +69,9 @@ HistoryKept historyAt(vec3 was, vec3 turned)
     return HistoryKept(kept.value / sum, kept.sets / sum);
 }
 
-// Of a pixel. What arrives depends on where a surface is and how it is turned, more than on which
-// surface it is: so of an object that turns, what was kept is looked up where its middle was, as if
-// it did not turn, and only where that shows something else at the very point of the surface.
+// Temporal reprojection of a pixel. Incoming light depends on a surface's position and normal more
+// than on which surface it is: for an object that rotates, samples are looked up where its center
+// was, as if it did not rotate, and only if that shows another surface at the very point.
 HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
 {
     if (history_limits.y == 0.0) return HistoryKept(vec4(0.0), 0.0);
@@ -101,10 +101,10 @@ bool historyIsNear(vec3 point)
     return false;
 }
 
-// Of 4 x 4 pixels, those that show the tangent plane to within their distance: their mean, which is
-// off by a fourth of their deviation if they have nothing to do with each other, and by less if
-// they have one net of rays. What was kept is brought to within 1.5 of that, and counts the less
-// the farther it was off.
+// Clamps history by a neighborhood of 4 x 4 pixels that show the tangent plane to within their
+// distance: their mean has an error of a fourth of their deviation if they are independent, and
+// less if they share one net of rays. Kept samples are clamped to within 1.5 of that, and weigh the
+// less the farther they were off.
 void historyLimit(inout HistoryKept kept, ivec2 at, vec3 point, vec3 normal)
 {
     bvec2 doubt = greaterThan(history_doubts.xy, vec2(0.0));

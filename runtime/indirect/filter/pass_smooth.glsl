@@ -44,7 +44,7 @@ uniform float smooth_level;
 
 const float SMOOTH_NOISE = 3.0; // deviations
 
-// Of light's mean lane, of openness.
+// Mean component of light, and ambient occlusion.
 vec2 smoothLanes(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }
 
 vec2 smoothNoise(SmoothPlace from, ivec2 at)

@@ -1,14 +1,14 @@
-// What a ray meets by two models of the scene, each where it knows best. The picture knows surfaces
-// to the pixel, but only what it shows; voxels know what is hidden and beside it, but nothing finer
-// than themselves, and rays begin a little off. So the picture is asked for the ray's first voxels,
-// and takes part only where its depth is conclusive: a place that lies behind what is shown by no
-// more than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
+// Hit of a ray by two models of the scene, each where it is best. The picture knows surfaces to the
+// pixel, but only what it shows; voxels know what is hidden and beside it, but nothing finer than
+// themselves, and rays begin a little off. So the picture is asked for the ray's first voxels, and
+// takes part only where its depth is conclusive: a place that lies behind what is shown by no more
+// than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
 //
 // A hit of the picture sends the light of its pixel, one of voxels cached radiance: that is nearer
 // to what paths of light give than pixels that show something close to the hit, and does not change
 // with the camera.
 
-// What all rays of a point have in common.
+// Data that all rays of a point share.
 struct IndirectOrigin {
     vec3 point, normal, from; // from: a little off the surface, where what the picture shows is asked from
     vec3 place, up;           // of the grid's units: the point; from there to where voxelStart says
@@ -58,9 +58,9 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 }
 
 #ifdef INDIRECT_NEAR
-// What the picture shows of a ray's first voxels: the first of its places that lies in it. All
-// places are asked, from the last on, which is faster than to stop where drivers run invocations in
-// vectors. Where its places are seen, times their distance, goes on evenly along it.
+// Hit on the screen within a ray's first voxels: the first sample behind the depth buffer. All
+// samples are read, from the last on, which is faster than to stop where drivers run invocations in
+// vectors. The projection of samples, times their distance, is linear along the ray.
 bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout IndirectHit hit)
 {
     bool flat_ = indirectIsOrthographic();
@@ -84,7 +84,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
 }
 #endif
 
-// What it meets in voxels, and what is sent from there.
+// Hit in voxels, and the light sent from there.
 bool indirectVoxel(IndirectOrigin origin, vec3 way, inout IndirectHit hit)
 {
     float t, radius = indirect_reach.x;

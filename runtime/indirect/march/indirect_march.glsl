@@ -58,7 +58,7 @@ IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
     return IndirectHit(-1.0, ivec2(0), vec3(0.0));
 }
 
-// What all rays of a point have in common: where they begin.
+// Data that all rays of a point share: where they begin.
 struct IndirectOrigin {
     vec3 point, from;
     float lift;

@@ -1,4 +1,4 @@
-// What a surface sends that a ray meets in a voxel, by cached radiance (radiance.h). Behind
+// Light of a surface that a ray hits in a voxel, by cached radiance (radiance.h). Behind
 // voxel_map.glsl.
 //
 // A surface that is half in a voxel may have its nodes in the next one along the ray: both are
@@ -52,9 +52,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     sum.weight += share;
 }
 
-// What a ray's end sends. Where it begins in a full voxel and meets a surface there, another than
-// its own, as in a corner, it ends there: t is 0. Where nodes are coarser than the map, their rays
-// may have missed what is at the end: then voxels around are asked.
+// Light at a ray's end. A ray that begins in a full voxel and meets a surface there other than its
+// own, as in a corner, ends there: t is 0. If nodes are coarser than the map, their rays may have
+// missed the surface at the end: then voxels around it are read.
 RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;

@@ -1,5 +1,5 @@
-// What nodes of cached radiance send of the light of lamps: that which they send evenly. Before it
-// stand lighting.glsl, LISTS_TEXELS, voxel_map.glsl, and radiance_place.glsl.
+// Light of lamps that nodes of cached radiance reflect diffusely. Before it stand lighting.glsl,
+// LISTS_TEXELS, voxel_map.glsl, and radiance_place.glsl.
 //
 // Where bodies cross, surfaces of one lie within the other: no ray should meet their nodes, and
 // rays from them may get out on its other side. Of a body the first voxel before the surface along

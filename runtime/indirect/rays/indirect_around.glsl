@@ -34,5 +34,5 @@ void aroundAdd(vec3 light, float let, inout Around around)
     around.let += let * light;
 }
 
-// Of sums: what is added to the light of surfaces, `open` being the mean of what is let through.
+// Term to add to the light of surfaces; `open` is the mean transmittance.
 vec3 aroundBeside(Around around, float open) { return around_share * (around.let - open * around.all); }

@@ -13,7 +13,7 @@ layout(std140) uniform Indirect {
 
 bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
 
-// Of a surface whose depth is greater than 0.
+// Point of the surface, whose depth is greater than 0.
 vec3 indirectPoint(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - indirect_ray.zw) * indirect_ray.xy, -1.0);
@@ -31,7 +31,7 @@ vec2 indirectPlace(vec3 point)
 vec2 indirectLow() { return max(-indirect_models.zw, vec2(0.0)); }
 bool indirectIsShown(vec2 place) { return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy)); }
 
-// Of a pixel, at a point: its width in space.
+// Width of a pixel in space, at a point.
 float indirectPixelSize(vec3 point)
 {
     return 2.0 * indirect_ray.x * (indirectIsOrthographic() ? 1.0 : -point.z);
@@ -57,10 +57,9 @@ vec2 indirectRandom(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-// What a pixel's samples are shifted by, of which indirect_sequence.h tells: with what goes on from
-// one set of samples to the next: of Sobol's in tiles as that file says; else by steps of the
-// plastic number, 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden
-// ratio.
+// Shift of a pixel's samples (indirect_sequence.h), with its step from one set of samples to the
+// next: for Sobol's sequence in tiles as that file says; otherwise by steps of the plastic number,
+// 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
 struct IndirectShift {
     vec3 at, more; // xy: both by exclusive or of bits, or both added
 };
@@ -135,7 +134,7 @@ vec3 indirectDirection(vec2 s)
     return vec3(r * cos(turn), r * sin(turn), z);
 }
 
-// What is kept off by something at a share of the radius.
+// Share of light occluded by a hit at a share of the radius.
 float indirectWeight(float t)
 {
 #ifdef INDIRECT_WEIGHT_linear
@@ -156,14 +155,14 @@ vec3 indirectNormal(ivec2 pixel)
 #endif
 }
 
-// What a ray meets.
+// Hit of a ray.
 struct IndirectHit {
     float t;     // share of the radius to it; less than 0: nothing
     ivec2 pixel; // that shows it; less than 0: none
     vec3 sent;   // against the ray beside what the pixel sends: from cached radiance
 };
 
-// Of one pixel of INDIRECT_COARSE x INDIRECT_COARSE of the picture: for which of these rays go out.
+// The pixel of INDIRECT_COARSE x INDIRECT_COARSE of the picture from which rays start.
 ivec2 indirectPixel(ivec2 small) { return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1); }
 
 #ifdef INDIRECT_LIGHT
@@ -172,8 +171,8 @@ uniform sampler2D indirect_light;
 uniform sampler2D indirect_before; // what bounces before this one found
 #endif
 
-// What the surface of a pixel sends against a way, of light and of the bounces before; nothing if
-// the side that is seen is turned away.
+// Light, with previous bounces, that the surface of a pixel sends against a direction; nothing if
+// its visible side faces away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {
     if (dot(indirectNormal(pixel), way) >= 0.0) return vec3(0.0);

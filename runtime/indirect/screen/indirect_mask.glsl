@@ -19,7 +19,7 @@ struct IndirectSlice {
     float g, left, all; // the normal's angle; the integral to sight, and to the other side
 };
 
-// Of an angle: its place among the sectors, from 0 to 32.
+// Place of an angle among the sectors, from 0 to 32.
 float indirectSector(IndirectSlice slice, float t)
 {
     t = clamp(t, slice.g - 1.57079632679490, slice.g + 1.57079632679490);

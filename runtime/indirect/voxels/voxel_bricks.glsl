@@ -15,7 +15,7 @@ int brickPlace(ivec3 at, int log_)
     return (((1 << 3 * log_) - 1) & 0x49249249) + (((at.z << log_) + at.y) << log_) + at.x;
 }
 
-// Of 4 x 4 columns, 128 voxels of which are a texel, those of a layer: 32 bricks.
+// Bricks of 4 x 4 columns, of which a texel holds 128 voxels, those of a layer: 32 bricks.
 void bricksOfMap(ivec3 at)
 {
     uvec4 columns[16];
@@ -30,8 +30,8 @@ void bricksOfMap(ivec3 at)
     }
 }
 
-// Of two planes of 4 x 4 voxels, in 16 bits each, the 2 x 2 that are one voxel each, as voxels 0,
-// 1, 4, and 5.
+// Next level of two planes of 4 x 4 voxels, in 16 bits each: each 2 x 2 become one voxel, in bits
+// 0, 1, 4, and 5.
 uint brickQuarter(uint planes)
 {
     uint any = (planes | planes >> 16u) & 0xFFFFu;

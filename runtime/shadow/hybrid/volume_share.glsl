@@ -2,7 +2,7 @@
 #ifdef SHADOW_MASK
 uniform sampler2D shadow_mask;
 
-// Of what is opaque, its volume was counted at the pixel: a bit for each light.
+// Opaque surfaces: volumes were counted at the pixel, a bit for each light.
 float volumeShare(int bit, ivec2 views, vec3 point, ivec2 at)
 {
     return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
@@ -45,7 +45,7 @@ bool volumeHas(int view, vec3 point)
 #endif
 }
 
-// What is transparent is in no pixel's count.
+// Transparent surfaces are in no pixel's count.
 float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 {
     for (int view = views.x; view < views.x + views.y; view++)

@@ -52,8 +52,7 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0; // of the bias across the plane, in texels
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
-// What a view shows of a point: its place there, and how depth changes from texel to texel on its
-// plane.
+// A point in a view: its place there, and the change of depth from texel to texel on its plane.
 struct SilhouettePlace {
     vec2 at;     // in texels
     float depth; // greater is nearer to the light
@@ -118,8 +117,8 @@ bool facet_away = false;     // it looks away from the light, while the surface'
 #endif
 
 #ifdef SHADOW_GLASS
-// What all that is transparent lets through, over texels that nothing opaque covers; so its edges
-// are a map's.
+// Transmittance of all transparent casters, over texels that nothing opaque covers; its edges are
+// those of a map.
 SHARE silhouetteThrough(int view, vec3 point)
 {
     vec4 how = shadowRow(view, VIEW_HOW);
