@@ -161,7 +161,8 @@ static void keys_are_explained(void **state)
                                            {"transform", "of XYZTransform\n", "of Plane\n"},
                                            {"metallic", "of UsdPreview\n", "here it is metalness"},
                                            {"address", "  mirror ", "  border "},
-                                           {"preset", "  draft ", "  thesisMarch "},
+                                           {"preset", "  thesisBuddha ", "  thesisMarch "},
+                                           {"quality", "  draft ", "  fine "},
                                            {"thesisMarch", "choice of preset", "12 rays"},
                                            {"method", "  hybrid ", "  bisection "}};
     for (size_t i = 0; i < sizeof pages / sizeof *pages; i++) {

@@ -103,7 +103,7 @@ static void the_picture_is_of_all(void **state)
     char text[8192];
     MatcOptions options;
     matc_options_init(&options);
-    FILE *file = fopen(SOURCE_FOLDER "/docs/library.yaml", "rb");
+    FILE *file = fopen(SOURCE_FOLDER "/docs/pictures/library.yaml", "rb");
     assert_non_null(file);
     const size_t size = fread(text, 1, sizeof text, file);
     fclose(file);

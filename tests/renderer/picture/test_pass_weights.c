@@ -238,7 +238,7 @@ static void denoiser_weighs_by_surface_and_noise(void **state)
 /* Cascades of 64 texels with a filter of 1 texel. The weight of a cascade is 0 within three texels
  * of its border, and 1 from a sixteenth of half its width farther inside. */
 static const char cascade_head[] =
-    "#define SHADOW_SIZE 64\n#define SHADOW_FILTER 1\n"
+    "#define SHADOW_SIZE 64\n#define SHADOW_FILTER 1\nconst int VIEW_HOW = 3;\n"
     "vec4 shadowRow(int view, int row) { return vec4(0.0, 0.01, 0.0, 0.0); }\n"
     "vec3 shadowPlace(int view, vec4 point) { return point.xyz; }\n"
     "const float SHADOW_LIFT = 1.5;\n";
