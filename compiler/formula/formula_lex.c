@@ -1,5 +1,5 @@
-/* A formula's text as numbers, colours, names and symbols. Of what is longest: "<=" before "<",
- * "1.5e3" as one number. */
+/* The lexer of formulas: numbers, colors, names and symbols. The longest token wins: "<=" before
+ * "<", "1.5e3" as one number. */
 #include "compiler/formula/formula_lex.h"
 #include "compiler/library/srgb.h"
 #include <math.h>

@@ -1,4 +1,4 @@
-/* The words of a formula's text. */
+/* The lexer of formulas: splits a text into tokens. */
 #ifndef MATC_FORMULA_LEX_H
 #define MATC_FORMULA_LEX_H
 #include "compiler/formula/formula.h"

@@ -1,5 +1,5 @@
-/* Edges of a mesh where its outline may be, or where its shade may jump; by positions, so that
- * vertices which differ in what they carry meet. No GL. */
+/* Edges of a mesh where its silhouette may be, or where shading is discontinuous. Adjacency of
+ * faces is found by positions, so that vertices with different attributes meet. No GL. */
 #ifndef MATC_RENDER_EDGE_MESH_H
 #define MATC_RENDER_EDGE_MESH_H
 #include "runtime/gl/shape.h"

@@ -1,10 +1,10 @@
-/* An edge is known by the places of its ends, as a number of 64 bits that looks like chance. What
- * is met an even number of times leaves nothing of an exclusive or; what is met as often one way as
- * the other, nothing of a sum that counts one way as less than 0. So it takes no table of edges.
+/* Whether a mesh is watertight. An edge is a hash of the positions of its ends, 64 random bits.
+ * Edges that occur an even number of times cancel in an exclusive or; edges that occur as often in
+ * one direction as in the other cancel in a signed sum. So no table of edges is needed.
  *
  *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the
- *         three of its edges are left; with one turned round,
- *     the exclusive or is 0, and of the sum twice these three */
+ *     three of its edges are left; with one flipped, the exclusive or is 0, and of the sum twice
+ *     these three */
 #include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>

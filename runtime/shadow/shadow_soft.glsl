@@ -1,4 +1,4 @@
-// Soft shadows of area lights. From SOFT_POINTS x SOFT_POINTS points of the light, evenly spread
+// Soft shadows of area lights: the share of the light in the penumbra. From SOFT_POINTS x SOFT_POINTS points of the light, evenly spread
 // from edge to edge, a map each shows what is in front of it (soft_views.h); so each says exactly,
 // but for its texels, whether its point reaches a surface. Four neighbours are the corners of a
 // cell:

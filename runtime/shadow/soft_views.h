@@ -1,5 +1,5 @@
-/* Views of the points of an area light, for soft shadows: a view for each point, which is a map of
- * its own. No GL.
+/* Views of the points of an area light, for soft shadows with a penumbra: a view for each point,
+ * which is a map of its own. No GL.
  *
  * A view is all that is in front of the light, half of a cube around the point, unfolded into its
  * map: in the middle, half as wide as the map, what is seen along the normal; beside it, a quarter

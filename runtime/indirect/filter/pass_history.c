@@ -1,6 +1,6 @@
-/* The pass history: what rays found in frames before, kept for those after, in targets of its own,
- * two of each in turns. Its GLSL is pass_history.glsl, behind indirect_place.glsl. Without it, none
- * of this is there. */
+/* The pass history: temporal accumulation of the rays' results, in targets of its own, two of each
+ * in turns, with rejection of samples of other surfaces. Its GLSL is pass_history.glsl, behind
+ * indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/filter/indirect_motion.h"

@@ -41,7 +41,7 @@ vec3 historyUnpack(vec2 p)
 }
 
 // Kept samples of a point that was there, with that normal, in the previous eye space: interpolated
-// between the pixels nearest to its reprojection. No sets: rejected.
+// between the pixels nearest to its reprojection. No sets: rejection, the surface differs.
 HistoryKept historyAt(vec3 was, vec3 turned)
 {
     HistoryKept kept = HistoryKept(vec4(0.0), 0.0);

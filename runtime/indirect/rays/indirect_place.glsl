@@ -121,8 +121,8 @@ vec2 indirectSample(int i, IndirectShift shift)
 #endif
 }
 
-// The direction of a sample of the unit square, the normal being z: as dense as its cosine, or
-// everywhere alike.
+// Direction of a sample of the unit square, the normal being z: importance sampling of the cosine
+// (density cos / pi), or, with INDIRECT_UNIFORM, uniform over the hemisphere (density 1 / (2 pi)).
 vec3 indirectDirection(vec2 s)
 {
 #ifdef INDIRECT_UNIFORM
