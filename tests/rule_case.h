@@ -1,5 +1,5 @@
-/* What a pass of the optimiser makes of an expression, against what was worked out by hand; before
- * and after are evaluated, too. */
+/* Results of a pass of the optimizer on expressions, against results worked out by hand; before and
+ * after are evaluated, too. */
 #ifndef TESTS_RULE_CASE_H
 #define TESTS_RULE_CASE_H
 #include "compiler/ir/fold.h"
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* What becomes of an expression; NULL: it stays as it is. */
+/* Result for an expression; NULL: it stays as it is. */
 typedef struct {
     const char *text, *becomes;
 } RuleCase;

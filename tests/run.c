@@ -130,7 +130,7 @@ static void run_material(Run *run, const MatcDocument *document, const char *nam
     matc_program_free(program);
 }
 
-/* What displaces: its compute program, and how the reflection tells of that. */
+/* A displacing material: its compute program, and its reflection. */
 static void run_compute(Run *run, const MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];
@@ -210,9 +210,8 @@ static void run_layout_error(Run *run, const char *name)
     matc_layout_free(layout);
 }
 
-/* What examples show is meant, so nothing is to be said of them; but those of channels and
- * conversions show corners of what maps mean, of which some is doubtful: what is said of these is a
- * golden, .err. */
+/* Examples are right, so there must be no warnings; but those of channels and conversions show
+ * corner cases, some of which have warnings: these are goldens, .err. */
 static void check_silence(Run *run, MatcDocument *document, const char *name)
 {
     char path[LONGEST_PATH];

@@ -1,4 +1,4 @@
-/* What the reference says of a document's slots, beside numbers that somebody published. */
+/* Values of a document's slots by the reference, beside published numbers. */
 #ifndef TESTS_SLOT_VALUES_H
 #define TESTS_SLOT_VALUES_H
 #include "tests/test.h"
@@ -7,7 +7,7 @@
 
 static const double CLOSE = 1e-3; /* of published values */
 
-/* What the reference answers, with what was said while reading; `at` is a point. */
+/* Values by the reference, with the diagnostics of reading; `at` is a point. */
 static inline char *values_at(const char *text, const char *at, char **said)
 {
     MatcOptions options = quick();

@@ -376,7 +376,7 @@ static void shadow_maps_see_what_is_traced(void **state)
     gl_close(gl);
 }
 
-/* What --stats says, or not. */
+/* Checks whether --stats has the line. */
 static void says(GlContext *gl, const SceneText *of, const char *line, bool wanted)
 {
     const MatcOptions options = frame_exact_options();

@@ -309,7 +309,7 @@ static void tones(void **state)
     gl_close(gl);
 }
 
-/* What cannot be drawn is an error, and leaves nothing. An empty scene is none. */
+/* Scenes that cannot be drawn are errors, and leave nothing. An empty scene is none. */
 static void faults(void **state)
 {
     (void)state;

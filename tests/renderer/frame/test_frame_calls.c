@@ -1,5 +1,5 @@
-/* What frames need: a second one only draws, materials share programs, views leave out what nobody
- * reads. */
+/* Calls of frames: a second frame only draws, materials share programs, views leave out passes that
+ * nobody reads. */
 /* ctest: seconds=41 */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -214,7 +214,7 @@ static void programs_are_shared(void **state)
     frame_forget(scene, document);
 }
 
-/* What a view does not need does not run, and is not there. */
+/* Passes and targets that a view does not need do not run or exist. */
 static void views_need_less(void **state)
 {
     (void)state;

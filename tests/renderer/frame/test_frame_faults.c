@@ -1,5 +1,5 @@
-/* What a driver, or the set of all materials, refuses: the material is named, and where it stands;
- * the format of a target; a mesh that is too large. */
+/* Refusals of a driver, or of a set of materials: the material is named, with its place; the format
+ * of a target; a mesh that is too large. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>
@@ -29,7 +29,7 @@ static const char text[] =
     "ImageMap, image: b.png, bilinearFiltering: false } }\n"
     "objects: [{ object: Box, material: plain }, { object: Sphere, material: busy }]\n";
 
-/* What is said where `units` textures have room, with that layout. */
+/* Message if `units` textures have room, with that layout. */
 static void assert_refused(int units, const char *layout, const char *said)
 {
     MatcDocument *document;

@@ -234,7 +234,7 @@ static void instances_or_not(void **unused)
     }
 }
 
-/* What is written is GLSL, whatever the material reads of its surface; glslang links both texts. */
+/* The text is valid GLSL, whatever the material reads of its surface; glslang links both texts. */
 static void instances_are_valid(void **unused)
 {
     (void)unused;

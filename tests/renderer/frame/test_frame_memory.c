@@ -93,7 +93,7 @@ static void pictures_are_the_same(void **state)
     }
 }
 
-/* What is read when the frame is done is still there. */
+/* Targets that are read after the frame still exist. */
 static void views_stay(void **state)
 {
     (void)state;

@@ -247,7 +247,7 @@ static void examples_are_turned(void **state)
 
 /* -- cameras that go far */
 
-/* The same pair stands at two places, and the camera goes from one to the other. */
+/* One pair stands at two places, and the camera goes from one to the other. */
 static void the_origin_follows(void **state)
 {
     (void)state;
@@ -347,7 +347,7 @@ static void positions_are_the_worlds(void **state)
     gl_close(gl);
 }
 
-/* The same through an XYZTransform, whose `useGlobal` asks for the position in the world. */
+/* Moved scenes with an XYZTransform whose `useGlobal` reads the position in the world. */
 static void global_maps_are_the_worlds(void **state)
 {
     (void)state;

@@ -116,7 +116,7 @@ typedef struct {
     unsigned written; /* targets */
 } Player;
 
-/* Of these targets, what was written to is there. */
+/* Those of these targets that were written exist. */
 static void check_there(const Player *p, unsigned targets)
 {
     for (int t = 0; t < p->request->target_count; t++)
@@ -137,8 +137,8 @@ static void write_to(Player *p, unsigned targets)
     p->written |= targets;
 }
 
-/* What a pass reads is there when it begins; what it looks at beside a pixel, when it ends; and so
- * is all that it wrote. */
+/* Inputs of a pass exist when it begins; inputs that it reads beside a pixel, and its outputs, when
+ * it ends. */
 static void play(const FramePlanRequest *r, const FramePlan *plan)
 {
     Player player = {.request = r, .plan = plan};

@@ -44,7 +44,7 @@ typedef struct {
     MatcProgram *program;
 } Compiled;
 
-/* Of pass value: the diffuse colour alone. */
+/* Compiles the pass value: the diffuse color alone. */
 static Compiled compile_by(const char *text, MatcOptions *options)
 {
     options->pass = "value";
@@ -215,7 +215,7 @@ static void assert_buffers(int made, int filled, int changed)
     assert_int_equal(changed_buffers, changed);
 }
 
-/* The same in GLSL 1.10, where they are plain uniforms. */
+/* Constants in GLSL 1.10, where they are plain uniforms. */
 static void numbers_change_in_place(void **state)
 {
     (void)state;
@@ -367,7 +367,7 @@ static void faults_leave_nothing(void **state)
     close_fixture(&f);
 }
 
-/* What is left in a store goes with it. */
+/* Objects left in a store are freed with it. */
 static void a_store_takes_all_with_it(void **state)
 {
     (void)state;

@@ -1,5 +1,5 @@
-/* What rays found in frames before: means over sets of rays, where a camera or an object moves, and
- * when it stops. */
+/* Temporal accumulation: means over sets of rays, where a camera or an object moves, and when it
+ * stops. */
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
@@ -33,7 +33,7 @@ static void open_rig(FrameRunning *rig, const char *keys, const char *view)
     frame_running_open(gl, text, &(RenderOptions){.view = view, .deep = true}, rig);
 }
 
-/* Of one frame. */
+/* Draws one frame. */
 static void draw_alone(const char *keys, const char *view, float *rgba)
 {
     static FrameRunning rig;

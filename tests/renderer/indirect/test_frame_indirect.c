@@ -84,9 +84,9 @@ static void planes_are_open(void **state)
     close_rig(&rig);
 }
 
-/* Of a wall's share c of the radius away: what of the cosine over the half sphere it keeps off, of
- * directions whose lane x is more than c: a segment of the unit disc. With weights 1 - c / x and 1
- * - c^2 / x^2; of directions that are even everywhere half a cap. */
+/* A wall at a share c of the radius: the part of the cosine over the hemisphere that it occludes,
+ * of directions whose x is more than c: a segment of the unit disc. With weights 1 - c / x and 1 -
+ * c^2 / x^2; of uniform directions half a cap. */
 static double segment(double c) { return (acos(c) - c * sqrt(1 - c * c)) / PI; }
 static double segment_linear(double c)
 {
@@ -98,7 +98,7 @@ static double segment_quadratic(double c)
     return segment(c) - 2 * c * c / PI * (sqrt(1 - c * c) / c - acos(c));
 }
 static double cap(double c) { return (1 - c) / 2; }
-/* Of places that are even in the half ball: half of what a plane cuts off of a ball. */
+/* Uniform places in the half ball: half of the part that a plane cuts off a ball. */
 static double cap_volume(double c) { return (1 - c) * (1 - c) * (2 + c) / 4; }
 
 typedef struct {
@@ -234,8 +234,8 @@ static int is_seen(const Tracer *tracer, const Hit *middle, const Hit *hit)
                : UNSEEN;
 }
 
-/* What the picture's middle, on a wall, sees of the ground before it, of which a box hides a part.
- * Steps of rays, and voxels, decide near the border of what is seen: two pixels. */
+/* The picture's center, on a wall, sees the ground before it, of which a box hides a part. Steps of
+ * rays, and voxels, decide near the border of the visible part: two pixels. */
 static void middles_see(void **state)
 {
     (void)state;

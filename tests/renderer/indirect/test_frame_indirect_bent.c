@@ -32,7 +32,8 @@ static const char body[] =
     "rotation: [0, 0, .4] "
     "} }\n";
 
-/* Of half of the sky light 1 comes, and none of the other half: the middles of the bright ones. */
+/* Light 1 comes from half of the sky, and none from the other half: the centers of the bright
+ * halves. */
 static const double skies[SKIES][3] = {{0, 0, 1}, {0, -.8, .6}};
 
 typedef struct {
@@ -122,8 +123,9 @@ static void to_world(const SceneCamera *camera, const float *eye, double way[3])
     reference_normalize(way);
 }
 
-/* Of half a sky, over an even one: what arrives from a cap around a way that has the cosine's share
- * `open`, as if the border went through it evenly. With all open it is the hemisphere's formula. */
+/* Half a sky, over an even one: light that arrives from a cap around a direction with the cosine's
+ * share `open`, as if the border crossed it evenly. If all is open it is the hemisphere's formula.
+ * */
 static double share_of_cap(double cosine, double open)
 {
     return .5 + .5 * fmax(-1, fmin(1, cosine / sqrt(fmax(open, 1e-6))));

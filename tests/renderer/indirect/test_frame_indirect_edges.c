@@ -27,8 +27,8 @@ static const char body[] =
 
 enum { NOTHING, DARK, LIT };
 
-/* What pixels show of the floor or the wall: by rays in double, whether the lamp is seen from
- * there; and nothing where another face is beside. */
+/* Pixels of the floor or the wall: by rays in double, whether the lamp is visible from there;
+ * nothing where another face is adjacent. */
 static void find_lit(const Scene *scene, unsigned char *lit)
 {
     Tracer tracer = reference_open(scene);

@@ -63,9 +63,9 @@ static void contrast_is_of_what_is_kept_off(void **state)
     gl_close(gl);
 }
 
-/* Of a ceiling c above the place where rays begin, those meet it within r whose cosine is more than
- * c / r, and of directions as dense as their cosine these are 1 - (c / r)^2. A step is r / 64 long,
- * a voxel .064 wide: the ceiling's lowest full voxels begin half of that off at most. */
+/* A ceiling at c above the origin of rays: those hit it within r whose cosine is more than c / r,
+ * and for cosine-weighted directions these are 1 - (c / r)^2. A step is r / 64 long, a voxel .064
+ * wide: the ceiling's lowest full voxels begin at most half of that off. */
 static void rays_begin_as_far_off_as_is_said(void **state)
 {
     (void)state;

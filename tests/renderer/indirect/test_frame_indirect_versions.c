@@ -20,8 +20,8 @@ static const char body[] =
     "- { object: Sphere, radius: .5, detail: 24, material: m, transform: { translation: [0, 0, .5] "
     "} }\n";
 
-/* Of a frame, and one behind it. NULL: it can't be drawn; *said is why, from malloc; else what it
- * is drawn by. */
+/* Draws a frame, and one after it. NULL: it cannot be drawn; said is the reason, from malloc;
+ * otherwise the method that draws it. */
 static float *drawn(GlContext *gl, const char *keys, bool twice, char **said)
 {
     const MatcOptions options = frame_exact_options();

@@ -16,7 +16,7 @@
     "emissive: [.8, .4, .2] } }\nobjects:\n"
 #define FLOOR "- { object: Plane, material: m }\n"
 
-/* Of the point at the origin, seen from above. */
+/* Result at the origin, seen from above. */
 static Open open_at_origin(const char *objects, OpenRays rays, bool light)
 {
     const MatcOptions options = frame_exact_options();

@@ -20,7 +20,7 @@ static const char body[] =
     "- { object: Box, material: m, size: [.6, .6, .7], transform: { translation: [.8, -.6, .35] } "
     "}\n";
 
-/* Of the box around all objects: the lower one's sides, the taller one's top. */
+/* The box around all objects: the lower one's sides, the taller one's top. */
 static const double middle[3] = {0, 0, .5};
 
 /* Around the middle, by an angle around an axis of the camera's own. */

@@ -14,7 +14,7 @@
 enum { EDGE = 64, PIXELS = EDGE * EDGE, TEXT = 4096, LANES = 4 };
 #define IMAGE "image: { width: 64, height: 64 }\n"
 
-/* Of red, green, blue. */
+/* Maximum of red, green and blue. */
 static double brightest(const float *rgba)
 {
     double most = 0;
@@ -153,7 +153,8 @@ typedef struct {
     int count;
 } Off;
 
-/* Of pixels of object 0, 5 apart, against so many rays squared: openness, or light. */
+/* Error at pixels of object 0, 5 apart, against so many rays squared: ambient occlusion, or light.
+ * */
 static Off off_by(GlContext *gl, const char *text, bool light, OpenRays rays)
 {
     enum { APART = 5 };

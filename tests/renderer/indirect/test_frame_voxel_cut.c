@@ -222,7 +222,7 @@ typedef struct {
     double open, light[3];
 } Sum;
 
-/* What the nearer sheet sends that a ray meets; false: it meets none. */
+/* Adds the light of the nearer plane that a ray hits; false: it hits none. */
 static bool follow(const double from[3], const double way[3], Sum *sum)
 {
     static const double lamp[3] = {.1, .05, .5};

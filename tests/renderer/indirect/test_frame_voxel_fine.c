@@ -21,7 +21,7 @@ typedef struct {
     char folder[32], path[64];
 } ShellFile;
 
-/* Of half an edge `half`, in `squares` along an edge. */
+/* Writes a shell with half an edge `half`, in `squares` along an edge. */
 static ShellFile write_shell(double half, int squares)
 {
     ShellFile made = {.folder = "/tmp/matc_shell_XXXXXX"};

@@ -23,7 +23,7 @@ typedef struct {
     int count;
 } Triangles;
 
-/* Of objects of one sort. */
+/* Triangles of objects of one sort. */
 static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
 {
     const VoxelGrid *grid = &d->render->voxels->grid;
@@ -317,8 +317,8 @@ static void nothing_gets_out_of_a_room(void **state)
     frame_voxels_forget(&d);
 }
 
-/* What has moved is as if it had stood there from the start, and where nothing has, a frame makes
- * no call but draws. */
+/* A moved object is as if it had stood there from the start; if nothing moved, a frame makes only
+ * draw calls. */
 static void what_moves_is_made_again(void **state)
 {
     (void)state;

@@ -39,7 +39,7 @@ static void thirds_are_of_other_bases(void **state)
     }
 }
 
-/* Of 2^m samples each box of 2^-a by 2^(a - m) has one. */
+/* Each box of 2^-a by 2^(a - m) has one of 2^m samples. */
 static void assert_net(int m)
 {
     static int seen[MOST];

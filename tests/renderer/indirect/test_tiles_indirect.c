@@ -93,8 +93,8 @@ static void tiles_are_as_the_whole(void **state)
     gl_close(gl);
 }
 
-/* What looks far, or goes on from frame to frame, is drawn at once; a camera that comes near makes
- * the tiles anew. */
+/* Methods that look far, or accumulate over frames, draw the whole picture; a camera that comes
+ * near rebuilds the tiles. */
 static void what_looks_far_is_whole(void **state)
 {
     (void)state;

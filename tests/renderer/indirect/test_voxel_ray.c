@@ -15,7 +15,7 @@
 
 enum { WIDE = 64, HIGH = 64, RAYS = WIDE * HIGH, LEVELS = 10, LANES = 4 };
 
-/* What it meets: t, or -1; the voxel, in two floats; bricks that were read. */
+/* Hit of a ray: t, or -1; the voxel, in two floats; bricks that were read. */
 static const char head[] =
     "uniform sampler2D rays;\n"
     "vec4 rayTexel(ivec2 pixel, int i) { return texelFetch(rays, ivec2(2 * pixel.x + i, pixel.y), "
@@ -247,7 +247,7 @@ typedef struct {
     double bricks;
 } Count;
 
-/* The same in double, also of rays beside it; whether all meet one voxel, or none. */
+/* Hit in double, also of neighboring rays; whether all hit one voxel, or none. */
 static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
 {
     static const double beside[][3] = {
@@ -269,8 +269,7 @@ static bool truth_of(const VoxelWords *words, const Ray ray, VoxelMet *met)
     return true;
 }
 
-/* Of such a length, and in such a place, that what floats round off is as little as what rays are
- * moved by. */
+/* The ray's length and place are such that rounding of floats is as small as the motion of rays. */
 static bool is_plain(const Ray ray)
 {
     const double most = 1e4;

@@ -104,7 +104,7 @@ static void random_case(double exponent, CaseTexels t)
     t[3][3] = (float)exponent;
 }
 
-/* What the GLSL says of CASES cases: x the cosine's integral, y the lobe's. */
+/* Values of the GLSL for CASES cases: x the cosine's integral, y the lobe's. */
 static void run(GlContext *gl, const CaseTexels *cases, bool compute, float (*said)[4])
 {
     const TextureSpec texture = {

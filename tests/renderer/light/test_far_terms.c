@@ -1,6 +1,6 @@
-/* What far lights are taken for, at groups of surfaces made to be nasty: the series of their even
- * light and the expansion of their gloss, as the GLSL has them, against the light itself in double.
- * What is left out is within the bounds that far_terms.glsl and far_lobe.glsl state. */
+/* The far-field expansion of distant lights, at groups of surfaces made to be nasty: the series of
+ * their diffuse light and the expansion of their gloss, as the GLSL has them, against the light
+ * itself in double. The error is within the bounds that far_terms.glsl and far_lobe.glsl state. */
 /* ctest: alone */
 #include "tests/test.h"
 #include "gen/render_text.h"
@@ -28,7 +28,7 @@ static const char head[] =
     "vec3 surfaceGloss(Lit m) { return m.gloss; }\nbool surfaceLetsThrough(Lit m) { return false; "
     "}\n";
 
-/* Of a lamp at a distance of 1, with a power of 1. */
+/* A lamp at a distance of 1, with a power of 1. */
 static const char body[] =
     "uniform sampler2D cases;\n"
     "vec4 passPixel(ivec2 pixel)\n{\n"
@@ -106,7 +106,7 @@ static void turned(const Vector from, double angle, Vector to)
     normalize(to);
 }
 
-/* What makes a group more than its seed, alone and together. */
+/* Properties that make a group harder, alone and together. */
 enum { WIDE = 1, TURNED = 2, LEANING = 4, SHARPER = 8, KINDS = 16 };
 
 static void make_case(int kind, double exponent, Case *c)
@@ -169,7 +169,7 @@ static void cosines_of(double along, double cosine, double out[2])
     out[1] = cos(fmax(between - angle, 0));
 }
 
-/* What pass_groups.glsl would find of the group, and far_light.glsl of the lamp. */
+/* Values that pass_groups.glsl would find for the group, and far_light.glsl for the lamp. */
 static void put_case(const Case *c, float t[IN][4])
 {
     double cosine = 1, mirror = 1, above = -1e9, below = 1e9, sharp = c->exponent, cosines[2];
@@ -211,7 +211,7 @@ static void run(GlContext *gl, float (*in)[IN][4], float (*out)[OUT][4])
 static Case cases[CASES];
 static float in[CASES][IN][4], out[CASES][OUT][4];
 
-/* What is linear, at a patch. */
+/* Diffuse light at a patch. */
 static double linear_of(const Case *c, const Patch *p, float (*said)[4])
 {
     double sum = said[0][2];

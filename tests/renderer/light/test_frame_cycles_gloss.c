@@ -93,8 +93,8 @@ static bool place(const Scene *scene, int i, int *ball, double cosines[3])
     return false;
 }
 
-/* What GGX's facets reflect once of the sun's light, pi times the lobe and the cosine, by Schlick's
- * formula. */
+/* Single reflection of the sun's light by GGX facets, pi times the lobe and the cosine, by
+ * Schlick's formula. */
 static double once(double color, double alpha, const double c[3])
 {
     const double up = fmin((c[0] + c[1]) / (2 * c[2]), 1), wide = up * up * (alpha * alpha - 1) + 1,
@@ -104,7 +104,7 @@ static double once(double color, double alpha, const double c[3])
     return a2 / (wide * wide) * .5 / seen * c[1] * (color + (1 - color) * pow(1 - c[2], 5));
 }
 
-/* Of a ball: what is off over what may be; how much light there is here and there. */
+/* A ball: errors over their bounds; the sum of light here and in Cycles' picture. */
 typedef struct {
     double share[3 * PIXELS], here, there, brightest[2];
     int count;
@@ -187,7 +187,7 @@ static void gloss_is_that_of_cycles(void **state)
     }
 }
 
-/* Of balls that each concerns. */
+/* Balls that each lobe concerns. */
 static void other_lobes_are_seen(void **state)
 {
     (void)state;

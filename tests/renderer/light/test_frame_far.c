@@ -69,7 +69,8 @@ static void count_buffer_data(GLenum target, GLsizeiptr size, const void *data, 
     driver_buffer_data(target, size, data, usage);
 }
 
-/* What the driver is asked for is what is said, and what tiles are made for. */
+/* Memory requested from the driver is the memory that --stats prints, and that tiles are made for.
+ * */
 static void buffers_are_counted(void **state)
 {
     (void)state;
@@ -164,8 +165,8 @@ static void drivers_with_less(void **state)
 
 static const double half_step = 1. / 510;
 
-/* Of two pictures of light, the most that a lane is apart as it is shown, in half steps; *differ:
- * how many lanes do. */
+/* Greatest distance of a component in two pictures of light as displayed, in half steps; differ:
+ * how many components differ. */
 static double most_apart(const float *a, const float *b, int *differ)
 {
     double most = 0;
@@ -178,7 +179,7 @@ static double most_apart(const float *a, const float *b, int *differ)
     return most / half_step;
 }
 
-/* What is drawn is what a new renderer draws, bit for bit. */
+/* The picture equals that of a new renderer, bit for bit. */
 static void expect_as_new(const Hall *h, Render *render, const RenderOptions *options)
 {
     float *changed = frame_change_next(render);

@@ -234,7 +234,7 @@ static double greatest_of(const float *rgba, int pixels)
     return greatest;
 }
 
-/* Of a lane, in half steps of a half float. */
+/* Error of a component, in half steps of a half float. */
 static double half_off(double all, double bounded)
 {
     int exponent;

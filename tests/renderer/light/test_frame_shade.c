@@ -168,7 +168,7 @@ static bool has_step(const Tracer *tracer, int pixel, const Hit *hit)
     return false;
 }
 
-/* Of pixels without a step, those that are not wholly lit. */
+/* Counts pixels without a step that are not fully lit. */
 static void add_dark(const Tracer *tracer, int pixel, double share, Count *count)
 {
     const Ray ray = reference_ray(tracer->scene, pixel % WIDTH + .5, pixel / WIDTH + .5);

@@ -1,5 +1,5 @@
-/* What is left out of far lights keeps the picture within half a step of 8 bits, or of halves: the
- * claims of light_bound.c, proved by intervals and by signs of polynomials where they are proved by
+/* The omitted part of distant lights keeps the picture within half a step of 8 bits, or of halves:
+ * the claims of light_bound.c, proved by intervals and by signs of polynomials where they are
  * numbers, tried where its comment proves them. */
 #include "tests/test.h"
 #include "runtime/light/light_far.h"

@@ -144,7 +144,7 @@ static void run(GlContext *gl, const char *body, float (*said)[4])
     pass_values(gl, &text, SIDE, said);
 }
 
-/* What a pixel is, in double. */
+/* A pixel's case, in double. */
 typedef struct {
     /* along: x and y of the direction, whose other is (-y, x) */
     double eye[3], along[2], widths[2];
@@ -190,8 +190,8 @@ static double distribution(const Pixel *p, const double h[3])
     return 1 / (PI * p->widths[0] * p->widths[1] * slopes * slopes * pow(h[2], 4));
 }
 
-/* What is lost, and what of Schlick's grazes: over half vectors, by the distribution's slopes in
- * polar coordinates. */
+/* The loss, and the share of Schlick's grazing term: over half vectors, by the distribution's
+ * slopes in polar coordinates. */
 static void integrate(const Pixel *p, double found[2])
 {
     enum { RINGS = 160, TURNS = 160 };

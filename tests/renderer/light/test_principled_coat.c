@@ -31,8 +31,7 @@ static const char tools[] =
     "Surface made(ivec2 p, float base) { return Surface(vec3(0.0, 0.0, 1.0), vec3(base), "
     "vec3(base), 0.0, 0.2 + 0.8 * varied(p, 0.29), 0.04, 1.0, 0.2 + 0.8 * varied(p, 0.137), "
     "0.0533, tiltOf(p)); }\n";
-/* Of a black base: the coat alone. Of a white one, over what it is without the coat's: both
- * ways. */
+/* A black base: the coat alone. A white base, over its value without the coat: both ways. */
 static const char parts[] =
     "float coatAlone(ivec2 p, vec3 v, vec3 l) { return surfaceLobe(surfaceLit(made(p, 0.0), v), "
     "l).x; }\n"
@@ -115,7 +114,8 @@ static void coats_lie_as_they_say(void **state)
     assert_true(seen > 300 && worst < 2e-3 && turned[0] < 2e-5 && turned[1] < 2e-5);
 }
 
-/* What the coat mirrors below the surface is lost, so that less comes than arrives, and no more. */
+/* Light that the coat reflects below the surface is lost: less light leaves than arrives, and never
+ * more. */
 static void sends_no_more_than_arrives(void **state)
 {
     (void)state;

@@ -13,10 +13,10 @@ static const char *const materials[MATERIALS][2] = {
 #include "tests/bench/surfaces.def"
 };
 
-/* What a slot may be off by its bits in the case that a material takes, and in `integer`, which it
- * is held against: half a step; of a root at most a step and the square of half a one; of a normal,
+/* Bound of a slot by its bits in the case that a material takes, and in `integer`, which it is
+ * compared with: half a step; for a root at most a step and the square of half a one; for a normal,
  * whose octahedral coordinates are each half a step off, 4.25 of these, as far as a face of the
- * octahedron turns. */
+ * octahedron rotates. */
 #define HALF_STEP(bits) (.5 / ((1 << (bits)) - 1))
 #define ROOT(bits)      (2 * HALF_STEP(bits) + HALF_STEP(bits) * HALF_STEP(bits))
 static const double normal_bound = 4.25 * 2 * HALF_STEP(12);

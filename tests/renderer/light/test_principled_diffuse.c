@@ -43,8 +43,8 @@ static const char lobes[] =
     "vec4 passPixel(ivec2 p) { Surface s = made(0.2 + 0.8 * varied(p, 0.618), 0.1 * varied(p, "
     "0.137), varied(p, 0.382), roughOf(p)); s.specular = vec3(0.0);\n"
     "    return vec4(surfaceLobe(surfaceLit(s, toward(cosineOf(p), 0.0)), lightOf(p)), 1.0); }\n";
-/* Of the base alone, which sends evenly, nearly: directions by the cosine. What facets and layers
- * reflect is what is left out of tests of theirs. */
+/* The base alone, which is nearly diffuse: directions by the cosine. Other tests take the rest, the
+ * reflection of facets and layers. */
 static const char furnace[] =
     "vec3 sent(Surface s, vec3 v) {\n"
     "    Surface flat_ = s; flat_.diffuseRoughness = 0.0;\n"
@@ -103,8 +103,8 @@ static double once_of(double rough, double l, double v, double turn)
     return (1 + rough * s / t) / (1 + (.5 - 2 / (3 * LOBE_PI)) * rough);
 }
 
-/* Of a body below something, what of light from a direction comes to it; by the numbers that say
- * how. */
+/* Share of light from a direction that reaches a body below a layer; by the numbers that describe
+ * it. */
 typedef double Arrives(const double *numbers, double cosine);
 
 /* The integral of that lobe over all directions, and the mean of what arrives. */
@@ -186,7 +186,8 @@ static void base_is_its_definition(void **state)
     assert_true(worst[0] < .003 && worst[1] < .001);
 }
 
-/* What facets do not reflect, by their integrals. Twenty roughnesses, at angles kept in a table. */
+/* Light that facets do not reflect, by their integrals. Twenty roughnesses, at angles kept in a
+ * table. */
 enum { ANGLES = 200 };
 static double albedos[SIDE][ANGLES][2], means[SIDE][2];
 

@@ -69,7 +69,7 @@ static void run(GlContext *gl, const char *body, float (*said)[4])
 static double cosine_of(int x) { return .1 + .9 * x / (SIDE - 1); }
 static double varied(int i, double step) { return fmod(.5 + step * i, 1); }
 
-/* Of one polarisation: light to and fro within the film, all of it. */
+/* One polarization: all interreflections within the film. */
 static double airy(double a, double b, double phase)
 {
     const double complex turn = cexp(I * phase), sum = (a + b * turn) / (1 + a * b * turn);

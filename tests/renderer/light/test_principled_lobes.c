@@ -237,8 +237,8 @@ static double between_steps(const double *values, double cosine)
     return values[(int)at] * (1 - part) + values[(int)at + 1] * part;
 }
 
-/* What of all light a white base reflects once below a layer, by visible facets; `left` is what
- * that lets through, by the cosine. */
+/* Light that a white base reflects once below a layer, by visible facets; `left` is the layer's
+ * transmittance, by the cosine. */
 static double once_below(const Layers *of, const double *left, double mean, double cosine)
 {
     /* as of albedos, from which this is taken: what sums are off cancels */
@@ -264,7 +264,7 @@ static double once_below(const Layers *of, const double *left, double mean, doub
     return sum / (RINGS * TURNS);
 }
 
-/* What that lacks of what the layers let through. */
+/* Loss of that relative to the layers' transmittance. */
 static double strayed(const Layers *of, double cosine, double albedo)
 {
     const double coat = between_steps(of->coat, cosine), fuzz = between_steps(of->fuzz, cosine);

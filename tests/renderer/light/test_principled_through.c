@@ -117,7 +117,7 @@ static void white_is_all(void **state)
     assert_true(through < .005);
 }
 
-/* Of albedos of a dielectric: what is reflected toward v, in the mean, and what is sent again. */
+/* Albedos of a dielectric: the reflection toward v, in the mean, and after multiple scattering. */
 static double reflected(const double own[2], double f0, double again)
 {
     return f0 * (1 - own[0] - own[1]) + own[1] + own[0] * again;

@@ -131,7 +131,7 @@ typedef struct {
     double mean, most; /* off, over the greatest value on the ball */
 } Case;
 
-/* Of pixels spread evenly. */
+/* Compares pixels spread evenly. */
 static void compare(const SkyReference *reference, const Case *of, const float *light,
                     const float *normals)
 {
@@ -241,7 +241,7 @@ static double brushed_lobe(const double widths[2], const double eye[3], const do
            (widths[0] * widths[1] * wide * wide * masked * 4 * eye[2]);
 }
 
-/* Of a ball whose facets are wider around its axis, z: a sum over even directions. */
+/* A ball whose facets are wider around its axis, z: a sum over uniform directions. */
 static double brushed_light(const ReferencePicture *picture, const double widths[2],
                             double ways[2][3])
 {
@@ -300,7 +300,7 @@ static void brushed_balls_are_too(void **state)
     gl_close(gl);
 }
 
-/* Of all roughnesses, coats, fuzz and brushed metal. */
+/* White furnace for all roughnesses, coats, fuzz and brushed metal. */
 static void white_stays_white(void **state)
 {
     (void)state;

@@ -91,7 +91,7 @@ static void trace(const Read *r)
     }
 }
 
-/* Of light times (w.u)^exponent (n.u), over pi; exponent 0: of the cosine alone. */
+/* Integral of light times (w.u)^exponent (n.u), over pi; exponent 0: the cosine alone. */
 static void integrate(const double n[3], const double w[3], double exponent, double sum[3])
 {
     memset(sum, 0, 3 * sizeof *sum);
@@ -106,8 +106,8 @@ static void integrate(const double n[3], const double w[3], double exponent, dou
     }
 }
 
-/* The same as prefiltered levels would have it: the mean of the light by the power alone, which is
- * one look-up, times what the cosine leaves of light that is the same all around. */
+/* The integral as prefiltered levels approximate it: the mean of the light by the power alone,
+ * which is one look-up, times the cosine's factor for uniform light. */
 static void blur(const double n[3], const double w[3], double exponent, double sum[3])
 {
     double all = 0, left = 0;
@@ -252,8 +252,8 @@ static void pictures(void **state)
     gl_close(gl);
 }
 
-/* Of one colour, twice as bright as it is seen: diffuse 1 sends back just that, a mirror 2 (n.w) /
- * (exponent + 2), less at its horizon. */
+/* A sky of one color, twice as bright as it is seen: diffuse 1 reflects just that, a mirror 2 (n.w)
+ * / (exponent + 2), less at its horizon. */
 static void one_color(void **state)
 {
     (void)state;
@@ -287,8 +287,8 @@ static void one_color(void **state)
     gl_close(gl);
 }
 
-/* What a white plane that lies flat sends back of SunSkyLight, summed over red, green and blue,
- * times pi / 3: the sky's scale is such that sky and sun give 10. */
+/* Reflection of SunSkyLight by a horizontal white plane, summed over red, green and blue, times pi
+ * / 3: the sky's scale is such that sky and sun give 10. */
 static double flat(GlContext *gl, const char *more)
 {
     char text[1024];

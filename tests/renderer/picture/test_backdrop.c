@@ -1,5 +1,5 @@
-/* What is where nothing is seen: tiles and a glow by their formulas, whatever the tone mapping, and
- * as glass before them lets them through; a glow with tiles behind the glass. */
+/* The backdrop of pixels without a surface: tiles and a glow by their formulas, with any tone
+ * mapping, and through glass before them; a glow with tiles behind the glass. */
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -1,7 +1,7 @@
-/* What a draw tells formulas, by closed forms: the direction to the viewer, of rays that meet in an
- * eye and of parallel ones, on meshes and on planes; time, when it changes, too; the number of an
- * object, drawn by instances and one by one; what a mesh has at its vertices, and the slope of
- * that. */
+/* Inputs that a draw call gives formulas, by closed forms: the direction to the viewer, for rays
+ * from an eye and parallel ones, on meshes and on planes; time, also when it changes; the number of
+ * an object, drawn by instances and one by one; attributes of the mesh's vertices, and their
+ * slopes. */
 #include "runtime/tessellate/scene_scatter.h"
 #include "tests/test.h"
 #include "tests/frame/frame_draw.h"

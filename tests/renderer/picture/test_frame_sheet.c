@@ -208,8 +208,8 @@ static float *light_of(GlContext *gl, const char *light, const char *height, con
     return rgba;
 }
 
-/* What passes is what the side that faces the light lets through, though the camera is on the other
- * one: of a light that nothing is before, as the sheet lies below the ground, so much. */
+/* Transmittance is that of the side facing the light, even if the camera is on the other side; also
+ * for a light with nothing before it, as the plane lies below the ground. */
 static void sides(void **state)
 {
     (void)state;

@@ -21,7 +21,7 @@ static double encode(double c)
     return c <= .0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - .055;
 }
 
-/* What a tool of that linear colour looks like behind a transmittance. */
+/* Color of a tool of that linear color behind a transmittance. */
 static bool is_color(const float *pixel, const double color[3], const double through[3])
 {
     for (int i = 0; i < 3; i++)

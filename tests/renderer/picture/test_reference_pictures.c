@@ -184,7 +184,8 @@ static void sky_of(const SkyTable *table, const double way[3], double rgb[3])
         rgb[lane] = matrix[lane][0] * xyz[0] + matrix[lane][1] * xyz[1] + matrix[lane][2] * xyz[2];
 }
 
-/* What a pixel of cycles/sky.yaml sees; its camera looks towards (0.2, 1, 0.62) from the origin. */
+/* Direction of a pixel of cycles/sky.yaml; its camera looks towards (0.2, 1, 0.62) from the origin.
+ * */
 static void look(const ReferencePicture *picture, int pixel, double way[3])
 {
     const double half = tan(29 * acos(-1) / 180), ahead = sqrt(.2 * .2 + 1 + .62 * .62),

@@ -319,8 +319,8 @@ static Scene *read_horizon(const char *mapping, const MatcOptions *options, Matc
     return frame_scene(text, options, document);
 }
 
-/* What a picture asks of all of it is the same in tiles, but for the order of sums: with edges,
- * which take tiles that overlap, and of a scene that changes. */
+/* Statistics of the whole picture are equal in tiles, up to the order of sums: with edges, which
+ * take tiles that overlap, and for a scene that changes. */
 static void in_tiles(void **state)
 {
     (void)state;

@@ -68,7 +68,7 @@ static void put_base64(char *to, const unsigned char *from, size_t size)
 static unsigned char bytes[1 << 16], tiles[1 << 13];
 static size_t tiles_size;
 
-/* What a document's picture shows at a point, or the first fault, as text. */
+/* Value of a document's picture at a point, or the first fault, as text. */
 static const char *shown_by(const char *name, const void *text, size_t size, char shown[512])
 {
     char path[128];

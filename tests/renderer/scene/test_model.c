@@ -353,8 +353,8 @@ static void end_all(int signal)
     kill(0, SIGKILL);
 }
 
-/* What a file names is a file, and not too large: nobody writes into a pipe, and a device has no
- * end. A list of materials is not needed. */
+/* A file's references must be regular files, and not too large: nobody writes into a pipe, and a
+ * device has no end. A list of materials is not needed. */
 static void named_files_are_files(void **state)
 {
     (void)state;
@@ -386,7 +386,7 @@ static void named_files_are_files(void **state)
     alarm(0);
 }
 
-/* What came through the pipe is believed no more than the file. */
+/* Data from the pipe is checked as the file is. */
 static void parts_are_checked(void **state)
 {
     (void)state;

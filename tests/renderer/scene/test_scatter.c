@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What SplitMix64 gives from these seeds, as its users publish it. */
+/* Values of SplitMix64 for these seeds, as its users publish them. */
 static void published(void **state)
 {
     (void)state;

@@ -119,7 +119,7 @@ static void upright_and_flat(void **state)
     }
 }
 
-/* What a copy brings stands on what it brings, and all of it on the surface below. */
+/* Objects on a copy stand on the copy's surface, and the copy on the surface below. */
 static void copies_bring_surfaces(void **state)
 {
     (void)state;

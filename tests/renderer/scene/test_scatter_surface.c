@@ -116,8 +116,7 @@ static void box(void **state)
     forget(scene, document);
 }
 
-/* What stands inside out by its transformation has its normals outside still: copies on a mirrored
- * sphere look away from it. */
+/* A mirrored object keeps its normals outside: copies on a mirrored sphere point away from it. */
 static void mirrored(void **state)
 {
     (void)state;
@@ -165,7 +164,7 @@ static void mesh(void **state)
     rmdir(name);
 }
 
-/* What is stood on is not drawn, and its material is not the scene's; an instance is a surface,
+/* A surface for copies is not drawn, and its material is not the scene's; an instance is a surface,
  * too. */
 static void not_drawn(void **state)
 {

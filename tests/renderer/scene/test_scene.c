@@ -335,8 +335,8 @@ static double seconds_to_read(const char *motion, int count)
     return seconds;
 }
 
-/* What a frame takes does not depend on how many objects there are: both together take what each
- * takes, not their product. */
+/* Frames take time independent of the number of objects: both together take the sum of what each
+ * takes, not the product. */
 static void frames_of_many_objects(void **state)
 {
     (void)state;

@@ -121,7 +121,7 @@ static void area_of(float (*const rows)[3], const uint32_t *corners, double area
     }
 }
 
-/* Of a cube's faces, how many have the point. */
+/* Number of a cube's faces that contain the point. */
 static int faces_at(const float p[3], double half)
 {
     int count = 0;

@@ -1,5 +1,5 @@
-/* What is refused of scenes, where and in which words; several faults in one run; aliases that
- * would unfold to 4^30 objects. */
+/* Faults of scenes, with their places and words; several faults in one run; aliases that would
+ * unfold to 4^30 objects. */
 #include "tests/test.h"
 #include <stdio.h>
 #include "tests/scene_text.h"

@@ -44,8 +44,8 @@ static void faults(void **state)
         assert_fault(cases[i].text, cases[i].said);
 }
 
-/* What is instanced stands under the instance's matrix, in the order of the document; where it has
- * no material, in the instance's; a map of `defs:` beside it is one as ever. */
+/* An instance's content stands under its matrix, in the order of the document; if it has no
+ * material, it has the instance's; a map of `defs:` beside it is one as ever. */
 static void instances(void **state)
 {
     (void)state;

@@ -55,7 +55,7 @@ static void lengths_have_pixels(void **state)
     }
 }
 
-/* Of a motion the frame counts that sees the point largest. */
+/* In a motion the frame counts in which the point is largest. */
 static void the_nearest_frame_counts(void **state)
 {
     (void)state;

@@ -244,8 +244,7 @@ static void all_parts_at_once(void **state)
     .method = WORD_Indirect_auto, .rays = 8, .coarse = 1, .march = WORD_March_space, NOISE, SMOOTH
 #define NOISE  .sequence = WORD_Sequence_sobol, .rotation = WORD_Rotation_tile
 #define SMOOTH .filter = WORD_Filter_separable
-/* What the presets of the thesis have in common: Hammersley's points, random shifts and no
- * filter. */
+/* Values that the thesis' presets share: Hammersley's points, random shifts and no filter. */
 #define THESIS                                                                                     \
     DEFAULTS, .coarse = 1, .sequence = WORD_Sequence_hammersley, .rotation = WORD_Rotation_random, \
               .filter = WORD_Filter_none

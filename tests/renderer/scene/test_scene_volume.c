@@ -95,8 +95,8 @@ static int characteristic(const Shape *s)
     return corners - (int)different + triangles;
 }
 
-/* What there is, how much of it, and its holes: 2 for each body, less 2 for each hole that one can
- * look through. */
+/* Bodies, their volume, and their holes: 2 for each body, less 2 for each hole that one can look
+ * through. */
 static const struct {
     const char *name, *volume, *object;
     double size, within; /* its volume, and how far off it may be at 48 parts of an edge */
@@ -230,8 +230,8 @@ static void light_passes_under_an_arch(void **state)
     forget(scene, document);
 }
 
-/* What begins below the threshold is not there; without it, it is. A shape goes by a param, and by
- * each of several objects alike. */
+/* Parts that begin below the threshold are missing; without it, they are there. A shape depends on
+ * a param, for each of several objects alike. */
 static void thresholds_and_changes(void **state)
 {
     (void)state;

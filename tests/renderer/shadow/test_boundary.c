@@ -54,8 +54,8 @@ static void discs(void **state)
     compare((double[]){.3, .1}, (double[]){.2, -.2}, 20, 19);
 }
 
-/* What faces away, is nothing, or lies on two surfaces, adds neither length nor area: half of the
- * plane. */
+/* Pixels that face away, are empty, or lie on two surfaces, add neither length nor area: half of
+ * the plane. */
 static void halves(void **state)
 {
     (void)state;

@@ -61,7 +61,7 @@ static void move(SceneCamera *camera, double along, double turn)
     }
 }
 
-/* Of two neighbouring frames: no map has moved by a part of a texel. So many have got other
+/* Between two neighboring frames no map moves by a part of a texel. Returns how many have got other
  * texels. */
 static int count_jumps(const ShadowViews *before, const ShadowViews *after)
 {

@@ -323,7 +323,8 @@ static void colors(void **state)
             by_every_angle(&lamps[i], THINGS PANES, true, &(RenderOptions){.fragment = i == 1});
 }
 
-/* What volumes have no place for is looked up in maps, on what is opaque and on what is not. */
+/* Casters that volumes have no room for are looked up in maps, on opaque surfaces and on
+ * transparent ones. */
 static void colors_beside_volumes(void **state)
 {
     (void)state;
@@ -354,8 +355,8 @@ static void cut_outs_beside_volumes(void **state)
     }
 }
 
-/* The same, where lists of the maps, of 1 and 25 MB of heads alone, find room only in parts: beside
- * lists of pixels and while peeling. */
+/* Colored shadows if lists of the maps, with 1 and 25 MB of heads alone, find room only in parts:
+ * beside lists of pixels and while peeling. */
 static void colors_in_parts(void **state)
 {
     (void)state;
@@ -368,8 +369,8 @@ static void colors_in_parts(void **state)
                                         .transparency = i ? "peeling" : "lists"});
 }
 
-/* What varies over an infinite plane is known for each way to a light, without a map: in colours,
- * and all or nothing. */
+/* Varying transmittance of an infinite plane is evaluated for each direction to a light, without a
+ * map: in colors, and all or nothing. */
 static void sheets(void **state)
 {
     (void)state;
@@ -397,8 +398,8 @@ static void cascades(void **state)
     assert_true(by_angles(&uncascaded, THINGS, true, &(RenderOptions){0}).wrong > 0);
 }
 
-/* What is transparent by the same everywhere is as exact as what is opaque: up to 0.01 from ends of
- * shadows, where maps end at 0.07 and more. */
+/* Casters of constant transmittance are as exact as opaque ones: up to 0.01 from ends of shadows,
+ * where maps end at 0.07 and more. */
 static void exact_colors(void **state)
 {
     (void)state;

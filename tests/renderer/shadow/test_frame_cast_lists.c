@@ -74,8 +74,8 @@ static void products(void **state)
     matc_layout_free(layout);
 }
 
-/* The same, where there is not room for all at once: some dozens of parts, of rows; and the other
- * entry. */
+/* Products if there is no room for all at once: some dozens of parts, of rows; and the other entry.
+ * */
 static void products_in_parts(void **state)
 {
     (void)state;
@@ -98,9 +98,9 @@ static void products_in_parts(void **state)
 
 /* -- what is there for it */
 
-/* Of a pane as wide as the map, but for three texels of 16 on each side: 144 texels in 12 rows see
- * it, or only some of them. 32 bytes, 4 a texel, 16 a fragment: a row of 12 takes 288, and a texel
- * 52. */
+/* Memory of a pane as wide as the map, except three texels of 16 on each side: 144 texels in 12
+ * rows see it, or only some of them. 32 bytes, 4 a texel, 16 a fragment: a row of 12 takes 288, and
+ * a texel 52. */
 static void room(void **state)
 {
     (void)state;

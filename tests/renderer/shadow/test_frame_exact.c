@@ -161,7 +161,7 @@ static void changes(void **state)
     gl_close(gl);
 }
 
-/* What is transparent casts shadows by maps, beside what is opaque. */
+/* Transparent objects cast shadows by maps, beside opaque ones. */
 static void glass(void **state)
 {
     (void)state;

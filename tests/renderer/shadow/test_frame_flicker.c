@@ -91,7 +91,7 @@ static void step(Drawn *drawn, float *rgba)
                 render_read(drawn->render, rgba));
 }
 
-/* What rays say; a tie as it was drawn. */
+/* Shares by rays; a tie as it was drawn. */
 static void trace(const Scene *scene, const float *with, const float *without, float shares[PIXELS])
 {
     Tracer tracer = reference_open(scene);

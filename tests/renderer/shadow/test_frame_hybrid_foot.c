@@ -69,7 +69,7 @@ static double wall_at(const ShadowView *view, int size, double *gap)
     return (1 + *gap - texel) * *gap / (1 + *gap);
 }
 
-/* Of the light: the first x behind the riser that is dark. */
+/* The first x behind the riser that is dark. */
 static double begin_of(const float *shares)
 {
     int pixel = 0;

@@ -131,8 +131,8 @@ static void by_every_lamp(const ShadowPair *pair, const char *name, const char *
     assert_true(all.leaks <= most);
 }
 
-/* Of bodies that cross, in all 35 lights, two pixels of 172,062 are lit beside an end: the surface
- * that is seen begins within the cell. */
+/* With intersecting bodies, in all 35 lights, two pixels of 172,062 are lit beside an end: the
+ * visible surface begins within the cell. */
 static void away_from_ends(void **state)
 {
     (void)state;

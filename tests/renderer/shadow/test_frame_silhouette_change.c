@@ -41,7 +41,7 @@ static void facets(void **state)
     gl_close(gl);
 }
 
-/* What is transparent colours light by the maps. */
+/* Transparent objects color light by the maps. */
 static void glass(void **state)
 {
     (void)state;

@@ -129,14 +129,14 @@ static Scene *scene_of(const Case *c, const MatcOptions *options, MatcDocument *
     return frame_scene(text, options, document);
 }
 
-/* What a picture is compared with. */
+/* Reference of a picture. */
 typedef struct {
     const Case *row;
     const Tracer *tracer;
     const MatcOptions *options;
 } Judge;
 
-/* Of what is transparent only the shadow is looked at. */
+/* Transparent surfaces are compared in their shadow only. */
 static void add_pixel(const Judge *judge, int pixel, const float *rgba, Error *error)
 {
     const int x = pixel % WIDTH, y = pixel / WIDTH;
@@ -210,8 +210,8 @@ static void draw_both(GlContext *gl, const Case *c, float *pictures[2])
     frame_forget(scene, document);
 }
 
-/* What casts no shadow that is seen leaves every bit of the light; a convex body does not shade
- * itself, at any angle, nor does the floor below a sheet's edge shade it; and behind a sheet that
+/* Objects that cast no visible shadow leave every bit of the light; a convex body does not shade
+ * itself, at any angle, nor does the floor below a plane's edge shade it; and behind a plane that
  * hides all of a light nothing is left. */
 static void all_or_nothing(void **state)
 {

@@ -50,8 +50,8 @@ static bool is_in_ring(const Cell *cell, bool covered)
     return crossed % 2;
 }
 
-/* Of two opposite corners, one ring goes around both where they are joined: more than half of the
- * segments is covered. */
+/* Two opposite corners have one ring around both if they are joined: more than half of the segments
+ * is covered. */
 static bool is_covered(const Cell *cell)
 {
     const bool *c = cell->covered;

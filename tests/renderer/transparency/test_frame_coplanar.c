@@ -10,7 +10,7 @@
 
 enum { WIDTH = 160, HEIGHT = 120, PIXELS = WIDTH * HEIGHT };
 
-/* What is below the block; the camera; how the block is turned. */
+/* The floor below the block; the camera; the block's rotation. */
 static const struct {
     const char *name, *floor, *camera, *turn;
 } cases[] = {

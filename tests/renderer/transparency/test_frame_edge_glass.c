@@ -15,8 +15,8 @@ enum { WIDTH = 120, HEIGHT = 80, SAMPLES = 8 };
 #define GLASS      "material: { material: Phong, ambient: [.1, 0, 0], transparency: [.9, .3, .3] }"
 #define GLOWS(rgb) "material: { material: Phong, emissive: " rgb " }"
 
-/* What edges make of the error of one sample, at most: 1, nothing is worse; less, where they see
- * what there is. */
+/* Greatest ratio of the edge pass's error to that of one sample: 1, nothing is worse; less, where
+ * it finds the edges. */
 static const struct {
     const char *name, *text;
     double share;

@@ -35,7 +35,7 @@ static void write_scene(char *text, size_t room)
             i % 5 == 4 ? 9 : 0, height_of(i));
 }
 
-/* Of each group, the heights of what is drawn: greater ones are nearer, or further away. */
+/* Heights of each group's objects: greater ones are nearer, or farther. */
 static void assert_order(const Render *render, bool from_above)
 {
     const Cache *cache = &render->cache;
