@@ -111,8 +111,8 @@ vec3 lightAround(Seen seen);
 // The sum, and what it sends of lights of kinds that have a GLSL and a place; composed, too.
 vec3 lightFromKinds(vec3 sum, Seen seen);
 
-// What it sends of all light but that of plain lights and of others that shine from one direction.
-// What indirect light dims is added later.
+// Light from all around that it reflects, without lights of one direction. Light that ambient
+// occlusion dims is added later.
 vec3 lightEven(Seen seen)
 {
 #ifdef LIGHT_AROUND_LATER

@@ -18,8 +18,8 @@
 // the light: the first two columns of points do not arrive. Four cells lose all, and of the four
 // beside them the ways from their left halves: in all 4/16 + 4 (1/2)/16 = 3/8.
 //
-// What is seen in a texel stops a way to a point only if it stands above the plane that touches the
-// surface there, by SOFT_OFF texels and what a pixel of the picture may be off. So no plane and no
+// A texel's surface occludes a point only if it is above the point's tangent plane, by SOFT_OFF
+// texels and the error of a pixel of the picture. So no plane and no
 // convex body shades itself, without a lift that would lose what stands close.
 const float SOFT_OFF = 0.25;
 const float SOFT_INSET = 1.0 / 256.0; // of an edge, that the outermost points stand inside of it

@@ -3,7 +3,7 @@
 // Before it stands surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials,
 // test_principled_anisotropy.c holds them against the integrals.
 //
-// What facets lose of light from a direction v, and how much of it grazes, depends on v's cosine
+// The loss of facets for light from a direction v, and the share of it that grazes, depends on v's cosine
 // and on the widths along v and across it, nearly alone: of roughness^2 g, g^2 = 1 + k (v.x^2 -
 // v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is 1,
 // roughness^2 the width.

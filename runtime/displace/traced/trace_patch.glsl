@@ -43,8 +43,8 @@ TraceSpace traceSpace(int number)
 
 // A triangle of a level: row i, place j in it, and whether it lies between two others of its row:
 // then it has its tip at the top.
-//     Of the corners below, (i, j), (i + 1, j), (i + 1, j + 1) are those of a triangle, (i, j), (i
-//         + 1, j + 1), (i, j + 1) of one between.
+//     corners of a triangle (i, j), (i + 1, j), (i + 1, j + 1), of one between (i, j),
+//     (i + 1, j + 1), (i, j + 1)
 struct TracePart {
     int level;
     ivec2 at;

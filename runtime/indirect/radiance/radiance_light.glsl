@@ -6,8 +6,8 @@
 // the axis has its middle outside of it, and is full only if another body has it there; of a
 // surface that is the one before its own.
 //
-// Of a cut-out, whether a voxel is full was asked at points, and its node has means over a voxel:
-// it counts unless it is cut away nearly whole.
+// The voxel of a cut-out surface was filled by samples, and its node has means over a voxel: it
+// counts unless nearly all of it is cut away.
 const float RADIANCE_AWAY = 0.99;
 uniform int radiance_size, radiance_shift;
 uniform mat4 radiance_eye; // the eye's space from voxels

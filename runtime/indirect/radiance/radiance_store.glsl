@@ -34,7 +34,7 @@ void main()
         return;
     }
     if (radiance_nodes[node + 1u] != nearness) return;
-    // Of several surfaces at the same depth the first one is stored: words of two would be no
+    // If several surfaces have the same depth, the first one is stored: words of two would be no
     // surface at all.
     uint place = voxel << 3 | uint(radiance_side);
     if (atomicCompSwap(radiance_nodes[node], place, place | RADIANCE_KEPT | uint(radiance_body) << 31) != place) return;

@@ -1,5 +1,5 @@
 // A triangle of a closed mesh: turns over all voxels of its column whose middles lie behind it.
-// What is met twice is as it was, so that those stay full that lie within. VOXEL_LAYERS: of 128
+// Voxels flipped twice are as before, so that those inside stay full. VOXEL_LAYERS: of 128
 // voxels each, one above the other.
 layout(location = 0) out uvec4 voxels[VOXEL_LAYERS];
 

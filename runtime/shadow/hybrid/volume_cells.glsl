@@ -4,7 +4,7 @@
 // from the side that is nearer to the light to the other one: so the volume ends at the silhouette,
 // where without it a slope would lead from centre to centre.
 //
-// What surrounds a cell is a ring of up to twelve corners: of segment i, from centre i to the next,
+// A cell is surrounded by a ring of up to twelve corners: of segment i, from centre i to the next,
 // 3 i is the centre, 3 i + 1 the crossing at the depth of that centre's side, 3 i + 2 the same
 // place at the depth of the other side. However a ring is parted into triangles, the volume is
 // closed, as the cells beside it have the same corners. It is parted so that each side has its own,
@@ -95,7 +95,7 @@ vec4 volumeQuad(ivec2 layers, ivec2 cell)
     return quad;
 }
 
-// Of four crossings, the first of the two centers that are cut off, 0 or 1: the nearer pair, unless
+// With four crossings, the first of the two centers that are cut off, 0 or 1: the nearer pair, unless
 // it is one surface, that is, if more than half of the segments is its own.
 int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 {

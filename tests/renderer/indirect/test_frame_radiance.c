@@ -75,10 +75,10 @@ static void put_room(double wall, const char *shadows, const char *rotation, cha
     }
 }
 
-/* What sRGB rounds to 1 of 255 at most. Maps light the rim of a wall's inner face where it ends
- * within the next wall, two of their texels or less below what is outside: in the room whose walls
- * are 1.5 voxels thick a ray from within meets a voxel that has such a node. Of 52 rooms with walls
- * of 0.03 to 0.3 it is the only one in which anything is seen. */
+/* Light is below the value that sRGB rounds to 1 of 255. Maps light the rim of a wall's inner face
+ * where it ends within the next wall, two of their texels or less below what is outside: in the
+ * room whose walls are 1.5 voxels thick a ray from within meets a voxel that has such a node. Of 52
+ * rooms with walls of 0.03 to 0.3 it is the only one in which anything is seen. */
 static void nothing_shines_through_walls(void **state)
 {
     (void)state;
