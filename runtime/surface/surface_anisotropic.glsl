@@ -3,10 +3,10 @@
 // Before it stands surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials,
 // test_principled_anisotropy.c holds them against the integrals.
 //
-// The loss of facets for light from a direction v, and the share of it that grazes, depends on v's cosine
-// and on the widths along v and across it, nearly alone: of roughness^2 g, g^2 = 1 + k (v.x^2 -
-// v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is 1,
-// roughness^2 the width.
+// The loss of facets for light from a direction v, and the share of it that grazes, depends on v's
+// cosine and on the widths along v and across it, nearly alone: of roughness^2 g, g^2 = 1 + k
+// (v.x^2 - v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is
+// 1, roughness^2 the width.
 //   Worked example, strength 0.5 and roughness 0.5: a = 0.25 sqrt(2 / 1.25) = 0.316, b = 0.158, k =
 //   0.6; seen along the direction at 60 degrees g is 1.2, across it 0.74.
 #if defined(SURFACE_HAS_anisotropy) && !defined(SURFACE_LACKS_anisotropy)

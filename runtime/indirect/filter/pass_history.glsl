@@ -6,10 +6,10 @@
 // A pixel of an object that moved is looked up where the object's point was, as the picture's
 // numbers of motions say.
 //
-// A moving occluder or lamp leaves stale samples on surfaces that did not change themselves. Ambient
-// occlusion can change only where a ray reaches a moved object's bounding box, at its old or new
-// position; there, and where indirect light can change, kept samples are clamped to the neighborhood
-// of the pixel's current rays.
+// A moving occluder or lamp leaves stale samples on surfaces that did not change themselves.
+// Ambient occlusion can change only where a ray reaches a moved object's bounding box, at its old
+// or new position; there, and where indirect light can change, kept samples are clamped to the
+// neighborhood of the pixel's current rays.
 uniform sampler2D history_rays;   // of this frame
 uniform sampler2D history_values; // kept: the same, as means
 uniform sampler2D history_places; // x: distance from the eye, along its axis; y: sets of rays; zw: the normal

@@ -95,8 +95,8 @@ vec4 volumeQuad(ivec2 layers, ivec2 cell)
     return quad;
 }
 
-// With four crossings, the first of the two centers that are cut off, 0 or 1: the nearer pair, unless
-// it is one surface, that is, if more than half of the segments is its own.
+// With four crossings, the first of the two centers that are cut off, 0 or 1: the nearer pair,
+// unless it is one surface, that is, if more than half of the segments is its own.
 int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 {
     int nearer = quad.x + quad.z >= quad.y + quad.w ? 0 : 1;

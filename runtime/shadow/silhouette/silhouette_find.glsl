@@ -5,8 +5,8 @@
 //
 // A crossing counts on a segment whose one centre is nearer to the light than the other, if its
 // edge is no deeper than what lies at the farther one, and its faces are to the nearer one's side.
-// If there are several, the one farthest from the nearer center stays: all between is covered. It is kept as
-// its distance from there.
+// If there are several, the one farthest from the nearer center stays: all between is covered. It
+// is kept as its distance from there.
 //
 //     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25;
 //         one at 3.75 of depth .7, too: .75
