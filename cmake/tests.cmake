@@ -40,7 +40,7 @@ target_link_libraries(failing_malloc PRIVATE matc_flags)
 target_link_options(failing_malloc PRIVATE -fno-sanitize=all)
 
 # ctest -L quick: for the inner loop, a few seconds in all
-set(QUICK golden abi embed_example functions layers locale exports format)
+set(QUICK golden abi embed_example functions layers locale exports format words)
 
 file(GLOB TESTS CONFIGURE_DEPENDS tests/test_*.c tests/*/test_*.c tests/*/*/test_*.c)
 # A test passes properties to ctest by a comment line, /* ctest: WORD... */. The words are:
@@ -246,6 +246,7 @@ if(NOT SANITIZED)
   matc_test(readmes sh tests/sources/readmes.sh)
   matc_test(exports sh tests/sources/exports.sh ${CMAKE_CURRENT_BINARY_DIR})
   matc_test(format sh tests/sources/format.sh)
+  matc_test(words sh tests/words.sh)
   matc_test(tidy sh tests/sources/tidy.sh ${PROJECT_BINARY_DIR})
   matc_test(mutants sh tests/mutants/run.sh --check) # that none is stale; tests/README.md says how to run them
   matc_test(test_valid_spirv ${PROGRAM_test_valid} spirv)
