@@ -28,7 +28,7 @@ cp "$source/examples/tiles.png" a.png
 printf 'rock.yaml\nmetals.json\n' >materials.txt
 
 # block TOOL: the first text of that kind in the page
-block() { awk -v "kind=\`\`\`$1" '$0 == kind { inside = 1; next } /^```/ { inside = 0 } inside' "$source/docs/build.md"; }
+block() { awk -v "kind=\`\`\`$1" '$0 == kind { inside = 1; next } /^```/ { inside = 0 } inside' "$source/docs/guide/build.md"; }
 tells() { # tells WORDS COMMAND...
     words=$1
     shift

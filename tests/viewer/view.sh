@@ -118,7 +118,7 @@ done
 
 # -- the manual page has the options that --help has, and the words of each
 
-"$matview" --help | grep -oE -- '--[a-z]+' | grep -vx -- --list | sort -u >"$work/help.txt"
+"$matview" --help | grep -oE -- '--[a-z]+' | grep -vx -e --list -e --explain | sort -u >"$work/help.txt"
 sed -n 's/^\.It//p' docs/reference/matview.1 | grep -oE '\\-[a-z]+' | sed 's/^../--/' | sort -u >"$work/manual.txt"
 check "docs/reference/matview.1 has all options" diff "$work/help.txt" "$work/manual.txt"
 # words OPTION: those behind it, up to the next space that follows no comma; (default) and what is explained left out
