@@ -67,7 +67,7 @@ static void history_keeps_the_same_surface(void **state)
     (void)state;
     static float values[SIDE * SIDE][4];
     char *functions =
-        cut(render_text_pass_history, "struct HistoryKept", "// Of a pixel. What arrives");
+        cut(render_text_pass_history, "struct HistoryKept", "// Temporal reprojection of a pixel");
     run((const char *const[]){history_head, functions, history_body, NULL}, values);
     free(functions);
     for (int x = 0; x < SIDE; x++) {
