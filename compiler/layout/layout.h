@@ -21,7 +21,7 @@ typedef struct {
 } Placement;
 
 /* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it.
- * The same rows always give the same places. NULL, or the field that does not fit in. */
+ * Places depend on the rows alone. Returns NULL, or the field that does not fit. */
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
 /* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of
  * further cases stand behind them. */

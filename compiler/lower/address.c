@@ -8,9 +8,9 @@
  *     border    as clamp, times how much of the box that is one texel wide, or as wide as the
  *               pixel, lies in the picture
  *
- * Of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the box from
- * -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as GL mixes it with
- * its border. */
+ * A picture of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the
+ * box from -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as GL mixes
+ * it with its border. */
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 

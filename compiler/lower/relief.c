@@ -13,9 +13,9 @@
  *         has the slope 160 w
  * Within the squares it is 0 or dw, exactly; the edges are bevels of a tenth of a square.
  *
- * What has such a map below it is lowered for itself and without the local rules: each counts by
- * itself, whatever the optimiser joins later, and the plain forms have one slope where two pieces
- * meet. So all levels of -O have one relief. */
+ * A displacement above such a map is lowered separately and without the local rules: its nodes are
+ * not merged with others, whatever the optimizer joins later, and the plain forms have one slope
+ * where two pieces meet. So all levels of -O have one relief. */
 #include "compiler/lower/relief.h"
 #include "compiler/lower/slope.h"
 

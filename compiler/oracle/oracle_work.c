@@ -2,7 +2,7 @@
  * number of answers: a Blend of 100,000 items or a fractal of 1,000 steps under four filters has
  * few answers, and takes hours.
  *
- * Of Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each
+ * Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each
  * 3 answers of 100 steps and one call of 3 * 300 * 10 / 5, 56,700 together. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/references.h"

@@ -43,7 +43,7 @@ GLuint gl_program(const char *name, const char *vertex, const char *fragment);
 /* Nearest texels, repeated; `pixels` may be NULL. */
 GLuint gl_texture(GLenum internal, GLenum format, GLenum type, int width, int height,
                   const void *pixels);
-/* What a program's reflection says of a sampler, as far as the driver can; a border is 0 in all
- * lanes, as OpenGL's are. */
+/* Sampler with the settings of a program's reflection, as far as the driver has them; a border is
+ * 0 in all components, OpenGL's default. */
 GLuint gl_sampler(bool mipmaps, int anisotropy, const char *wrap);
 #endif

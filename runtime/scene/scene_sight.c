@@ -3,7 +3,7 @@
  * begins to fall, at the triangle, and where it leaves the box around all objects, or nowhere in
  * between is in view.
  *
- *     What is right of x = 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that
+ *     The half space x > 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that
  *         ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends
  *         at 1 */
 #include "runtime/scene/scene_sight.h"

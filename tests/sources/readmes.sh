@@ -1,8 +1,9 @@
 #!/bin/sh
 # Checks each folder's README.md: it names every .c and .def of the folder and no missing file, and
 # the README.md of the folder above links to it. Names are in backquotes, and may be patterns such as
-# `lower_*.c`. Below tests/ a file says itself what it is: each test, header and table begins with a comment.
-# No file may be a link or contain merge markers. Run from the project's root.
+# `lower_*.c`. Places in docs/design/glossary.md exist. Below tests/ each test, header and table
+# begins with a comment that says what it is. No file may be a link or contain merge markers. Run
+# from the project's root.
 set -eu
 all=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -print)
 end='
@@ -28,11 +29,15 @@ said=$(
         done
     done
 )
+stale=$(awk -F '|' 'NF == 5 && $4 ~ /\// { gsub(/,/, " ", $4); print $4 }' docs/design/glossary.md | tr ' ' '\n' | grep / | while read -r place; do
+    # shellcheck disable=SC2086
+    ls -d $place >/dev/null 2>&1 || echo "docs/design/glossary.md names $place, which is not there"
+done)
 bare=$(find tests -name 'test_*.c' -o -name '*.h' -o -name '*.def' | grep -vE '^tests/(golden|errors|examples)/' | while read -r file; do
     case $(head -c 2 "$file") in '/*' | '//') ;; *) echo "$file does not begin with a comment that says what it is" ;; esac
 done)
 links=$(find . \( -path './build*' -o -path './.*' \) -prune -o -type l -print | sed 's/$/ is a link: nothing here leads elsewhere/')
 # The words of git begin a line; here a bracket keeps this file from being one of them.
 merged=$(find . \( -path './build*' -o -name .git \) -prune -o -type f -exec grep -IlE '^([<]{7}|[>]{7}) ' {} + | sed 's/$/ holds both sides of a merge/')
-[ -z "$said$bare$links$merged" ] || printf '%s\n' "$said" "$bare" "$links" "$merged"
-[ -z "$said$bare$links$merged" ]
+[ -z "$said$stale$bare$links$merged" ] || printf '%s\n' "$said" "$stale" "$bare" "$links" "$merged"
+[ -z "$said$stale$bare$links$merged" ]

@@ -11,8 +11,8 @@
  * numbers. Of several sets of samples the j-th is turned by the bits of sample j n as well: so it
  * takes what pixel k with j's bits turned has in the first one. So each set of a tile is a net, and
  * all sets of a pixel together are one, too.
- * Of the others, 4 x 4 pixels: pixel k, by Bayer's matrix, adds (k / 16 n, mirrored bits of k /
- * 16), modulo 1, which of Hammersley's makes one set of 16 n.
+ * The other sequences have tiles of 4 x 4 pixels: pixel k, by Bayer's matrix, adds (k / 16 n,
+ * mirrored bits of k / 16), modulo 1, which of Hammersley's makes one set of 16 n.
  *
  * Rotation `blue` adds three values of blue noise, modulo 1.
  *

@@ -331,8 +331,8 @@ static void test_broken(void **state)
     }
 }
 
-/* Headers speak of much, files hold little: nothing is allocated for rows that cannot be there.
- * What may be there is counted. */
+/* A large header over a short file: no memory is allocated for rows that cannot be there; rows that
+ * can be there are counted. */
 static void test_large(void **state)
 {
     (void)state;
