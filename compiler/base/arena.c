@@ -117,7 +117,8 @@ void arena_reset(Arena *arena)
     arena->next = (char *)kept + aligned(sizeof *kept);
 }
 
-/* Its blocks come behind the newest one, which stays the one that is filled. */
+/* Inserts the blocks of `other` below the newest block of `arena`, which remains the current
+ * block. */
 void arena_adopt(Arena *arena, Arena *other)
 {
     ArenaBlock *oldest = other->block;

@@ -1,4 +1,4 @@
-/* Rows of bytes. */
+/* Growing byte buffers. */
 #include "compiler/base/bytes.h"
 #include "compiler/base/memory.h"
 #include <stdlib.h>

@@ -20,8 +20,9 @@ bool diag_is_named(DiagKind kind)
            diag_table[kind].severity == SEVERITY_advice;
 }
 
-/* "no map is called '%s'%s" -> "no map is called '%.256s'%.256s", since names are as long as a
- * document likes; glslang's log stays. */
+/* Formats a message. Each %s of the format is limited to LIMIT_QUOTE bytes, because names in a
+ * document have any length: "no map is called '%s'%s" becomes "no map is called '%.256s'%.256s".
+ * Only the log of glslang (DIAG_not_valid) is not shortened. */
 void diag_message(Text *out, DiagKind kind, va_list args)
 {
     enum { FORMAT_ROOM = 512 };
@@ -57,7 +58,8 @@ SourcePosition source_position(const Source *source, uint32_t offset)
 
 static bool continues_character(char c) { return ((unsigned char)c & 0xC0) == 0x80; }
 
-/* As many columns as the text takes when it is shown. */
+/* Appends `mark` once for each column that the text occupies when printed; tabs stay tabs where
+ * `mark` is a space. */
 static void put_columns(Text *out, const char *text, size_t size, char mark)
 {
     Text shown = text_new(out->arena);
@@ -67,7 +69,7 @@ static void put_columns(Text *out, const char *text, size_t size, char mark)
             text_char(out, mark == ' ' && shown.at[i] == '\t' ? '\t' : mark);
 }
 
-/* The line under the source line: a caret at the span's start, tildes to its end. */
+/* Appends the line below the source line: a caret at the span's start, tildes up to its end. */
 static void put_caret(Text *out, const SourcePosition *position, uint32_t length)
 {
     const size_t line = (size_t)position->line_length, column = (size_t)position->column - 1,
@@ -85,7 +87,8 @@ static void put_caret(Text *out, const SourcePosition *position, uint32_t length
     text_char(out, '\n');
 }
 
-/* In one line; but what glslang says are several. Behind a warning stands what it is called. */
+/* Appends the message in one line, except glslang's log, which has several. A warning's name
+ * follows in brackets: " [-Wname]". */
 static void put_message(Text *out, const Diag *diag)
 {
     const char *at = diag->message;

@@ -1,4 +1,4 @@
-/* Diagnostics: collected in order, printed by the caller. */
+/* Diagnostics: collected in order and printed by the caller. */
 #ifndef MATC_DIAG_H
 #define MATC_DIAG_H
 #include "compiler/base/source.h"
@@ -6,8 +6,8 @@
 #include "compiler/matc.h"
 #include <stdbool.h>
 
-/* advice: only in rows of diags.def; such a diagnostic is a note that is off until a setting names
- * it. none: the diagnostic is not reported. */
+/* advice: occurs only in rows of diags.def. Advice is a note that is off until a setting names
+ * its kind. none: the diagnostic is not reported. */
 typedef enum {
     SEVERITY_note,
     SEVERITY_warning,
@@ -37,7 +37,7 @@ typedef struct {
 
 #define NO_FILE UINT32_MAX
 enum { MOST_DIAGS = 100 };
-/* A span that belongs to no file. */
+/* The span of a diagnostic that concerns no file. */
 #define NO_SPAN ((Span){0, 0, NO_FILE})
 
 typedef struct {
@@ -48,21 +48,21 @@ typedef struct {
 } DiagRow;
 extern const DiagRow diag_table[DIAG_COUNT];
 
-/* Warnings and advice have a name that settings may give; errors and the notes about them have
- * none. */
+/* True for warnings and advice, which have a name that settings can give. Errors, and notes that
+ * belong to errors, have no name. */
 bool diag_is_named(DiagKind kind);
-/* The message of a kind, its format's arguments being these. Of names and texts of the document it
- * has the first LIMIT_QUOTE bytes. */
+/* Formats the message of a kind with the arguments of its format. Names and texts of the
+ * document are cut to their first LIMIT_QUOTE bytes. */
 void diag_message(Text *out, DiagKind kind, va_list args);
-/* Puts what has been said in the order of files and lines, a note behind what it is of; what is in
- * no file comes last. */
+/* Sorts the diagnostics by file and line. A note stays behind its diagnostic; diagnostics
+ * without a file come last. */
 void diag_sort(DiagList *diags);
-/* gcc's form, with the source line and a caret. */
+/* Prints a diagnostic in gcc's form, with the source line and a caret. */
 void diag_print(Text *out, const Diag *diag, const Source *sources);
-/* A message of a program about a file or an option: "matc: error: what: why", or an array of one
- * object whose kind is "run" and whose subject is `what`. NULL for `what`: the message is about
- * nothing that has a name. */
+/* Prints a message about a file or an option: "matc: error: what: why". The JSON form is an
+ * array of one object whose kind is "run" and whose subject is `what`. `what` may be NULL: the
+ * message then names no file or option. */
 void diag_complain(Text *out, MatcForm form, Severity severity, const char *what, const char *why);
-/* One JSON object. */
+/* Prints a diagnostic as one JSON object. */
 void diag_print_json(Text *out, const Diag *diag, const Source *sources);
 #endif

@@ -1,4 +1,4 @@
-/* The diagnostics of a session: each is said once, and so many at most. */
+/* Adds diagnostics to a session: each one only once, and at most MOST_DIAGS. */
 #include "compiler/base/session.h"
 #include "compiler/base/warnings.h"
 #include <string.h>
@@ -37,7 +37,7 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     va_start(args, kind);
     diag_message(&session->message, kind, args);
     va_end(args);
-    /* what is asked for several slots is said once */
+    /* Several slots can query one node and find one fault: report each fault only once. */
     for (size_t i = 0; i < session->diags.count; i++) {
         const Diag *said = &session->diags.at[i];
         if (said->kind == kind && !memcmp(&said->span, &span, sizeof span) &&
@@ -51,13 +51,15 @@ void *diag_add(Session *session, Span span, DiagKind kind, ...)
     return NULL;
 }
 
-/* The diagnostic is a note about the one before it. Advice is a note of its own. */
+/* Returns true for a note that belongs to the preceding diagnostic. Advice, which is printed as
+ * a note too, is a diagnostic of its own. */
 static bool is_of_another(const Diag *diag)
 {
     return diag_table[diag->kind].severity == SEVERITY_note;
 }
 
-/* Index of the diagnostic that a note belongs to; any other diagnostic: its own index. */
+/* Returns the index of the diagnostic that a note belongs to; for any other diagnostic its own
+ * index. */
 static size_t head_of(const DiagList *diags, size_t i)
 {
     while (i > 0 && is_of_another(&diags->at[i]))
@@ -71,7 +73,8 @@ static bool comes_before(const Diag *a, const Diag *b)
                                         : a->span.start < b->span.start;
 }
 
-/* There are MOST_DIAGS at most: every one, with its notes, goes down to its place. */
+/* Insertion sort, fast enough for MOST_DIAGS entries: each diagnostic moves to its place
+ * together with its notes. */
 void diag_sort(DiagList *diags)
 {
     Diag moved[MOST_DIAGS];

@@ -14,7 +14,7 @@
 enum {
     ROOM = 1 << 14,
     FOR_EVER = -1,
-    FIRST_BYTE_MS = 1000 /* for a pipe into which nobody writes yet */
+    FIRST_BYTE_MS = 1000 /* timeout for a pipe that has no writer yet */
 };
 
 static char *resized(char *text, size_t room)
@@ -25,7 +25,8 @@ static char *resized(char *text, size_t room)
     return more;
 }
 
-/* Until there are some, nobody is left who could write them, or the time is over. */
+/* Waits until bytes are available, the last writer has closed its end, or the timeout has
+ * expired. */
 static void wait_for_bytes(int descriptor, int milliseconds)
 {
     struct pollfd wanted = {.fd = descriptor, .events = POLLIN};
@@ -38,7 +39,8 @@ char *file_read_from(int descriptor, size_t *size, const char **why)
     const size_t most = ((size_t)LIMIT_DOCUMENT_MIB << 20) + ROOM;
     struct stat info;
     bool sized = !fstat(descriptor, &info) && S_ISREG(info.st_mode) && (size_t)info.st_size < most;
-    /* one more than it has, to see its end */
+    /* Two bytes more than the file's size: one detects its end, the other holds the terminating
+     * zero. */
     size_t room = sized ? (size_t)info.st_size + 2 : ROOM, used = 0;
     char *text = resized(NULL, room);
     for (;;) {

@@ -1,4 +1,4 @@
-/* Content hashes. */
+/* 128-bit content hashes (XXH3). */
 #include "compiler/base/hash.h"
 #include <stdio.h>
 #include <stdlib.h>

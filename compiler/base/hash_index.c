@@ -1,5 +1,5 @@
-/* Open addressing: a thing is in the slot of its hash, or in the first one behind it that was
- * free. */
+/* Open addressing with linear probing: an entry is in the slot of its hash, or in the first slot
+ * after it that was free. */
 #include "compiler/base/hash_index.h"
 #include "compiler/base/memory.h"
 #include <stdlib.h>

@@ -1,15 +1,14 @@
-/* Numbers of things that stand elsewhere, found by their hashes: the one open-addressing table of
- * the compiler. Its slots hold hash and number, so that it grows without asking for a hash again,
- * and so that hardly any but the wanted thing is compared.
+/* Hash table from hashes to the numbers of elements stored elsewhere: the compiler's only
+ * general open-addressing table. A slot holds hash and number. The table can therefore grow
+ * without recomputing hashes, and an element is rarely compared unless it is the wanted one.
  *
- *     slots of 8, "a" having the hash 5, "b" and "c" having 13: both belong into slot 5, as 13 & 7
- *         is 5
+ *     8 slots; "a" has the hash 5, "b" and "c" have 13: all belong in slot 13 & 7 = 5
  *     5: {5, "a"}   6: {13, "b"}   7: {13, "c"}
- *     a probe for 13 begins at 5, passes "a", whose hash is another, meets "b", then "c", and ends
- *         at 0, which is free
+ *     a probe for 13 begins at 5, skips "a" (another hash), compares "b", then "c", and
+ *         ends at 0, which is free
  *
- * Three tables have a form of their own, and say why: the nodes of an IR (ir.c), the memo of
- * lowering (lower.c), a tree's keys (tree.c). */
+ * Three hash tables have their own layout, with the reason in their files: the nodes of an IR
+ * (ir.c), the memo of lowering (lower.c), the keys of a tree (tree.c). */
 #ifndef MATC_HASH_INDEX_H
 #define MATC_HASH_INDEX_H
 #include "compiler/base/arena.h"
@@ -17,24 +16,24 @@
 #include <stdint.h>
 
 typedef struct {
-    uint32_t hash, number; /* the number from 1; 0: the slot is free */
+    uint32_t hash, number; /* counted from 1; 0: the slot is free */
 } HashSlot;
 
-/* All zero: nothing is in it. */
+/* Zero-initialized: an empty index. */
 typedef struct {
     HashSlot *slots;
-    uint32_t mask; /* slots less one; they are a power of two, and at most half of them are taken */
+    uint32_t mask; /* number of slots less 1; a power of two of slots, at most half of them used */
     uint32_t count;
 } HashIndex;
 
-/* Adds a number, whatever is there already. Memory is the arena's; NULL: malloc's, until
- * hash_index_free. */
+/* Adds a number, without a search for an equal entry. Memory comes from the arena; with a NULL
+ * arena from malloc, until hash_index_free(). */
 void hash_index_add(Arena *arena, HashIndex *index, uint32_t hash, uint32_t number);
-/* A copy with the same entries; later additions to one do not show in the other. */
+/* Returns a copy with the same entries. Later additions to either index do not affect the other. */
 HashIndex hash_index_copy(Arena *arena, const HashIndex *index);
 void hash_index_free(HashIndex *index);
 
-/* A walk over the numbers that have a hash: while (hash_probe_next(&probe)) compare what has
+/* Iterates over the numbers with a given hash: while (hash_probe_next(&probe)) compare element
  * probe.number. */
 typedef struct {
     const HashIndex *index;
@@ -59,7 +58,7 @@ static inline bool hash_probe_next(HashProbe *probe)
     return false;
 }
 
-/* Hash of an address, whose lowest bits are always zero. */
+/* Hashes an address. The multiplication mixes its bits, since the lowest bits are always zero. */
 static inline uint32_t hash_pointer(const void *pointer)
 {
     return (uint32_t)((uintptr_t)pointer * 0x9E3779B97F4A7C15u >> 32);

@@ -1,11 +1,11 @@
-/* Strings of JSON. */
+/* Escapes strings for JSON. */
 #include "compiler/base/json_write.h"
 #include <string.h>
 
 enum { REPLACEMENT = 0xFFFD };
 
-/* One character of `size` bytes: `"` is \", ESC is \u001b, U+009B (two bytes, which terminals take
- * for ESC [) is \u009b. */
+/* Appends one character of `size` bytes, escaped if needed: `"` as \", ESC as \u001b, U+009B
+ * (two bytes, which terminals read as ESC [) as \u009b. */
 static void put_character(Text *out, const char *at, int size)
 {
     const unsigned char first = (unsigned char)at[0];
@@ -17,8 +17,8 @@ static void put_character(Text *out, const char *at, int size)
         text_add(out, at, (size_t)size);
 }
 
-/* Bytes that stand for themselves: printing ASCII but `"` and `\`. Nearly every text is nothing
- * else. */
+/* Length of the prefix that needs no escapes: printing ASCII except `"` and `\`. Nearly every
+ * text consists of it entirely. */
 static size_t plain_length(const char *at, const char *end)
 {
     const char *start = at;

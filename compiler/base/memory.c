@@ -1,4 +1,4 @@
-/* The end of a process that has no memory left. */
+/* Ends the process when memory is exhausted. */
 #include "compiler/base/memory.h"
 #include <stdlib.h>
 #include <unistd.h>

@@ -1,11 +1,11 @@
-/* The end of a process that has no memory left. The library promises a caller nothing after a
- * failed allocation, so that no function of it has to hand one back: see matc.h. */
+/* Out-of-memory handling: the process ends. The library guarantees nothing after a failed
+ * allocation, so its functions need not report one: see matc.h. */
 #ifndef MATC_MEMORY_H
 #define MATC_MEMORY_H
 
-/* Writes "out of memory" to standard error and aborts. This is the only line that the library
- * itself prints: an abort without a word is taken for a fault of the program. */
+/* Writes "out of memory" to standard error and aborts. The library itself prints nothing else:
+ * an abort without a message would look like a bug. */
 _Noreturn void memory_exhausted(void);
-/* Returns what malloc(), realloc() or strdup() returned; NULL ends the process. */
+/* Returns the result of malloc(), realloc() or strdup(); ends the process if it is NULL. */
 void *memory_checked(void *allocated);
 #endif

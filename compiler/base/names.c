@@ -1,5 +1,5 @@
-/* A hash index over a growing list. Hashes are seeded with an address: whoever writes a document
- * cannot choose names that fall on one another. */
+/* A hash index over a growing list. Hashes are seeded with an address, so that a document's
+ * author cannot choose names that collide. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
 #include <string.h>

@@ -1,4 +1,4 @@
-/* A list of names in the order in which they came, each once, that is searched by hashing. */
+/* An ordered set of names: each name once, in order of insertion, found by hashing. */
 #ifndef MATC_NAMES_H
 #define MATC_NAMES_H
 #include "compiler/base/hash_index.h"
@@ -7,21 +7,22 @@ typedef struct {
     const char **at;
     size_t count, room;
     HashIndex index;
-    uint64_t seed; /* of the hashes */
+    uint64_t seed; /* seed of the hashes */
 } Names;
 
-/* The name's index, or -1. */
+/* Returns the index of the name, or -1. */
 int names_find(const Names *names, const char *name);
-/* Number of the name; an unknown one is appended. The text is not copied. */
+/* Returns the index of the name and appends a new one. The text is not copied. */
 int names_add(Arena *arena, Names *names, const char *name);
 
-/* Names that are given out, each to one. */
+/* Generator of unique names. */
 typedef struct {
     Names given;
-    int *last; /* by index: the number that was put behind the name last */
+    int *last; /* per name: the last number that was appended to it */
     size_t last_count, last_room;
 } FreshNames;
 
-/* The wanted name where nobody has it, else "clay2", "clay3"; behind a digit "layer1_2". */
+/* Returns `wanted` if it is still free, otherwise "clay2", "clay3", ...; after a digit
+ * "layer1_2". */
 const char *names_fresh(Arena *arena, FreshNames *fresh, const char *wanted);
 #endif

@@ -35,7 +35,7 @@ static const char *say(Arena *arena, const char *name, const char *what)
     return out.at;
 }
 
-/* The index of a word, or -1. */
+/* Returns the index of a word, or -1. */
 static int find_word(const NameChoice *words, const char *word, size_t size)
 {
     for (int i = 0; i < words->count; i++) {
@@ -159,7 +159,7 @@ static const char *unknown(const Reader *r, const char *argument)
 }
 
 /* Reads "--name", "--name=value", "--name value", "-o value" or "-ovalue". *next is the
- * following argument or NULL; it becomes NULL if it was taken as the value. */
+ * following argument or NULL; *next becomes NULL if that argument was used as the value. */
 static const char *read_one(const Reader *r, const char *argument, const char **next)
 {
     for (int i = 0; i < r->table->count; i++) {

@@ -1,4 +1,4 @@
-/* Writing files, whole or not at all, and what they hold. */
+/* Writes files atomically, and formats textures as KTX. */
 #include "compiler/base/output.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"
@@ -18,7 +18,8 @@ static const char *write_to(FILE *file, const void *bytes, size_t size)
     return fflush(file) ? text_error(errno) : NULL;
 }
 
-/* It cannot be renamed over, or it must not: as root one could put a file where /dev/stdout was. */
+/* True for a path that cannot or must not be replaced by a rename. As root, a rename could put a
+ * file in place of /dev/stdout. */
 static bool is_special(const char *path)
 {
     static const char *const open_files[] = {"/dev/stdout", "/dev/stderr", "/dev/fd/", "/proc/"};
@@ -27,7 +28,7 @@ static bool is_special(const char *path)
         if (!strncmp(path, open_files[i], strlen(open_files[i])))
             return true;
     if (!stat(path, &info) && S_ISDIR(info.st_mode))
-        return true; /* opening it says so */
+        return true; /* opening it reports the error */
     return !lstat(path, &info) && !S_ISREG(info.st_mode) && !S_ISLNK(info.st_mode);
 }
 
@@ -63,7 +64,7 @@ void output_hold_streams(void)
 {
     for (int number = STDIN_FILENO; number <= STDERR_FILENO; number++)
         if (fcntl(number, F_GETFD) < 0)
-            /* the lowest number that is free */
+            /* open() returns the lowest free descriptor */
             (void)!open("/dev/null", number == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
@@ -102,8 +103,8 @@ const char *output_write(const char *path, const void *bytes, size_t size)
 
 enum { KTX_IDENTIFIER = 12, KTX_WORDS = 13, KTX_HEADER = KTX_IDENTIFIER + 4 * KTX_WORDS };
 
-/* Header of KTX 1.1: endianness; type, its size, format, internal format, base format; width,
- * height, depth; elements, faces, levels; bytes of keys. */
+/* Fills the header of a KTX 1.1 file: endianness; type, type size, format, internal format, base
+ * format; width, height, depth; array elements, faces, mipmap levels; bytes of key-value data. */
 static void fill_ktx_header(const MatcTexture *t, unsigned char header[KTX_HEADER])
 {
     enum {

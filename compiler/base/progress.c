@@ -1,7 +1,7 @@
-/* The line of a terminal that is written over and over. */
+/* A progress line, overwritten in place on the terminal. */
 #include "compiler/base/progress.h"
 
-static const double step = 0.1; /* seconds between two of them */
+static const double step = 0.1; /* min seconds between two lines */
 
 const char *progress_line(Text *out, const char *what, double now, double *last)
 {

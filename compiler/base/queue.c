@@ -1,8 +1,9 @@
-/* Threads take a chunk of an open document's parts if there is one, else open the next document.
+/* Thread pool: a thread takes a chunk of an open document's parts if one is left, otherwise it
+ * opens the next document.
  *
- *     Two threads, a document of 6 parts and one of 1: A opens the first and takes its parts 0 to
- *         3; B takes 4 and 5, then opens the
- *     second. Whoever ends the last part of a document closes it. */
+ *     Two threads, a document of 6 parts and one of 1: thread A opens the first document
+ *         and takes its parts 0 to 3; thread B takes 4 and 5, then opens the second document.
+ *         The thread that finishes a document's last part closes the document. */
 #include "compiler/base/queue.h"
 #include <pthread.h>
 #include <stdbool.h>
@@ -11,7 +12,7 @@
 enum { CHUNK = 4 };
 
 typedef struct {
-    int document, parts, next, left; /* left: parts that are not done yet */
+    int document, parts, next, left; /* left: number of unfinished parts */
 } Open;
 
 typedef struct {
@@ -23,7 +24,7 @@ typedef struct {
 } Run;
 
 typedef struct {
-    int document, first, last; /* last < first: the document is to be opened */
+    int document, first, last; /* Empty (last < first): the document has not been opened yet. */
 } Task;
 
 static bool take_parts(Run *run, Task *task)
@@ -40,7 +41,7 @@ static bool take_parts(Run *run, Task *task)
     return false;
 }
 
-/* False when nothing is left, and nothing can come. */
+/* Takes a task; waits while parts may still appear. Returns false when no work is left. */
 static bool take(Run *run, Task *task)
 {
     pthread_mutex_lock(&run->mutex);
@@ -76,7 +77,7 @@ static void open_document(Run *run, int document)
     pthread_mutex_unlock(&run->mutex);
 }
 
-/* Parts are done; true if they were the document's last. */
+/* Counts finished parts. Returns true if they were the document's last. */
 static bool done(Run *run, int document, int count)
 {
     bool last = false;
@@ -135,7 +136,7 @@ void queue_run(const Queue *queue)
     pthread_cond_init(&run.changed, NULL);
     while (started < threads - 1 && !pthread_create(&thread[started], NULL, work, &run))
         started++;
-    work(&run); /* with fewer threads than wanted it takes longer */
+    work(&run); /* with fewer threads than wanted the run only takes longer */
     for (int i = 0; i < started; i++)
         pthread_join(thread[i], NULL);
     pthread_cond_destroy(&run.changed);

@@ -1,22 +1,22 @@
-/* Work on many documents of many parts, by several threads: parts of one document are worked on
- * side by side, and only as many documents are open at a time as there are threads. */
+/* A thread pool for documents that consist of parts. The parts of one document run in parallel;
+ * at most as many documents are open at a time as there are threads. */
 #ifndef MATC_QUEUE_H
 #define MATC_QUEUE_H
 
 typedef struct {
     int documents, threads;
-    int (*open)(void *user, int document);            /* how many parts it has */
+    int (*open)(void *user, int document);            /* returns the document's number of parts */
     void (*work)(void *user, int document, int part); /* on any thread, in any order */
-    /* after the last part; also when it has none */
+    /* Called after the last part, also for a document without parts. */
     void (*close)(void *user, int document);
     void *user;
 } Queue;
 
 enum { MOST_THREADS = 256 };
 
-/* Returns when all is done. With one thread nothing is started, and the order is that of the
- * documents and parts. */
+/* Returns when all documents are closed. With a single thread no thread is started, and
+ * documents and parts run in order. */
 void queue_run(const Queue *queue);
-/* Processors at hand, at least 1. */
+/* Returns the number of online processors, at least 1, at most MOST_THREADS. */
 int queue_processors(void);
 #endif

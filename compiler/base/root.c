@@ -1,5 +1,5 @@
-/* Reading below a folder: paths by their text, then by the disk, then component by component
- * without links. */
+/* Restricts reading to a root folder: first by the path's text, then by its resolved links, then
+ * by opening each component without following links. */
 #include "compiler/base/root.h"
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
@@ -43,7 +43,7 @@ void root_normalize(char *path)
     *to = 0;
 }
 
-/* The rest of a path below a folder, both absolute; NULL: it does not lie below. */
+/* Returns the part of `path` below `folder`, both absolute; NULL if it is not below. */
 static const char *rest_below(const char *folder, const char *path)
 {
     const size_t size = strcmp(folder, "/") ? strlen(folder) : 0;
@@ -52,7 +52,8 @@ static const char *rest_below(const char *folder, const char *path)
     return path + size + 1;
 }
 
-/* An absolute path by its text, from malloc. NULL: errno says why. */
+/* Returns a normalized absolute path, without accessing the file; from malloc. NULL: errno says
+ * why. */
 static char *absolute(const char *path)
 {
     char here[PATH_MAX] = "";
@@ -67,8 +68,8 @@ static char *absolute(const char *path)
     return whole;
 }
 
-/* Whether the text of a path leads below the root, as the user wrote the root or as it is without
- * links. */
+/* Whether the path's text leads below the root, either as the user wrote the root or with its
+ * links resolved. */
 static bool text_lies_below(const char *root, const char *canonical, const char *path)
 {
     char *wanted = absolute(path), *written = absolute(root);
@@ -79,7 +80,8 @@ static bool text_lies_below(const char *root, const char *canonical, const char 
     return below;
 }
 
-/* Opens components one after the other; a link among them is an error. -1: errno says why. */
+/* Opens the components of `rest` one after the other and fails at a symbolic link. Returns a
+ * descriptor, or -1 and errno. */
 static int open_rest(const char *folder, char *rest)
 {
     int at = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -99,7 +101,7 @@ static int open_rest(const char *folder, char *rest)
     return -1;
 }
 
-/* Resolves the links of a path, into memory from malloc. NULL: *why. */
+/* Resolves the links of a path; from malloc. Returns NULL and *why if the path leaves the root. */
 static char *resolve(const char *root, const char *path, char **canonical, const char **why)
 {
     *canonical = realpath(root, NULL);

@@ -1,24 +1,24 @@
-/* Reading below a folder. Whoever compiles the documents of others names a root; nothing outside it
- * is opened.
+/* Restricts reading to a root folder. A host that compiles documents of other people sets a
+ * root; no file outside the root is opened.
  *
  *     root /srv/docs, a document /srv/docs/a/rock.yaml
- *         include: ../maps.yaml       /srv/docs/maps.yaml, read
- *         include: ../../key.yaml     "it lies outside the root folder", and the disk is not asked
- *         include: link.yaml a link to /etc/passwd: the same, after the link is resolved */
+ *         include: ../maps.yaml       reads /srv/docs/maps.yaml
+ *         include: ../../key.yaml     "it lies outside the root folder"; no disk access
+ *         include: link.yaml          a link to /etc/passwd: refused once the link is resolved */
 #ifndef MATC_ROOT_H
 #define MATC_ROOT_H
 #include <stddef.h>
 
-extern const char root_outside[]; /* the reason why a file is refused */
+extern const char root_outside[]; /* reason for refusing a file outside the root */
 
-/* Removes `.`, `//` and `a/..` from a path, in place, by its text alone. */
+/* Removes `.`, `//` and `a/..` from a path in place, without accessing the disk. */
 void root_normalize(char *path);
-/* Opens a file for reading: a regular one, which lies below `root` after links are resolved. No
- * link is followed while it is opened, so that a link made in between leads nowhere. A root of NULL
- * stands for the whole disk. -1: *why. */
+/* Opens a regular file for reading that is below `root` after links are resolved. The open
+ * itself follows no link, so that a link created meanwhile has no effect. A NULL root allows any
+ * file. Returns a descriptor, or -1 and *why. */
 int root_open(const char *root, const char *path, const char **why);
-/* The bytes of such a file, as file_read() returns them. */
+/* Reads a file below the root; results are those of file_read(). */
 char *root_read(const char *root, const char *path, size_t *size, const char **why);
-/* NULL, or the reason why a path may not be opened; a file that is absent is none. */
+/* Returns NULL if a path may be opened, otherwise the reason. A missing file is allowed. */
 const char *root_refuses(const char *root, const char *path);
 #endif

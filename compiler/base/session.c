@@ -1,4 +1,4 @@
-/* The session: files, statistics. */
+/* Session state: files and statistics. */
 #include "compiler/base/session.h"
 #include "compiler/base/root.h"
 #include <string.h>
@@ -32,7 +32,7 @@ void session_stage_done(Session *session, const char *name, int nodes, int cost)
     double now = session_now();
     StageStats stats = {name, now - session->stage_start, nodes, cost};
     ARENA_PUSH(session->arena, session->stats, session->stat_count, session->stat_room, stats);
-    session->stage_start = session_now(); /* what statistics cost does not count */
+    session->stage_start = session_now(); /* excludes the time that statistics take */
 }
 
 char *session_read_file(Session *session, const char *path, size_t *size, const char **why)
@@ -57,7 +57,7 @@ const char *session_path_beside(Session *session, const char *from, const char *
     root_normalize(joined.at);
     if (joined.at[0] != '<')
         return joined.at;
-    /* what is read from standard input is called <stdin>, and no file is */
+    /* Standard input is called <stdin>, so a file of that name gets the prefix "./". */
     Text here = text_new(session->arena);
     text_format(&here, "./%s", joined.at);
     return here.at;

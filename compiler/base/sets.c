@@ -1,4 +1,4 @@
-/* Hash indices over growing arrays. */
+/* String and key sets: hash indices over growing arrays. */
 #include "compiler/base/sets.h"
 #include "compiler/base/memory.h"
 #include <stdlib.h>
@@ -28,7 +28,7 @@ static uint32_t string_hash(const char *string)
 }
 static uint32_t key_hash(Key key) { return (uint32_t)key.low; }
 
-/* At least one more. */
+/* Returns a capacity greater than `room`. */
 static int more_room(int room) { return room ? 2 * room : FIRST_ROOM; }
 
 int string_set_find(const StringSet *set, const char *string)

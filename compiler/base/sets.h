@@ -1,4 +1,4 @@
-/* Strings and keys, each once, numbered in the order in which they came. Memory is from malloc. */
+/* Sets of strings and of keys, numbered in order of insertion. Memory is from malloc. */
 #ifndef MATC_SETS_H
 #define MATC_SETS_H
 #include "compiler/base/hash.h"
@@ -10,9 +10,10 @@ typedef struct {
     HashIndex index;
 } StringSet;
 
-/* Its number; *added tells whether it is new (NULL: nobody asks). The string is copied. */
+/* Adds a copy of the string and returns its number. *added reports whether the string is new;
+ * NULL: not needed. */
 int string_set_add(StringSet *set, const char *string, bool *added);
-/* Its number, or -1. */
+/* Returns the string's number, or -1. */
 int string_set_find(const StringSet *set, const char *string);
 void string_set_free(StringSet *set);
 
@@ -26,7 +27,7 @@ int key_set_add(KeySet *set, Key key, bool *added);
 int key_set_find(const KeySet *set, Key key);
 void key_set_free(KeySet *set);
 
-/* malloc, realloc and strdup that end the process where there is no memory. */
+/* realloc and strdup that end the process when memory is exhausted. */
 void *sets_resize(void *memory, size_t size);
 char *sets_copy(const char *text);
 #endif

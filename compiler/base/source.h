@@ -1,11 +1,11 @@
-/* Source texts and positions in them. Offsets are bytes; lines and columns are computed only for
- * printing. */
+/* Source texts, and positions in them. Offsets are bytes; lines and columns are computed only
+ * for printing. */
 #ifndef MATC_SOURCE_H
 #define MATC_SOURCE_H
 #include <stddef.h>
 #include <stdint.h>
 
-/* Bytes start..end-1 of source number `file` of the compilation. */
+/* Bytes start to end-1 of the source with index `file`. */
 typedef struct {
     uint32_t start, end;
     uint32_t file;
@@ -15,12 +15,12 @@ typedef struct {
     const char *name; /* as the user wrote it */
     const char *text; /* zero-terminated */
     size_t size;
-    const char *binary; /* what a container has beside its text; NULL: it is none */
+    const char *binary; /* binary chunk of a container (.glb); NULL: absent */
     size_t binary_size;
 } Source;
 
 typedef struct {
-    int line, column; /* from 1; the column counts bytes, as gcc's do */
+    int line, column; /* from 1; the column counts bytes, as in gcc */
     const char *line_start;
     int line_length; /* bytes, without the line break */
 } SourcePosition;

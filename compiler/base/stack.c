@@ -1,4 +1,4 @@
-/* A thread as a stack: nothing runs beside it. */
+/* Runs a function on a thread with a large stack; the caller waits meanwhile. */
 #include "compiler/base/stack.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/session.h"
@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 
-enum { LEAST_KIB = 256 }; /* for what does not recurse */
+enum { LEAST_KIB = 256 }; /* for functions that do not recurse */
 
 typedef struct {
     void (*run)(void *user);
@@ -41,7 +41,7 @@ void stack_run(int depth, void (*run)(void *user), void *user)
     pthread_t thread;
     sigset_t all, before;
     sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before); /* the thread inherits it */
+    pthread_sigmask(SIG_SETMASK, &all, &before); /* The new thread inherits the signal mask. */
     if (!start(&thread, &call, (LEAST_KIB + (size_t)depth * LIMIT_LEVEL_KIB) * 1024))
         memory_exhausted();
     pthread_join(thread, NULL);

@@ -1,10 +1,11 @@
-/* Room for what recurses down a tree of maps: library users run threads whose stacks are small. */
+/* Stack space for recursion over a tree of maps: hosts may call the library on threads with
+ * small stacks. */
 #ifndef MATC_STACK_H
 #define MATC_STACK_H
 
-/* Runs the function on what goes down a graph of that depth. Up to LIMIT_SHALLOW it takes the
- * caller's stack; beyond, that of a thread which is made for it, with LIMIT_LEVEL_KIB for each
- * level, and which has ended when the call returns. Signals do not reach it. Without memory for it:
- * memory_exhausted(). */
+/* Runs a function that recurses to a given graph depth. Up to LIMIT_SHALLOW the caller's stack
+ * is used. A greater depth gets a temporary thread with LIMIT_LEVEL_KIB of stack per level, on
+ * which signals are blocked; the thread has ended when the call returns. A failed thread
+ * creation ends the process by memory_exhausted(). */
 void stack_run(int depth, void (*run)(void *user), void *user);
 #endif

@@ -1,8 +1,9 @@
-/* "Did you mean": the nearest name by Damerau-Levenshtein distance (optimal string alignment), case
- * aside.
+/* Spelling suggestions: the nearest name by Damerau-Levenshtein distance (optimal string
+ * alignment), case-insensitive.
  *
- *     Cheker -> Checker: a letter is missing, 1.  Wodo -> Wood: two letters are swapped, 1. Cheker
- *                                                 has 6 letters, so 3 are forgiven. */
+ *     Cheker -> Checker: one letter is missing, distance 1
+ *     Wodo -> Wood: two letters are swapped, distance 1
+ *     Cheker has 6 letters, so a distance up to 3 is accepted */
 #include "compiler/base/suggest.h"
 #include "compiler/base/text.h"
 #include <stdlib.h>
@@ -13,7 +14,8 @@ enum { LONGEST = 64 };
 static int least(int a, int b) { return a < b ? a : b; }
 static bool same(char a, char b) { return text_lower(a) == text_lower(b); }
 
-/* More than `most` where that is seen at once. */
+/* Returns the edit distance, or any value above `most` if an early test shows that it exceeds
+ * `most`. */
 static int distance(const char *a, const char *b, int most)
 {
     int row[3][LONGEST + 1];

@@ -1,20 +1,20 @@
-/* "Did you mean". */
+/* Spelling suggestions: "did you mean". */
 #ifndef MATC_SUGGEST_H
 #define MATC_SUGGEST_H
 #include "compiler/base/arena.h"
 
-/* The i-th of some names; NULL: it does not count. */
+/* Returns the i-th name; NULL: the name is not a candidate. */
 typedef const char *SuggestName(const void *user, int i);
-/* "; did you mean 'x'?" for the nearest of `count` names, "" when none is near. */
+/* Returns "; did you mean 'x'?" for the nearest of `count` names, "" if none is similar. */
 const char *suggest(Arena *arena, const char *name, SuggestName *names, const void *user,
                     int count);
 
-/* Names to choose from. */
+/* A list of names to choose from. */
 typedef struct {
     SuggestName *name;
     const void *user;
     int count;
 } NameChoice;
-/* "a, b, c" of those that count. */
+/* Returns "a, b, c": the candidates among the names. */
 const char *suggest_list(Arena *arena, const NameChoice *names);
 #endif

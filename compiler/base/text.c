@@ -1,5 +1,5 @@
-/* Growing texts, and numbers in them, free of the locale: what the C library does by it is done
- * here, in the "C" locale. */
+/* Growing texts, and conversion of numbers independent of the locale: functions of the C library
+ * that depend on it are called here, in the "C" locale. */
 #include "compiler/base/text.h"
 #include "compiler/base/memory.h"
 #include <float.h>
@@ -12,7 +12,7 @@
 
 enum { NUMBER_ROOM = 40, FORMAT_ROOM = 128, MOST_PLACES = 11, SIMPLE_DIGITS = 15 };
 
-/* The thread has the "C" locale between these two; then its own again. */
+/* The thread's locale is "C" between enter() and leave(), which restores the previous locale. */
 typedef struct {
     locale_t plain, before;
 } Locale;
@@ -34,7 +34,7 @@ static void leave(Locale locale)
 
 Text text_new(Arena *arena) { return (Text){arena, NULL, 0, 0}; }
 
-/* Most texts are names. */
+/* The first capacity fits most names. */
 void text_reserve(Text *text, size_t more)
 {
     enum { FIRST_ROOM = 64 };
@@ -60,8 +60,8 @@ void text_int(Text *text, long value)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* The format uses only %s, %d and %%, as most do: put_plain() then replaces printf, which costs a
- * thousand instructions a call. */
+/* True if the format uses only %s, %d and %%, as most formats do. put_plain() then replaces
+ * printf, which costs a thousand instructions a call. */
 static bool is_plain(const char *format)
 {
     for (const char *at = strchr(format, '%'); at; at = strchr(at + 2, '%'))
@@ -114,7 +114,7 @@ void text_format(Text *text, const char *format, ...)
     va_end(args);
 }
 
-/* whole / 10^places */
+/* Appends whole / 10^places. */
 static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
 {
     char digits[NUMBER_ROOM], *end = digits + sizeof digits, *at = end;
@@ -131,8 +131,8 @@ static void put_decimal(Text *text, bool negative, uint64_t whole, int places)
     text_add(text, at, (size_t)(end - at));
 }
 
-/* Whole numbers and short decimals, most constants of a document, without printf: value = whole /
- * 10^places. */
+/* Formats integers and short decimals, the majority of a document's constants, without printf:
+ * value = whole / 10^places. Returns false for any other number. */
 static bool short_decimal(Text *text, double value, bool is_float)
 {
     static const double power[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
@@ -150,9 +150,9 @@ static bool short_decimal(Text *text, double value, bool is_float)
     return false;
 }
 
-/* Other floats of ordinary size: the shortest decimal that reads back, in whole numbers, which is
- * exact. The float is m 2^q, and a decimal reads back if it is less than half of 2^q away, or just
- * half and m is even. All is counted in 2^(q - 1) / 10^places. */
+/* Formats the remaining floats from 1e-3 to 1e6: the shortest decimal that reads back, in exact
+ * integer arithmetic. The float is m 2^q. A decimal reads back if it is less than half of 2^q
+ * away, or exactly half and m is even. All numbers are in units of 2^(q - 1) / 10^places. */
 static bool ordinary_float(Text *text, double value)
 {
     static const uint64_t power[MOST_PLACES + 1] = {
@@ -161,7 +161,7 @@ static bool ordinary_float(Text *text, double value)
     int q;
     const double size = fabs(value);
     const uint64_t m = (uint64_t)ldexp(frexp(size, &q), FLT_MANT_DIG);
-    /* the gap below a power of two is narrower */
+    /* A power of two is excluded: the gap below it is narrower. */
     if (!(size >= 1e-3 && size < 1e6) || m == 1 << (FLT_MANT_DIG - 1))
         return false;
     const int shift = FLT_MANT_DIG + 1 - q; /* 1 << shift is 1 / 10^places */
@@ -179,9 +179,9 @@ static bool ordinary_float(Text *text, double value)
     return false;
 }
 
-/* Any number, by printf. So many digits as always come back from a number are the `least`: with
- * fewer it would be the same decimal; subnormal numbers, and those that would not get an exponent,
- * begin at 1. */
+/* Formats any number by printf, with the fewest digits that read back. `least` is the number of
+ * digits that always survive a round trip: fewer digits would print the same decimal. Subnormal
+ * numbers, and doubles from 1e6 on, begin at 1 digit. */
 static void shortest(Text *text, double value, int least, bool is_float)
 {
     char digits[NUMBER_ROOM];
@@ -246,9 +246,9 @@ bool text_is_control(const char *at, int size)
     return size == 2 && first == 0xC2 && (unsigned char)at[1] < 0xA0;
 }
 
-/* Numbers of up to 15 digits without an exponent, which most are: the digits and the power of ten
- * are doubles as they stand, so their quotient is rounded once, and is the nearest (Clinger, 1990).
- * "-12.50" is -(1250 / 10^2). False: it is another, or none. */
+/* Parses numbers of up to 15 digits without an exponent, as most are. The digits and the power
+ * of ten are exact doubles; their quotient is rounded once and therefore nearest (Clinger,
+ * 1990). "-12.50" is -(1250 / 10^2). Returns false for any other text. */
 static bool simple_number(const char *string, size_t size, double *value)
 {
     static const double power[SIMPLE_DIGITS + 1] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
@@ -280,7 +280,7 @@ bool text_number(const char *string, size_t size, double *value)
         return false;
     for (size_t i = 0; i < size; i++)
         if (!strchr("+-.eE0123456789", string[i]) || !string[i])
-            return false; /* no hexadecimal, no "inf" */
+            return false; /* rejects hexadecimal and "inf" */
     const Locale locale = enter();
     *value = strtod(string, &end);
     leave(locale);

@@ -1,6 +1,6 @@
-/* A text that grows, and numbers as text: the shortest form that reads back exactly. All of this is
- * the same in every locale, and no other file of the library asks for the locale: neither printf of
- * fractions, nor strtod, ctype.h or strerror (tests/sources/locale.sh). */
+/* A growing text, and numbers as text in the shortest form that reads back exactly. Results are
+ * the same in every locale. No other file of the library depends on the locale:
+ * tests/sources/locale.sh forbids printf of fractions, strtod, ctype.h and strerror. */
 #ifndef MATC_TEXT_H
 #define MATC_TEXT_H
 #include "compiler/base/arena.h"
@@ -10,12 +10,12 @@
 
 typedef struct {
     Arena *arena;
-    char *at; /* zero-terminated once something was added */
+    char *at; /* zero-terminated after the first addition */
     size_t size, room;
 } Text;
 
 Text text_new(Arena *arena);
-/* Room for so many bytes more, and a zero byte. */
+/* Reserves capacity for `more` bytes and a terminating zero. */
 void text_reserve(Text *text, size_t more);
 static inline void text_add(Text *text, const char *bytes, size_t size)
 {
@@ -26,7 +26,7 @@ static inline void text_add(Text *text, const char *bytes, size_t size)
     text->size += size;
     text->at[text->size] = 0;
 }
-/* known here, most often */
+/* Inline: the compiler knows the length of most strings. */
 static inline void text_put(Text *text, const char *string)
 {
     text_add(text, string, strlen(string));
@@ -39,49 +39,49 @@ static inline void text_char(Text *text, char c)
     text->at[text->size] = 0;
 }
 void text_int(Text *text, long value);
-/* printf of whole numbers and strings; numbers with a fraction go through the functions below. */
+/* printf of integers and strings; numbers with a fraction go through the functions below. */
 void text_format(Text *text, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void text_format_list(Text *text, const char *format, va_list args);
-/* A float literal of GLSL: always with a point or an exponent; a number beyond a float is taken to
- * the greatest. */
+/* Appends a GLSL float literal: always with a point or an exponent. A number outside a float's
+ * range is clamped to the largest float. */
 void text_float(Text *text, double value);
-/* A double that reads back exactly. */
+/* Appends a double that reads back exactly. */
 void text_double(Text *text, double value);
-/* So many digits as are asked for, as %.*g has them: "0.0977", "1e+06", "12". */
+/* Appends a number with `digits` significant digits, as %.*g: "0.0977", "1e+06", "12". */
 void text_rounded(Text *text, double value, int digits);
-/* Reads a decimal number that takes up all of the string, rounded to nearest; one that is too large
- * is infinite. What stands behind the string's end does not continue a number: a zero, a space. */
+/* Parses a decimal number that fills the whole string, rounded to nearest; too large a number
+ * becomes infinite. The byte after the string must not continue a number: a zero, a space. */
 bool text_number(const char *string, size_t size, double *value);
-/* Length of the UTF-8 sequence at `at`, 0 if it is none: overlong forms, surrogates and numbers
- * past U+10FFFF are none. */
+/* Returns the length of the UTF-8 sequence at `at`, 0 if it is invalid: overlong forms,
+ * surrogates and code points above U+10FFFF are invalid. */
 int text_utf8_length(const unsigned char *at, const unsigned char *end);
-/* Whether a character of UTF-8 is a control character, below U+0020 or U+007F to U+009F: terminals
- * may obey both kinds. */
+/* True for a UTF-8 control character: below U+0020, or U+007F to U+009F. Terminals may obey
+ * either group. */
 bool text_is_control(const char *at, int size);
-/* Text of a document as it can be shown: control characters but tabs, and what is not UTF-8, become
- * \x and two digits a byte. */
+/* Appends text of a document in printable form: control characters except tabs, and bytes that
+ * are not UTF-8, become \x and two digits per byte. */
 void text_visible(Text *text, const char *string, size_t size);
-/* A whole number without a point: "0.5", "12", "1000000". */
+/* Appends a number without a trailing ".0": "0.5", "12", "1000000". */
 void text_plain(Text *out, double value);
 
-/* An address without its %20: RFC 3986. "a%20b.png" -> "a b.png". */
+/* Decodes percent escapes of a URI (RFC 3986): "a%20b.png" -> "a b.png". */
 const char *text_decoded(Arena *arena, const char *uri);
 
-/* Message of the system for an errno, in English. */
+/* Returns the system's message for an errno, in English. */
 const char *text_error(int error);
 
-/* Of ASCII. */
+/* Character classes of ASCII. */
 static inline bool text_is_digit(char c) { return c >= '0' && c <= '9'; }
 static inline bool text_is_lower(char c) { return c >= 'a' && c <= 'z'; }
 static inline bool text_is_upper(char c) { return c >= 'A' && c <= 'Z'; }
 static inline bool text_is_letter(char c) { return text_is_lower(c) || text_is_upper(c); }
 static inline bool text_is_alphanumeric(char c) { return text_is_letter(c) || text_is_digit(c); }
 static inline char text_lower(char c) { return text_is_upper(c) ? (char)(c - 'A' + 'a') : c; }
-/* Whether two strings are the same but for the case of letters; their first bytes, if they have so
- * many. */
+/* Compares strings, ignoring the case of ASCII letters; text_same_start() compares at most
+ * `size` bytes. */
 bool text_same(const char *a, const char *b);
 bool text_same_start(const char *a, const char *b, size_t size);
-/* The value of a hexadecimal digit, or -1. */
+/* Returns the value of a hexadecimal digit, or -1. */
 static inline int text_hex_digit(char c)
 {
     const char letter = text_lower(c);

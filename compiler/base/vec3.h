@@ -1,8 +1,8 @@
-/* Vectors of three doubles. Sums are taken in the order x, y, z, so that results are the same to
- * the bit wherever they are computed.
+/* Vectors of three doubles. Sums are taken in the order x, y, z, so that results are
+ * bit-identical everywhere.
  *
- *     vec3_cross(x, y, z)      z = x cross y; z may be x or y
- *     vec3_length(v)           sqrt(v . v); overflows beyond 1e154, vec3_normalize does not */
+ *     vec3_cross(x, y, z)      z = x cross y; z may alias x or y
+ *     vec3_length(v)           sqrt(v . v); overflows above 1e154, vec3_normalize does not */
 #ifndef MATC_VEC3_H
 #define MATC_VEC3_H
 #include <math.h>
@@ -34,7 +34,7 @@ static inline bool vec3_normalize(double v[3])
     return true;
 }
 
-/* Both have a length, and are not on one line. */
+/* True if both vectors have a length and are not collinear. */
 static inline bool vec3_span(const double u[3], const double v[3])
 {
     double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, cross[3];

@@ -1,13 +1,13 @@
-/* Settings of warnings: NAME, no-NAME, error, no-error, error=NAME, no-error=NAME, with commas
- * between. The last one that speaks of a warning counts.
+/* Parses the settings of warnings, separated by commas: NAME, no-NAME, error, no-error,
+ * error=NAME, no-error=NAME. The last setting that applies to a warning is effective.
  *
- *     no-unordered_items,error    unordered_items is not said, every other warning is an error
- *     linear_colors               advice, which is off until it is named */
+ *     no-unordered_items,error    unordered_items is off, every other warning is an error
+ *     linear_colors               enables advice, which is off by default */
 #include "compiler/base/warnings.h"
 #include <string.h>
 
 typedef struct {
-    const char *name; /* of a warning; NULL: all of them */
+    const char *name; /* name of a warning; NULL: all warnings */
     size_t size;
     bool no, error;
 } Setting;
@@ -35,7 +35,7 @@ static Setting read_setting(const char *at, size_t size)
     return setting;
 }
 
-/* Compilers write names with dashes: one means what '_' does. */
+/* Compares names; '-' in the setting equals '_', since other compilers write names with dashes. */
 static bool has_name(const Setting *setting, const char *name)
 {
     if (strlen(name) != setting->size)

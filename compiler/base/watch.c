@@ -1,7 +1,8 @@
-/* Decides what has changed by looking at the files. The system's notices (inotify on the folders,
- * since editors rename over files) only say when to look, and that a file was written even if it
- * looks as before. All files are looked at every second anyway: notices do not come over networks,
- * through links, or when a folder further up is moved. */
+/* Detects changed files by comparing their stat() data. Notifications of the system (inotify on
+ * the folders, since editors rename over files) serve two purposes. They trigger the comparison,
+ * and they reveal a write that leaves the stat() data unchanged. All files are also polled every
+ * second: notifications do not arrive from network file systems, through links, or when a parent
+ * folder is moved. */
 #include "compiler/base/watch.h"
 #include "compiler/base/memory.h"
 #include <errno.h>
@@ -20,16 +21,16 @@
 #endif
 
 enum {
-    QUIET_MS = 50,    /* without a change end a row of changes */
-    ROW_MS = 1000,    /* a row that does not end is reported after so long */
-    POLL_MS = 200,    /* between looks without notices */
-    LOOK_MS = 1000,   /* between looks with notices */
-    SIGNAL_MS = 200,  /* between looks for a signal */
-    CLOCK_MS = 20,    /* by which a file's time may be behind the clock */
+    QUIET_MS = 50,    /* quiet time that ends a burst of changes */
+    ROW_MS = 1000,    /* a burst is reported after this time at the latest */
+    POLL_MS = 200,    /* polling interval without notifications */
+    LOOK_MS = 1000,   /* polling interval with notifications */
+    SIGNAL_MS = 200,  /* polling interval for signals */
+    CLOCK_MS = 20,    /* max lag of a file's time behind the clock */
     NOTICES = 1 << 14 /* bytes read at once */
 };
 
-/* A file's state, as stat() reports it. */
+/* A file's stat() data. */
 typedef struct {
     bool exists;
     mode_t mode;
@@ -42,8 +43,8 @@ typedef struct {
 typedef struct {
     char *path;
     const char *name; /* the last part of the path */
-    int notices;      /* number of the folder's notices, -1: none */
-    Look look;        /* when it was last reported, or set */
+    int notices;      /* watch descriptor of the file's folder; -1: none */
+    Look look;        /* when last reported or set */
     bool dirty;       /* changed since then */
     bool changed;     /* reported by the last watch_wait */
 } File;
@@ -51,9 +52,9 @@ typedef struct {
 struct Watch {
     File *files;
     int count;
-    int notices; /* inotify's descriptor; -1: none */
+    int notices; /* inotify descriptor; -1: none */
     bool poll_only;
-    struct timespec since; /* real time when the last watch_wait ended */
+    struct timespec since; /* wall-clock time at which the last watch_wait ended */
 };
 
 static Look look_at(const char *path)
@@ -84,8 +85,8 @@ static long milliseconds_now(void)
 }
 
 #ifdef __linux__
-/* Asks for notices of a folder, or of the nearest one above it that is there. -1: none to be
- * had. */
+/* Requests notifications of a folder, or of the nearest existing folder above it. Returns the
+ * watch descriptor, or -1. */
 static int ask_for_folder(int notices, char *folder)
 {
     const uint32_t what = IN_ONLYDIR | IN_CLOSE_WRITE | IN_MODIFY | IN_ATTRIB | IN_CREATE |
@@ -103,8 +104,8 @@ static int ask_for_folder(int notices, char *folder)
     }
 }
 
-/* Asks anew for all. Where one cannot be had, there are none at all: files are then looked at more
- * often. */
+/* Requests the notifications of all files. If any request fails, notifications are disabled, and
+ * files are polled more often. */
 static void ask(Watch *watch)
 {
     if (watch->notices >= 0)
@@ -127,8 +128,8 @@ static void ask(Watch *watch)
     }
 }
 
-/* A file that was written may look as before: of the same size, within the same tick of the
- * clock. */
+/* Marks a written file as dirty, since its stat() data may be unchanged: a write of equal size
+ * within one tick of the clock. */
 static void mark_written(Watch *watch, const struct inotify_event *notice)
 {
     if (!notice->len || !(notice->mask & (IN_MODIFY | IN_MOVED_TO | IN_CREATE)))
@@ -138,7 +139,7 @@ static void mark_written(Watch *watch, const struct inotify_event *notice)
             watch->files[i].dirty = true;
 }
 
-/* Reads what notices there are. */
+/* Reads all pending notifications. */
 static void read_notices(Watch *watch)
 {
     _Alignas(struct inotify_event) char bytes[NOTICES];
@@ -160,7 +161,7 @@ static void ask(Watch *watch) { watch->notices = -1; }
 static void read_notices(Watch *watch) { (void)watch; }
 #endif
 
-/* Looks at all files; true if any looks otherwise than at the look before. */
+/* Compares all files; returns true if any has changed since the last comparison. */
 static bool look(Watch *watch)
 {
     bool news = false;
@@ -232,7 +233,7 @@ static int by_path(const void *a, const void *b)
     return strcmp((*(const File *const *)a)->path, (*(const File *const *)b)->path);
 }
 
-/* The files by their paths, to be searched; from malloc. */
+/* Returns the files sorted by path, for binary search; from malloc. */
 static const File **sorted_files(const Watch *watch)
 {
     const File **sorted = malloc(((size_t)watch->count + 1) * sizeof *sorted);
@@ -244,7 +245,7 @@ static const File **sorted_files(const Watch *watch)
     return sorted;
 }
 
-/* A file of which nothing was known. */
+/* Initializes a file that was not watched before. */
 static void begin_file(const Watch *watch, File *file)
 {
     file->look = look_at(file->path);
@@ -281,7 +282,8 @@ void watch_set(Watch *watch, const char *const *paths, int count)
     ask(watch);
 }
 
-/* Sleeps until there are notices, or the time is over. False: a signal came. */
+/* Sleeps until notifications arrive or the timeout ends. Returns false if a signal interrupted
+ * the sleep. */
 static bool sleep_for(Watch *watch, long ms)
 {
     struct pollfd notices = {.fd = watch->notices, .events = POLLIN};
@@ -291,7 +293,7 @@ static bool sleep_for(Watch *watch, long ms)
     return fine;
 }
 
-/* Files have changed: waits until they are left alone. */
+/* Waits until the changed files have been quiet for QUIET_MS. */
 static void wait_for_quiet(Watch *watch)
 {
     const long begin = milliseconds_now();
@@ -318,8 +320,8 @@ static int report(Watch *watch)
 
 int watch_wait(Watch *watch, int timeout_ms)
 {
-    /* Both readings of the clock are rounded down: one more, and no wait is shorter than was asked
-     * for. */
+    /* Both clock readings are rounded down; 1 ms more ensures that no wait is shorter than
+     * requested. */
     const long end = timeout_ms < 0 ? LONG_MAX : milliseconds_now() + timeout_ms + (timeout_ms > 0);
     for (;;) {
         look(watch);

@@ -1,12 +1,12 @@
-/* Waits for changes of files. A file may be replaced by another of its name, vanish, and not be
- * there yet; so may its folder. */
+/* Waits for changes of files. A watched file, and its folder, may be replaced, vanish, or not
+ * exist yet. */
 #ifndef MATC_WATCH_H
 #define MATC_WATCH_H
 #include <stdbool.h>
 
 typedef struct Watch Watch;
 
-/* Files to watch, as they are met; from malloc. */
+/* Files to watch, in the order of discovery; from malloc. */
 typedef struct WatchList {
     char **at;
     int count, room;
@@ -15,20 +15,20 @@ void watch_list_add(WatchList *list, const char *file);
 void watch_list_free(WatchList *list);
 
 Watch *watch_open(void);
-/* Goes without the system's notices, as where there are none: files are looked at five times a
- * second. */
+/* Disables notifications, as on systems without them: files are polled five times a second. */
 void watch_poll_only(Watch *watch);
-/* The files to watch from now on; the list is copied. Of one that was watched already, changes
- * since the last watch_wait count; of a new one, those since then that show in its time. So a file
- * that changes while it is being read is not missed. */
+/* Sets the files to watch; the list is copied. Changes of an already watched file count from the
+ * last watch_wait. A new file is changed if its modification time is later than that. A file
+ * that changes while it is being read is therefore not missed. */
 void watch_set(Watch *watch, const char *const *files, int count);
-/* Waits until files have changed and then been left alone for a moment. The number of files that
- * changed; 0 when the time is over (milliseconds; below 0: none), or a signal came. */
+/* Waits until files have changed and then been quiet for a moment. Returns the number of changed
+ * files; 0 at the timeout (in milliseconds; negative: none), or after a signal. */
 int watch_wait(Watch *watch, int timeout_ms);
-/* Waits for as long as it takes. 0 when files have changed, else the signal (SIGINT, SIGTERM,
- * SIGHUP) that asks the process to end; while it does not wait, signals do what they always do. */
+/* Waits without a timeout. Returns 0 when files have changed, otherwise the signal (SIGINT,
+ * SIGTERM, SIGHUP) that asks the process to end. Outside the wait, signals have their usual
+ * effect. */
 int watch_next(Watch *watch);
-/* Whether that file of the list, by its index, is among those that the last watch_wait found. */
+/* Whether the last watch_wait reported the file with this index of the list. */
 bool watch_changed(const Watch *watch, int file);
 void watch_close(Watch *watch);
 #endif

@@ -17,27 +17,28 @@
 
 typedef struct {
     Key hash;
-    bool staged; /* else the output folder already has these bytes */
+    bool staged; /* false: the output folder already has these bytes */
     bool dropped, index;
 } StagedFile;
 
 struct Staging {
     char *path;
     int folder;
-    dev_t device; /* of the folder */
+    dev_t device; /* identity of the folder */
     ino_t inode;
     unsigned how;
-    bool new_folder; /* and nothing is in it yet */
-    bool begun;      /* the list of intents is on the disk, and the folder is locked */
+    bool new_folder; /* this run created the folder, still empty */
+    bool begun;      /* the list of intents is on disk, and the folder is locked */
     Stage stage;
     StringSet names;
-    StagedFile *files; /* by number of the name */
+    StagedFile *files; /* indexed by the number of the name */
     StringSet stale;
-    Key *stale_hashes; /* by number of the stale name */
+    Key *stale_hashes; /* indexed by the number of the stale name */
     Bytes intents;
     int moves, written;
     pthread_mutex_t mutex; /* guards the members above */
-    pthread_mutex_t disk;  /* held to create files, which kernels serialize by spin locks */
+    /* held to create files, since kernels serialize creation by spin locks */
+    pthread_mutex_t disk;
 };
 
 /* Finishes commits of ended processes and removes their staging folders. */
@@ -80,8 +81,8 @@ bool staging_same(const Staging *a, const Staging *b)
     return a->device == b->device && a->inode == b->inode;
 }
 
-/* Opens a regular file of the folder, with its size. -1: errno, ENOENT for what is neither that nor
- * a folder. Never waits for a pipe's other end. */
+/* Opens a regular file of the folder and returns its size. Returns -1 and errno on failure;
+ * ENOENT for anything except a file or folder. Never blocks on a pipe. */
 static int open_regular(const Staging *s, const char *name, size_t *size)
 {
     struct stat info;
@@ -102,7 +103,7 @@ static int open_regular(const Staging *s, const char *name, size_t *size)
     return -1;
 }
 
-/* As much as there is, up to size. */
+/* Reads until the end of the file, at most `size` bytes. */
 static size_t read_all(int file, char *bytes, size_t size)
 {
     size_t used = 0;
@@ -119,7 +120,7 @@ char *staging_read(const Staging *s, const char *name, const char **why)
 {
     size_t size;
     struct stat info;
-    /* or a link to such a file */
+    /* The target of a link counts, too. */
     bool special = !fstatat(s->folder, name, &info, 0) && !S_ISREG(info.st_mode);
     int file = special ? -1 : open_regular(s, name, &size);
     *why = special                       ? "it is no regular file"
@@ -138,7 +139,8 @@ char *staging_read(const Staging *s, const char *name, const char **why)
     return NULL;
 }
 
-/* NULL, or why no file can be put there. */
+/* Returns NULL, or the reason why no file can be put there. *equal: the folder's file already
+ * has these bytes. */
 static const char *look(const Staging *s, const char *name, const void *bytes, size_t size,
                         bool *equal)
 {
@@ -146,7 +148,7 @@ static const char *look(const Staging *s, const char *name, const void *bytes, s
     int file = open_regular(s, name, &old_size);
     *equal = false;
     if (file < 0)
-        /* what cannot be read can be replaced */
+        /* An unreadable file can still be replaced. */
         return errno == EISDIR ? text_error(EISDIR) : NULL;
     char *old = old_size == size && !(s->how & STAGING_renew) ? malloc(size + 1) : NULL;
     *equal = old && read_all(file, old, size) == size && !memcmp(old, bytes, size);
@@ -155,7 +157,7 @@ static const char *look(const Staging *s, const char *name, const void *bytes, s
     return NULL;
 }
 
-/* The number of a name. */
+/* Returns the number of a name; a new name gets an entry. */
 static int number_of(Staging *s, const char *name)
 {
     bool added;
@@ -163,7 +165,7 @@ static int number_of(Staging *s, const char *name)
     int number = string_set_add(&s->names, name, &added);
     if (added) {
         s->files = sets_resize(s->files, (size_t)s->names.room * sizeof *s->files);
-        s->files[number] = (StagedFile){.dropped = true}; /* until it is written */
+        s->files[number] = (StagedFile){.dropped = true}; /* until the file is written */
     }
     pthread_mutex_unlock(&s->mutex);
     return number;
@@ -251,7 +253,7 @@ const char *staging_remove(Staging *s, const char *name, Key hash, bool *stays)
     int number = string_set_find(&s->names, name);
     *stays = false;
     if ((number >= 0 && !s->files[number].dropped) || strchr(name, '/'))
-        return NULL; /* it is made again */
+        return NULL; /* this run writes the file */
     int error = stage_hash(s->folder, name, &now);
     *stays = error == EINVAL || (!error && !key_equal(now, hash));
     if (!error && !*stays)

@@ -1,6 +1,6 @@
-/* Files that are written together: nothing of their folder changes until all is known to be well,
- * then all of it, whatever may fail or end the process; and what is there already stays as it
- * is. */
+/* Files that are written as a transaction. The output folder changes only in staging_commit(),
+ * completely or not at all, even if the process is killed. Files with unchanged bytes are left
+ * untouched. */
 #ifndef MATC_STAGING_H
 #define MATC_STAGING_H
 #include "compiler/base/hash.h"
@@ -8,42 +8,45 @@
 typedef struct Staging Staging;
 
 typedef enum {
-    /* the folder is made if need be, and goes again if nothing comes into it */
+    /* Creates the folder if it is missing, and removes it if no file is committed. */
     STAGING_new_folder = 1,
-    /* files are replaced by equal ones, too: their times tell make that they are made */
+    /* Replaces files even by equal bytes, since make compares modification times. */
     STAGING_renew = 2
 } StagingHow;
 
 typedef struct {
     const char *name;
-    Key hash; /* of its bytes */
+    Key hash; /* hash of the bytes */
 } StagingFile;
 
-/* NULL: *why, which need not be freed. What an earlier process left in the middle is undone. */
+/* Opens a folder. Returns NULL and *why (not to be freed) on failure. An interrupted commit of
+ * an earlier process is finished first. */
 Staging *staging_open(const char *folder, unsigned how, const char **why);
-/* Both are of one folder, by whatever name: then the second must not be used. */
+/* Whether two stagings have the same folder, perhaps under different paths; the second must then
+ * not be used. */
 bool staging_same(const Staging *a, const Staging *b);
-/* Keeps a file for the folder. Any thread; a name once. NULL, or why not. */
+/* Stages a file, on any thread; each name at most once. Returns NULL or a fault. */
 const char *staging_put(Staging *staging, const char *name, const void *bytes, size_t size);
-/* Stages the index, which describes the folder's content: it is removed while the content changes.
- * At most one for each folder. */
+/* Stages the index, which describes the folder's content: it is removed while the content
+ * changes. At most one for each folder. */
 const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
-/* Forgets a file again. */
+/* Removes a staged file from the staging. */
 void staging_drop(Staging *staging, const char *name);
-/* The file is to be moved into the folder. */
+/* Whether the file is staged, to be moved into the folder. */
 bool staging_holds(const Staging *staging, const char *name);
-/* Files of this run that the folder will have, sorted by name; from malloc. */
+/* Returns this run's files of the folder, sorted by name; from malloc. */
 StagingFile *staging_list(const Staging *staging, int *count);
-/* A file of the folder that an earlier run wrote, with that hash, and this one does not: it will
- * go, unless it is another file by now: then *stays. NULL, or why it cannot be known. */
+/* Marks a file of an earlier run for removal, if this run does not write it. If its bytes no
+ * longer have the hash, the file stays and *stays is true. Returns NULL, or a fault if the file
+ * cannot be read. */
 const char *staging_remove(Staging *staging, const char *name, Key hash, bool *stays);
-/* A file of the folder, with a zero byte behind, from malloc. NULL: there is none, or a link; or it
- * cannot be read, and *why. */
+/* Reads a file of the folder, with a terminating zero, from malloc. Returns NULL if it is
+ * missing or a link; NULL and *why if it cannot be read. */
 char *staging_read(const Staging *staging, const char *name, const char **why);
-/* Moves and removes what is to be, in all these folders or in none. NULL, or why not. */
+/* Carries out all moves and removals of all these folders, or none. Returns NULL or a fault. */
 const char *staging_commit(Staging *const *stagings, int count);
-/* Files that commit moved. */
+/* Number of files that commits have moved. */
 int staging_written(const Staging *staging);
-/* Gives up what was not committed. */
+/* Discards uncommitted files and closes the staging. */
 void staging_close(Staging *staging);
 #endif

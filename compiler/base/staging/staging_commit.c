@@ -66,8 +66,8 @@ const char *intents_write(const Stage *s, const Bytes *intents)
 
 void intents_withdraw(const Stage *s) { unlinkat(s->at, list_name, 0); }
 
-/* Whether the file was changed after `time`, so that it is not what the ended run left; NULL:
- * false. */
+/* Whether the file was changed after `time`, by somebody else than the ended process. False if
+ * `time` is NULL. */
 static bool is_newer(int folder, const char *name, const struct timespec *time)
 {
     struct stat info;
@@ -87,7 +87,7 @@ static int remove_unchanged(int folder, const Intent *intent)
     return unlinkat(folder, intent->name, 0) ? errno : 0;
 }
 
-/* Carries out one intent. Returns 0 or errno. `since`: as for intents_apply. */
+/* Carries out one intent. Returns 0 or errno. `since` is documented at intents_apply(). */
 static int apply_one(const Stage *s, const Intent *intent, const struct timespec *since)
 {
     char staged[STAGED_NAME];
@@ -137,7 +137,7 @@ static const char *finish(const Stage *s)
     return why;
 }
 
-/* Locks the output folder. On a file system without locks commits of several processes may mix. */
+/* Locks the output folder. On a file system without locks, commits of several processes may mix. */
 static const char *lock(int folder)
 {
     for (int i = 0; flock(folder, LOCK_EX | LOCK_NB) && (errno == EWOULDBLOCK || errno == EINTR);

@@ -24,19 +24,19 @@ enum { STAGED_NAME = 16 };
 void intent_file(char name[STAGED_NAME], int number);
 
 void intent_add(Bytes *intents, const Intent *intent);
-/* Writes the list beside the staged files. From then on a kill does not stop the commit: the next
- * run finishes it. Returns NULL or a fault. */
+/* Writes the list into the staging folder. From then on a kill does not stop the commit: the
+ * next run finishes it. Returns NULL or a fault. */
 const char *intents_write(const Stage *stage, const Bytes *intents);
-/* Carries out the list in its order and counts the finished intents in *done. Returns NULL or the
- * first fault. `since` is NULL in the process that wrote the list. In a later process it is the
- * time at which the list was written: intents that are already done, and files that changed later,
- * are skipped. */
+/* Carries out the list in order and counts the finished intents in *done. Returns NULL or the
+ * first fault. `since` is NULL in the process that wrote the list. In a later process `since` is
+ * the time at which the list was written: intents that are already done, and files that changed
+ * later, are skipped. */
 const char *intents_apply(const Stage *stage, const Bytes *intents, const struct timespec *since,
                           int *done);
-/* Deletes a list, none of whose intents was carried out. */
+/* Deletes a list of which no intent was carried out. */
 void intents_withdraw(const Stage *stage);
-/* Locks the folder against other commits, for which it waits half a minute at most, and finishes
- * the commits of ended processes. Returns NULL, or a fault; then the folder is not locked. */
+/* Locks the folder against other commits, waiting at most 30 s, and finishes the commits of
+ * ended processes. Returns NULL, or a fault; the folder is then not locked. */
 const char *intents_lock(int folder);
 void intents_unlock(int folder);
 #endif

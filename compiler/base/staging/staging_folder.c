@@ -1,5 +1,5 @@
-/* Makes, takes over and removes staging folders. Every path is opened relative to an open folder,
- * and no symbolic link is followed. */
+/* Creates, takes over and removes staging folders. Every path is opened relative to an open
+ * folder, and no symbolic link is followed. */
 #include "compiler/base/staging/staging_folder.h"
 #include "compiler/base/text.h"
 #include <dirent.h>
@@ -41,8 +41,8 @@ static bool is_stage(const char *name)
     return !strncmp(name, prefix, sizeof prefix - 1) && strlen(name) == sizeof prefix - 1 + UNIQUE;
 }
 
-/* Opens and locks the staging folder. 0, or errno: EWOULDBLOCK if its process lives, ENOENT if it
- * was removed before it was locked. */
+/* Opens and locks the staging folder. Returns 0 or errno: EWOULDBLOCK if its process is alive,
+ * ENOENT if the folder was removed before it was locked. */
 static int open_locked(Stage *s)
 {
     struct stat ours, there;
@@ -50,7 +50,7 @@ static int open_locked(Stage *s)
     if (s->at < 0 || fstat(s->at, &ours))
         return errno;
     if (ours.st_uid != geteuid())
-        return EACCES; /* another user must not make this process rename files, as in /tmp */
+        return EACCES; /* another user must not control renames of this process, as in /tmp */
     if (flock(s->at, LOCK_EX | LOCK_NB))
         return errno;
     return fstatat(s->folder, s->name, &there, AT_SYMLINK_NOFOLLOW) ||
@@ -66,7 +66,7 @@ void stage_leave(Stage *s)
     s->at = -1;
 }
 
-/* Opens the names in a folder for reading; NULL, if it cannot. */
+/* Opens a folder's directory stream; NULL on failure. */
 static DIR *list_names(int folder)
 {
     int copy = openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -88,8 +88,8 @@ void stage_remove(Stage *s)
     stage_leave(s);
 }
 
-/* Whether the error says that the file system has no locks. Then no other process can lock the
- * folder and remove it, either. */
+/* Whether the error means that the file system has no locks. No other process can then lock and
+ * remove the folder either. */
 static bool has_no_locks(int error)
 {
     return error == ENOLCK || error == EOPNOTSUPP || error == ENOSYS || error == EBADF;
