@@ -1,4 +1,4 @@
-/* Words for what is more than one operation on its operands. */
+/* Builders for values that take more than one operation. */
 #include "compiler/ir/build.h"
 #include <string.h>
 
@@ -38,7 +38,7 @@ Ref build_select_of(Ir *ir, const Ref x[3])
     return ir_make(ir, (IrNode){.op = OP_select, .type = ir_type(ir, x[1]), .count = 3}, x);
 }
 
-/* A select whose payload, 1, marks it a guard; its other arm is 0. */
+/* A guard is a select with the payload 1 whose other arm is 0. */
 Ref build_guard_of(Ir *ir, const Ref x[2])
 {
     const Type type = ir_type(ir, x[1]);
@@ -70,7 +70,8 @@ Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count)
 
 Ref build_lane(Ir *ir, Ref a, int lane) { return build_lanes(ir, a, (uint32_t)lane, 1); }
 
-/* Two bits a lane, the first one lowest: "zx" of a vec3 is the payload 2 | 0 << 2. */
+/* Encodes a swizzle with two bits per component, the first lowest: "zx" of a vec3 has the
+ * payload 2 | 0 << 2. */
 Ref build_swizzle(Ir *ir, Ref a, const char *letters)
 {
     uint32_t lanes = 0;
@@ -92,9 +93,9 @@ Ref build_splat(Ir *ir, Ref a, Type type)
                : build_vec_of(ir, type, (Ref[]){a, a, a, a}, type_table[type].lanes);
 }
 
-/* Narrowing to a float takes the mean, to a vector the first lanes; widening fills with 0, and
- * alpha with 1; a float stands for every lane but alpha. Of the vec2 (8, 4): 6 as a float, (8, 4,
- * 0, 1) as a vec4. Of the float 8: (8, 8, 8, 1). */
+/* Narrowing to a float takes the mean, to a vector the first components. Widening fills with 0,
+ * and alpha with 1; a float is copied to every component except alpha. The vec2 (8, 4) becomes 6
+ * as a float and (8, 4, 0, 1) as a vec4. The float 8 becomes (8, 8, 8, 1). */
 Ref build_convert(Ir *ir, Ref a, Type type)
 {
     Type from = ir_type(ir, a);

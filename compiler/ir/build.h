@@ -1,19 +1,20 @@
-/* The words that IR is written in: build_add(ir, a, b) is the node a + b, or the equal one that
- * exists, or what it simplifies to.
+/* Builders of IR nodes: build_add(ir, a, b) returns the node a + b, an existing equal node, or
+ * the node to which a + b simplifies.
  *
- * Nodes are numbered as they are made, and C leaves open which argument of a call is evaluated
- * first. So the words that take several nodes are macros over REFS, which makes them from left to
- * right, whatever the C compiler:
+ * Nodes are numbered in order of creation, but C leaves the evaluation order of arguments open.
+ * Builders with several operands are therefore macros over REFS, which creates the operands from
+ * left to right under any C compiler:
  *
- *     build_mix(ir, build_float(ir, 0), build_abs(ir, x), t)      makes 0, |x|, mix(0, |x|, t)
+ *     build_mix(ir, build_float(ir, 0), build_abs(ir, x), t)
+ *         creates 0, |x|, mix(0, |x|, t) in this order
  *
- * tests/sources/order.sh finds the calls that leave the order open. */
+ * tests/sources/order.sh finds calls that leave the order open. */
 #ifndef MATC_BUILD_H
 #define MATC_BUILD_H
 #include "compiler/ir/ir.h"
 
-/* Up to five new nodes, made from left to right, as an array that lives to the end of the
- * expression. */
+/* Creates up to five nodes from left to right. Yields them as an array that lives until the end
+ * of the expression. */
 #define REFS(ir, ...)                                                                              \
     REFS_PICK(__VA_ARGS__, REFS_5, REFS_4, REFS_3, REFS_2, REFS_1, )(ir, __VA_ARGS__).at
 #define REFS_COUNT(...)                       REFS_PICK(__VA_ARGS__, 5, 4, 3, 2, 1, )
@@ -47,8 +48,8 @@ static inline Refs build_held(Ir *ir, size_t count)
     return refs;
 }
 
-/* A word for every operation of ops.def that is written as an operator or a call: build_<op> of one
- * operand, build_<op>_of of an array of them. */
+/* A builder for every operation of ops.def that is written as an operator or a call:
+ * build_<op>() takes one operand, build_<op>_of() an array of operands. */
 #define BUILD_1(name)                                                                              \
     static inline Ref build_##name(Ir *ir, Ref a)                                                  \
     {                                                                                              \
@@ -93,11 +94,11 @@ static inline Refs build_held(Ir *ir, size_t count)
 #define build_join(ir, a, b)     build_join_of(ir, REFS(ir, a, b))
 #define build_clamp(ir, a, b, c) build_clamp_of(ir, REFS(ir, a, b, c))
 #define build_mix(ir, a, b, c)   build_mix_of(ir, REFS(ir, a, b, c))
-/* Node of an operation that is known at run time only. */
+/* Builds a node whose operation is known only at run time. */
 Ref build_unary(Ir *ir, Op op, Ref a);
 #define build_binary(ir, which, a, b) ir_make(ir, (IrNode){.op = which, .count = 2}, REFS(ir, a, b))
 
-/* Numbers: a float, an int, a vector, a truth value; a number in every lane of a type. */
+/* Constants: a float, an int, a vector, a boolean; build_all() sets every component of a type. */
 Ref build_float(Ir *ir, double value);
 Ref build_int(Ir *ir, double value);
 Ref build_vec3(Ir *ir, double x, double y, double z);
@@ -105,53 +106,55 @@ Ref build_truth(Ir *ir, bool value);
 Ref build_all(Ir *ir, Type type, double value);
 Ref build_input(Ir *ir, Input input);
 Ref build_attribute(Ir *ir, int attribute, AttributePart part);
-/* A uniform, a texture, a constant of the IR, by its index. */
+/* Builds a leaf: a uniform, texture or constant with the given index. */
 Ref build_leaf(Ir *ir, Op op, Type type, int index);
 
 /* a factor; a a */
 Ref build_scale(Ir *ir, Ref a, double factor);
 Ref build_square(Ir *ir, Ref a);
-/* a where the condition holds, else b; both have one type. */
+/* Selects a where the condition holds, otherwise b; a and b have one type. */
 #define build_select(ir, condition, a, b) build_select_of(ir, REFS(ir, condition, a, b))
 Ref build_select_of(Ir *ir, const Ref x[3]);
-/* A costly value where it shows; elsewhere 0, and nobody reads that. Where it is computed anyhow,
- * opt_guard leaves the value. */
+/* Guards a costly value: `a` where `shows` holds; elsewhere 0, which no user reads. opt_guard
+ * removes the guard if the value is computed in any case. */
 #define build_guard(ir, shows, a) build_guard_of(ir, REFS(ir, shows, a))
 Ref build_guard_of(Ir *ir, const Ref x[2]);
 static inline bool build_is_guard(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_select) && ir_at(ir, ref)->payload;
 }
-/* A matrix by its columns, args[1] and on, times args[0]. */
+/* Multiplies a vector by a matrix: args[0] is the vector, args[1] and the following are the
+ * columns. */
 Ref build_linear(Ir *ir, const Ref *args, int count);
 
-/* Lanes of a vector: by letters of "xyzw"; by two bits each; one by its number. A float's only lane
- * is x. */
+/* Swizzles a vector: by letters of "xyzw", by two bits per component, or a single component by
+ * its number. A float has only the component x. */
 Ref build_swizzle(Ir *ir, Ref a, const char *letters);
 Ref build_lanes(Ir *ir, Ref a, uint32_t lanes, int count);
 Ref build_lane(Ir *ir, Ref a, int lane);
-/* float for one lane, vec2, vec3, vec4 */
+/* Returns float, vec2, vec3 or vec4 for 1 to 4 components. */
 Type build_lanes_type(int lanes);
-/* A vector of the parts' lanes, which are as many as the type has. */
+/* Builds a vector from parts; their components together are those of the type. */
 #define build_vec(ir, type, ...)                                                                   \
     build_vec_of(ir, type, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
 Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count);
-/* A float in every lane of the type; what has the type stays. */
+/* Copies a float into every component of the type; a value of that type is returned unchanged. */
 Ref build_splat(Ir *ir, Ref a, Type type);
-/* The conversion table. */
+/* Converts between types by the table of conversions (semantics.md). */
 Ref build_convert(Ir *ir, Ref a, Type type);
 
-/* A library function; a function of the program; the sum of one over the KERNEL_POINTS around its
- * arguments, half of `size` apart, which is a loop in GLSL. */
+/* Calls: build_call() of a library function, build_apply() of a function of the program.
+ * build_kernel() sums such a function over the KERNEL_POINTS points around its arguments, half
+ * of `size` apart; GLSL gets a loop. */
 #define build_call(ir, function, ...)                                                              \
     build_call_of(ir, function, REFS(ir, __VA_ARGS__), REFS_COUNT(__VA_ARGS__))
 Ref build_call_of(Ir *ir, int function, const Ref *args, int count);
 Ref build_apply(Ir *ir, int function, const Ref *args);
 Ref build_kernel(Ir *ir, int function, const Ref *args, Ref size);
 
-/* Sums and products of what may be zero everywhere: no node, 0, stands for that, so that
- * derivatives and variances of what does not change are never made. a + b; factor a; a / b; -a; and
- * the node, zeros of the type where there is none. */
+/* Sums and products whose operands may be zero everywhere. The null node 0 represents zero, so
+ * derivatives and variances of constant values create no nodes. In order: a + b; factor a; a /
+ * b; -a; and build_or_zero(), which returns the node, or zeros of the type for the null node. */
 #define build_plus(ir, a, b)       build_plus_of(ir, REFS(ir, a, b))
 #define build_times(ir, factor, a) build_times_of(ir, REFS(ir, factor, a))
 #define build_over(ir, a, b)       build_over_of(ir, REFS(ir, a, b))

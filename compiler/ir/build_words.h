@@ -1,6 +1,6 @@
-/* The words of build.h as the tables of grammar/ say them, for the IR that is called `ir` where a
- * row is expanded: a row reads MUL(UNARY(cos, a), K(2)) and not build_mul(ir, build_cos(ir, a),
- * build_float(ir, 2)). Included by .c files alone. */
+/* Short forms of the builders of build.h for the tables of grammar/. The IR is the variable `ir`
+ * at the place where a row is expanded: a row reads MUL(UNARY(cos, a), K(2)) instead of
+ * build_mul(ir, build_cos(ir, a), build_float(ir, 2)). Included by .c files only. */
 #ifndef MATC_BUILD_WORDS_H
 #define MATC_BUILD_WORDS_H
 #include "compiler/ir/build.h"

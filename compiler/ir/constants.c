@@ -1,10 +1,10 @@
-/* Numbers from a buffer: made for what the document says, hoisted out of expressions, put in
- * places, laid out.
+/* Constants in a uniform block: created from numbers of the document, hoisted out of
+ * expressions, assigned to places, laid out.
  *
  *     scaleU: 8 and rotation: 0 are constants c1 and c2; a coordinate is u * (c1 * cos(c2))
- *     constants_hoist: c1 * cos(c2) depends on such numbers alone, so it is evaluated, 8, and is
- *         one constant itself: c3
- *     the program reads u * c3, and neither c1 nor c2 is in the buffer */
+ *     constants_hoist: c1 * cos(c2) depends on constants alone, so its value 8 becomes
+ *         a constant c3
+ *     the program reads u * c3, and neither c1 nor c2 is in the block */
 #include "compiler/ir/constants.h"
 #include "compiler/ir/build.h"
 #include "compiler/ir/std140.h"
@@ -39,7 +39,9 @@ bool constant_storable(Type type)
     return (type >= TYPE_float && type <= TYPE_vec4) || type == TYPE_uint || type == TYPE_uvec4;
 }
 
-/* The value of every node that is computed from numbers alone, as a constant; 0 of others. */
+/* Constant folding: returns for every node computed from constants alone its value as a constant
+ * node, 0 for other nodes. from_buffer[ref]: a member of the uniform block is among the
+ * operands. */
 static Ref *known_values(Ir *ir, uint8_t *from_buffer)
 {
     Ref count = (Ref)ir->count, *known = ARENA_ARRAY(&ir->scratch, Ref, count), args[UINT8_MAX];
@@ -63,7 +65,8 @@ static Ref *known_values(Ir *ir, uint8_t *from_buffer)
     return known;
 }
 
-/* The node, which is computed from numbers alone, becomes that number. */
+/* Replaces a node that depends on constants alone by its value: as a new member of the uniform
+ * block, or, if `room` is false, as a literal. */
 static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
 {
     IrNode *node = &ir->nodes[ref];
@@ -78,10 +81,10 @@ static void become_constant(Ir *ir, Ref ref, Ref known, bool room)
     node->payload = add_constant(ir, (Type)node->type, numbers, NULL, origin);
 }
 
-/* div(1, c) with c = 4 from the buffer is known to be 0.25: it becomes c' = 0.25 in the buffer, and
- * c, which nothing else reads, goes. So mul(x, div(1, c)) is a product with a member, and no
- * division is left. Only what is needed from the outputs down to the first such node is kept: the
- * operands of a node that became a number are not looked at. */
+/* Example: div(1, c) with c = 4 from the block is known to be 0.25. The node becomes a new
+ * member c' = 0.25, and c is removed if no other node reads it; mul(x, div(1, c)) is then a
+ * product without a division. The sweep starts at the outputs and stops at replaced nodes, whose
+ * operands are no longer needed. */
 void constants_hoist(Ir *ir)
 {
     Ref count = (Ref)ir->count;
@@ -110,7 +113,8 @@ void constants_hoist(Ir *ir)
     arena_reset(&ir->scratch);
 }
 
-/* Every node moves up by the number of members, which come first: they are operands of any. */
+/* Shifts all nodes up by the number of new members, which come first because any node may use
+ * them. */
 static void make_room(Ir *ir, int count)
 {
     const IrNode none = {0};
@@ -161,7 +165,7 @@ void constants_place(Ir *ir, const NumberPlace *places, const int *member, int c
     }
 }
 
-/* "clay_constant", "clay_constant2" */
+/* Returns a unique name: "clay_constant", "clay_constant2". */
 static const char *new_name(Ir *ir, const IrConstant *constant, FreshNames *names)
 {
     Text wanted = text_new(ir->arena);
@@ -173,7 +177,8 @@ static const char *new_name(Ir *ir, const IrConstant *constant, FreshNames *name
     return name;
 }
 
-/* By falling width; a triple takes the number behind it along. */
+/* Orders members by decreasing width; each vec3 is followed by a scalar, which fills its
+ * padding. */
 static void order(const IrConstant *list, size_t count, size_t *to)
 {
     static const int widths[] = {4, 3, 2, 1};
@@ -191,7 +196,8 @@ static void order(const IrConstant *list, size_t count, size_t *to)
         }
 }
 
-/* A colour without a name of its own says little: it is called by what it is a colour of. */
+/* True for an unnamed Constant map, whose kind is no useful name. The member is then named after
+ * its user. */
 static bool is_nameless(const Ir *ir, const IrConstant *constant)
 {
     const Node *map = ir_origin_map(ir, constant->origin);
@@ -212,7 +218,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 {
     int size = 0;
     FreshNames names = {0};
-    /* from 1, in the given order */
+    /* numbered from 1, in the given order */
     uint32_t *number = ARENA_ARRAY(session->arena, uint32_t, ir->constant_count + 1);
     IrConstant *kept = ARENA_ARRAY(session->arena, IrConstant, ir->constant_count + 1);
     size_t *from = ARENA_ARRAY(session->arena, size_t, ir->constant_count + 1);
@@ -240,7 +246,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 
 uint32_t constant_bits(double value, bool word)
 {
-    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* as text_float writes it */
+    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* as text_float prints it */
     uint32_t bits;
     if (word)
         return (uint32_t)value;

@@ -1,36 +1,36 @@
-/* Numbers that a program reads from a buffer: materials that differ only in them share the
- * program. */
+/* Numbers that a program reads from a uniform block. Materials that differ only in these numbers
+ * share the program. */
 #ifndef MATC_CONSTANTS_H
 #define MATC_CONSTANTS_H
 #include "compiler/ir/ir.h"
 #include "compiler/base/text.h"
 
-/* The most of a program: each takes 16 bytes at most, and every OpenGL has room for 16 KiB. Further
- * ones stay in the program. */
+/* Max constants of a program: each takes at most 16 bytes, and every OpenGL supports blocks of
+ * 16 KiB. Further numbers stay literals. */
 enum { MOST_CONSTANTS = 1024 };
 
-/* Turns values that depend only on such numbers and constants into such numbers, computed once on
- * the host. Runs last, before opt_dead. */
+/* Replaces values that depend only on literals and constants of the block by new constants,
+ * computed once on the host. Runs last, before opt_dead. */
 void constants_hoist(Ir *ir);
 
-/* A place where a program says a number: an operand of a node, or an output (user 0). */
+/* A use of a numeric literal: an operand of a node, or an output (user 0). */
 typedef struct {
     Ref user;
-    int operand; /* or the output's index in the Ir */
-    Ref value;   /* a constant of a float or word type */
+    int operand; /* for an output, its index in the Ir */
+    Ref value;   /* a literal of a float or word type */
 } NumberPlace;
-/* The member of the buffer that each place becomes, -1 to leave it; places that become one member
- * have equal numbers. The order of the places is that of ir_key's walk. */
+/* Replaces the literal at places[i] by member[i] of the block; -1 keeps it. Places that share a
+ * member have equal numbers. The order of the places is that of ir_key's walk. */
 void constants_place(Ir *ir, const NumberPlace *places, const int *member, int count);
 
-/* Names the live constants, given as ir_key lists them, and lays them out as a std140 block: widest
- * first, a number behind each triple. The Ir's list is then in the order of the offsets, the same
- * for programs of one key. */
+/* Names the live constants, listed in ir_key's order, and lays them out as a std140 block:
+ * widest first, a scalar after each vec3. Sorts the Ir's list by offset; the order is equal for
+ * programs of one key. */
 void constants_finish(Session *session, Ir *ir, const int *list, size_t count);
-/* A buffer can hold numbers of the type: floats and words. */
+/* True for types that a uniform block can hold: floats and words. */
 bool constant_storable(Type type);
-/* A lane as a buffer holds it: a float, or a word as it is. */
+/* Returns the bits of a component in a block: a float, or an unsigned word. */
 uint32_t constant_bits(double value, bool word);
-/* Bytes of the block, a multiple of 16; 0 for none. */
+/* Returns the size of the block in bytes, a multiple of 16; 0 if empty. */
 int constants_size(const Ir *ir);
 #endif

@@ -1,5 +1,6 @@
-/* The value of an operation on constants, in double precision: from the FOLD lines of ops.def, from
- * the C references for library functions. Serves the constant folder and ir_eval. */
+/* Constant folding: the value of an operation on constants, in double precision. Operations use
+ * the FOLD lines of ops.def, library functions their C references. Used by the constant folder
+ * and ir_eval. */
 #include "compiler/ir/fold.h"
 #include "compiler/library/references.h"
 #include <math.h>
@@ -25,7 +26,8 @@ static double lane_of(const FoldArg *arg, int lane)
     return arg->numbers[type_table[arg->type].lanes > 1 ? lane : 0];
 }
 
-/* A comparison of vectors is none: GLSL has other functions for those. */
+/* Folds an operation that works per component. Returns false for a comparison of vectors, which
+ * GLSL writes with other functions. */
 static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
 {
     static const FoldArg none = {TYPE_float, {0}};
@@ -39,8 +41,7 @@ static bool fold_lanes(const IrNode *node, const FoldArg *args, double *result)
     return true;
 }
 
-/* A node that does not work lane by lane, for the functions that stand under FOLD_NODE in
- * ops.def. */
+/* A node that does not work per component, as passed to the FOLD_NODE functions of ops.def. */
 typedef struct {
     const ReferenceContext *context;
     const IrNode *node;
@@ -151,6 +152,6 @@ bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result
         return false;
     for (int i = 0; i < type_table[node->type].lanes; i++)
         if (!isfinite(result[i]))
-            return false; /* the shader decides what it makes of it */
+            return false; /* the result is left to the shader */
     return true;
 }

@@ -1,4 +1,4 @@
-/* Values of operations on numbers. */
+/* Constant folding and evaluation of IR. */
 #ifndef MATC_FOLD_H
 #define MATC_FOLD_H
 #include "compiler/ir/ir.h"
@@ -9,18 +9,18 @@ typedef struct {
     double numbers[4];
 } FoldArg;
 
-/* Folds a node's operation over operand values; false where ops.def has no FOLD: leaves, and nodes
- * that run a function of the program. */
+/* Folds a node's operation over operand values. Returns false if ops.def has no FOLD row:
+ * leaves, and nodes that run a function of the program. */
 bool fold_value(const ReferenceContext *context, const IrNode *node, const FoldArg *args,
                 double *result);
 
-/* Evaluates the outputs of an Ir at a point: the second oracle, which runs what the compiler made
- * of a document. inputs[Input] are the point; textures those of the context. result[i] are the
- * lanes of output i. ir_eval.c. */
+/* Evaluates the outputs of an Ir at a point: the second oracle, which executes the compiled
+ * document. inputs[Input] describe the point; textures come from the context. result[i] holds
+ * the components of output i. ir_eval.c. */
 void ir_eval(const Ir *ir, const ReferenceContext *context, const double inputs[INPUT_COUNT][4],
              double result[MOST_OUTPUTS][4]);
-/* Hooks that change each component of each node's value: rounding of a machine with fewer digits,
- * or other errors. */
+/* Hook that changes each component of each node's value, to model rounding of a machine with
+ * lower precision, or other errors. */
 typedef struct {
     double (*round)(void *user, const IrNode *node, const FoldArg *args, double value);
     void *user;

@@ -1,8 +1,8 @@
-/* Intervals and their arithmetic: what the RANGE lines of ops.def are written in. Every result
- * holds all values of the operation on values of its operands, whichever they are.
+/* Interval arithmetic for the RANGE lines of ops.def. Every result contains all values of the
+ * operation on any values of its operands.
  *
- *     a = [-1, 2], b = [3, 4]:  sum [2, 6], times [-4, 8], square(a) [0, 4], quotient(a, b) [-1/3,
- *                               2/3] */
+ *     a = [-1, 2], b = [3, 4]:  sum [2, 6], times [-4, 8], square(a) [0, 4],
+ *                               quotient(a, b) [-1/3, 2/3] */
 #ifndef MATC_INTERVAL_H
 #define MATC_INTERVAL_H
 #include <math.h>
@@ -14,12 +14,12 @@ typedef struct {
 
 static const Interval everything = {-INFINITY, INFINITY};
 
-/* Error that GLSL allows drivers beyond rounding. */
+/* Relative error that GLSL allows drivers in addition to rounding. */
 static const double SLACK = 1e-5;
 
 static inline Interval between(double low, double high) { return (Interval){low, high}; }
 
-/* For numbers only: bounds are never NaN, and fmin, which handles NaN, is a call. */
+/* Faster than fmin and fmax, which handle NaN in a call: bounds are never NaN. */
 static inline double least(double a, double b) { return a < b ? a : b; }
 static inline double most(double a, double b) { return a > b ? a : b; }
 
@@ -28,7 +28,7 @@ static inline Interval hull(Interval a, Interval b)
     return (Interval){least(a.low, b.low), most(a.high, b.high)};
 }
 
-/* One number, and no other. */
+/* True for an interval of a single number. */
 static inline bool is_point(Interval a) { return a.low == a.high && isfinite(a.low); }
 
 static inline double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
@@ -63,12 +63,12 @@ static inline Interval quotient(Interval a, Interval b)
     return times(a, (Interval){1 / b.high, 1 / b.low});
 }
 
-/* Beyond the ends of [0, 1] too: a (1 - t) + b t. */
+/* Returns a (1 - t) + b t; t may be outside [0, 1]. */
 static inline Interval mixed_at(Interval a, Interval b, double t)
 {
     return sum(times(a, (Interval){1 - t, 1 - t}), times(b, (Interval){t, t}));
 }
-/* For any a and b it is linear in t, so it lies between what it is at both ends. */
+/* The mix is linear in t for any a and b, so its extremes are at both ends of t. */
 static inline Interval mixed(Interval a, Interval b, Interval t)
 {
     if ((t.low >= 0 && t.high <= 1) || (is_point(a) && is_point(b) && a.low == b.low))
@@ -78,14 +78,14 @@ static inline Interval mixed(Interval a, Interval b, Interval t)
     return sum(times(a, sum((Interval){1, 1}, negative(t))), times(b, t));
 }
 
-/* A bound that a driver's function may pass. */
+/* Widens bounds that a driver's implementation may exceed. */
 static inline Interval loose(Interval a)
 {
     return (Interval){a.low - SLACK * most(fabs(a.low), 1), a.high + SLACK * most(fabs(a.high), 1)};
 }
 
-/* A function that never falls, between its values at both ends; and one that a driver computes as
- * it likes. */
+/* Image of a non-decreasing function: from its value at the lower end to that at the upper end.
+ * rising() is widened, for functions that drivers approximate. */
 static inline Interval ends(double (*f)(double), Interval a)
 {
     return between(f(a.low), f(a.high));

@@ -1,4 +1,4 @@
-/* Making IR nodes: one table finds the equal node that exists already. */
+/* Creates IR nodes; a hash table finds existing equal nodes (hash-consing). */
 #include "compiler/ir/ir.h"
 #include <string.h>
 
@@ -20,7 +20,7 @@ const uint8_t op_payload[OP_COUNT] = {
 #include "grammar/ops.def"
 };
 
-/* the programs of most formulas and small documents need no larger one */
+/* large enough for most formulas and small documents */
 enum { FIRST_TABLE = 1024 };
 
 Ir *ir_new(Session *session, const Graph *graph)
@@ -48,7 +48,7 @@ static uint32_t mix_hash(uint32_t hash, uint32_t word)
     return hash ^ hash >> 15;
 }
 
-/* Hashes the bits of the numbers, which are also compared by their bits: -0 differs from 0. */
+/* Hashes and compares numbers by their bits: -0 differs from 0. */
 static uint32_t hash_numbers(uint32_t hash, const double *numbers, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -67,13 +67,13 @@ static inline bool equal_numbers(const double *a, const double *b, int count)
     return true;
 }
 
-/* The slots that a node may have, in turn: some beside those of what shares its youngest operand,
- * so that what is made together lies together, and in the cache; where these are taken, or it has
- * no operand, those from one on that its hash gives. */
+/* Probe sequence of a node. The first NEAR_SLOTS slots lie next to those of other users of its
+ * youngest operand, so that nodes created together are neighbors in the cache. If they are
+ * taken, or the node has no operand, probing continues from the slot of its hash. */
 enum { NEAR_SLOTS = 8, NEAR_SPREAD = 15 };
 typedef struct {
     uint32_t at, hash;
-    uint32_t near; /* so many are left of the first ones */
+    uint32_t near; /* remaining near slots */
 } Probe;
 
 static inline Probe probe_of(const Ir *ir, const IrNode *node, const Ref *args)
@@ -131,7 +131,7 @@ static void rehash(Ir *ir)
     ir->moved = false;
     for (Ref ref = 1; ref < ir->count; ref++) {
         IrNode *node = &ir->nodes[ref];
-        if (node->op != OP_const) /* a constant's hash is that of its numbers */
+        if (node->op != OP_const) /* a constant is hashed by its numbers */
             node->hash = hash_node(node, node->count ? &ir->args[node->first] : NULL);
     }
     memset(ir->table, 0, sizeof(Ref) * (ir->mask + 1));
@@ -193,7 +193,7 @@ Ref ir_const(Ir *ir, Type type, const double *numbers)
     }
     node.payload = (uint32_t)ir->number_count;
     node.origin = ir->origin;
-    /* `numbers` may point into ir->numbers, whose old array the arena keeps */
+    /* `numbers` may point into ir->numbers; the arena keeps the old array when the list grows. */
     for (int i = 0; i < lanes; i++)
         ARENA_PUSH(ir->arena, ir->numbers, ir->number_count, ir->number_room, numbers[i]);
     return add_node(ir, &node, at);
@@ -301,7 +301,8 @@ bool ir_is_of_fragments(const IrOutput *output)
     return output->kind != OUT_displacement && output->kind != OUT_normal;
 }
 
-/* Users come after operands, and a function's result before its calls: one sweep down suffices. */
+/* Operands precede their users, and a function's result precedes its calls: one downward sweep
+ * is enough. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
 {
     for (Ref ref = last; ref > 0; ref--) {
@@ -310,7 +311,7 @@ void ir_live_below(const Ir *ir, uint8_t *live, Ref last)
             continue;
         for (int i = 0; i < node->count; i++)
             live[ir->args[node->first + (uint32_t)i]] = 1;
-        /* ir_check asks before it knows */
+        /* ir_check calls this before it has checked payloads */
         if (ir_applies(ir, ref) && node->payload < ir->function_count)
             live[ir->functions[node->payload].result] = 1;
     }
@@ -351,7 +352,7 @@ int ir_cost(const Ir *ir, Ref ref)
     }
 }
 
-/* Cost of the function that a node runs, by the costs of single runs. */
+/* Returns the cost of the function that a node runs, from the costs of single runs. */
 static double applied_cost(const Ir *ir, Ref ref, const double *cost)
 {
     if (!ir_applies(ir, ref))
@@ -359,7 +360,8 @@ static double applied_cost(const Ir *ir, Ref ref, const double *cost)
     return cost[ir_at(ir, ref)->payload] * (ir_is(ir, ref, OP_kernel) ? KERNEL_POINTS : 1);
 }
 
-/* Cost of one run of each function, calls within included; functions come before their callers. */
+/* Computes the cost of one run of each function, nested calls included; functions precede their
+ * callers. */
 static void function_costs(const Ir *ir, Arena *arena, double *cost)
 {
     IrReach reach = ir_reach_new(ir, arena);

@@ -1,6 +1,6 @@
-/* The IR: a typed DAG. Equal nodes are one node (hash-consing), so a common subexpression never
- * exists twice. Operands come before their users: node numbers are a topological order, and a sweep
- * over them meets operands first. */
+/* The IR: a typed DAG. Equal nodes are one node (hash-consing), so common subexpressions are
+ * eliminated by construction. Operands precede their users: node numbers are a topological
+ * order, and a sweep in numeric order visits operands first. */
 #ifndef MATC_IR_H
 #define MATC_IR_H
 #include "compiler/base/session.h"
@@ -23,27 +23,29 @@ typedef struct {
     TypeRule rule;
     const char *doc;
 } OpRow;
-extern const OpRow op_table[]; /* OP_COUNT rows; no object but ir.c's needs to know how many */
-const char *op_text(Op op);    /* in the text of the IR */
+extern const OpRow op_table[]; /* OP_COUNT rows, whose number only ir.c needs */
+const char *op_text(Op op);    /* name in the text of the IR */
 
-/* Meaning of a node's `payload`, by operation. */
+/* Meaning of a node's `payload`, per operation. */
 typedef enum {
-    /* but of a select, 1: it is a guard, whose last operand nobody reads; build_guard */
+    /* No payload. Exception: a select with payload 1 is a guard, whose last operand is never
+     * read: build_guard. */
     PAYLOAD_none,
-    PAYLOAD_numbers,   /* the first of its numbers */
-    PAYLOAD_input,     /* an Input */
-    PAYLOAD_attribute, /* 3 times the graph's, by index, and which: AttributePart */
-    PAYLOAD_uniform,   /* the graph's, by index */
-    PAYLOAD_member,    /* the IR's, by index */
-    PAYLOAD_argument,  /* whose set << 8 | its number */
-    PAYLOAD_texture,   /* the IR's, by index */
-    PAYLOAD_lanes,     /* two bits each */
-    PAYLOAD_library,   /* a Function */
-    PAYLOAD_function   /* of the program, by index; ir_applies */
+    PAYLOAD_numbers, /* index of its first number */
+    PAYLOAD_input,   /* an Input */
+    /* ATTRIBUTE_PARTS times the attribute's index in the graph, plus an AttributePart */
+    PAYLOAD_attribute,
+    PAYLOAD_uniform,  /* index of a uniform in the graph */
+    PAYLOAD_member,   /* index of a constant of the IR */
+    PAYLOAD_argument, /* argument set << 8 | index in the set */
+    PAYLOAD_texture,  /* index of a texture of the IR */
+    PAYLOAD_lanes,    /* a swizzle, two bits per component */
+    PAYLOAD_library,  /* a Function */
+    PAYLOAD_function  /* index of a function of the program: ir_applies */
 } Payload;
-extern const uint8_t op_payload[]; /* Payload, of each operation */
+extern const uint8_t op_payload[]; /* the Payload kind of each operation */
 
-/* Parts of an attribute: its value, and its change to the next pixel. */
+/* Parts of an attribute: its value, and its screen-space derivatives. */
 typedef enum { ATTRIBUTE_value, ATTRIBUTE_by_x, ATTRIBUTE_by_y, ATTRIBUTE_PARTS } AttributePart;
 static inline uint32_t attribute_of(uint32_t payload) { return payload / ATTRIBUTE_PARTS; }
 static inline AttributePart attribute_part(uint32_t payload)
@@ -51,97 +53,100 @@ static inline AttributePart attribute_part(uint32_t payload)
     return (AttributePart)(payload % ATTRIBUTE_PARTS);
 }
 
-/* Origin of a node: the surface point that a pass starts from, a slot, or a map, by its number in
- * Ir.maps. Only names and comments depend on it: equal nodes are one node, which keeps its first
- * origin. */
+/* Origin of a node: the surface point at the start of a pass, a slot, or a map with its number
+ * in Ir.maps. Only names and comments depend on the origin: equal nodes are one node, which
+ * keeps its first origin. */
 enum { ORIGIN_SURFACE, ORIGIN_SLOTS, ORIGIN_MAPS = ORIGIN_SLOTS + SLOT_COUNT };
 
-typedef uint32_t Ref; /* number of a node; 0 is none */
+typedef uint32_t Ref; /* number of a node; 0: null node */
 
-/* Flags of a node. Equal nodes are one node whatever their flags are. */
+/* Flags of a node. Hash-consing ignores the flags. */
 enum {
-    /* it is the value of its origin's map or slot, not a step on the way; for names only */
+    /* The node is the final value of its map or slot, not an intermediate one; for names only. */
     NODE_head = 1,
-    /* no local rule changes it as long as nobody knows who uses it: opt_simplify was asked */
+    /* opt_simplify found that no local rule changes the node while its users are unknown. */
     NODE_simple = 2,
-    NODE_final = 4,  /* none does, whoever uses it */
-    NODE_decided = 8 /* no interval decides it: opt_range was asked */
+    NODE_final = 4,  /* no rule changes it, whatever its users */
+    NODE_decided = 8 /* opt_range found that no interval decides it */
 };
 
 typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
     uint8_t flags;           /* NODE_ */
-    uint32_t origin;         /* what it was made for; for names and comments only */
-    uint32_t first;          /* of its operands in args */
-    uint32_t payload;        /* what op_payload says */
+    uint32_t origin;         /* map or slot that created it; for names and comments only */
+    uint32_t first;          /* index of its first operand in args */
+    uint32_t payload;        /* meaning: op_payload */
     uint32_t hash;
 } IrNode;
 
-/* A function of the program: a result that depends on arguments. Filters call one many times. */
+/* A function of the program: a result that depends on arguments. Filters call a function many
+ * times. */
 typedef struct {
     Ref result;
     Ref *arguments; /* OP_argument nodes, in order */
     int count;
-    uint32_t origin; /* what it was made for */
-    /* the one with this result that was made before, from 1; 0 is none. By ir_function alone */
+    uint32_t origin; /* map or slot that created it */
+    /* The previous function with this result, counted from 1; 0: none. Used by ir_function only. */
     int next;
 } IrFunction;
 
-/* OUT_displacement: how far the vertex stages move the point, a float along the normal, or a vec3
- * along dP/du, dP/dv and the normal; or a vec4, from where to where along the normal a volume is
- * solid, twice. OUT_normal: the unit normal of what it comes to be, of a compute program alone. */
+/* OUT_displacement: offset of the point in the vertex stages. It is a float along the normal, or
+ * a vec3 along dP/du, dP/dv and the normal, or a vec4 with two ranges along the normal where a
+ * volume is solid. OUT_normal: the unit normal of the displaced surface, in compute programs
+ * only. */
 typedef enum { OUT_discard, OUT_depth, OUT_color, OUT_displacement, OUT_normal } OutputKind;
 typedef struct {
     OutputKind kind;
-    int index; /* of a colour output */
+    int index; /* index of a color output */
     Ref value;
 } IrOutput;
 
 typedef enum { TEXTURE_image, TEXTURE_carpenter } TextureKind;
 typedef struct {
     TextureKind kind;
-    const Image *image; /* of an image */
-    const Node *node;   /* of a Carpenter */
+    const Image *image; /* for TEXTURE_image */
+    const Node *node;   /* for TEXTURE_carpenter */
     int width, height;
-    bool sampled; /* by the sampler, with mipmaps; else texel by texel */
-    /* of an image: red, green and blue are decoded, by the sampler or before it has them */
+    bool sampled; /* read through a sampler with mipmaps; false: texel fetch */
+    /* sRGB image: red, green and blue are decoded by the sampler or in advance. */
     bool srgb;
-    bool floats;   /* of an image: it may have any number */
-    Texels texels; /* what the program's texture holds */
-    Word wrap;     /* what its sampler does beyond the edges: an Address of words.def */
+    bool floats;   /* image with unbounded values (floating point) */
+    Texels texels; /* texel format of the program's texture */
+    Word wrap;     /* address mode outside [0, 1]: an Address of words.def */
 } IrTexture;
 
-/* A number that a program reads from a buffer, so that materials that differ in it share the
- * program. constants.c */
+/* A number that a program reads from a uniform block, so that materials that differ in the
+ * number share the program. constants.c */
 typedef struct {
     Type type;
-    double numbers[4]; /* this material's */
-    uint32_t origin;   /* as a node's */
-    /* where in the document it stands; NULL: an expression of such, or a place */
+    double numbers[4]; /* values in this material */
+    uint32_t origin;   /* as IrNode.origin */
+    /* The number's place in the document; NULL for hoisted expressions and literals. */
     const Value *source;
-    const char *name; /* in the shader; constants_finish gives name and offset */
-    int member;       /* of MatcOptions, or -1 */
+    const char *name; /* name in the shader; constants_finish sets name and offset */
+    int member;       /* member of MatcOptions, or -1 */
     int offset;       /* in the std140 block, in bytes */
 } IrConstant;
 
-/* Transparency as lowering alone can decide it. */
+/* Transparency, as far as lowering can decide it. */
 typedef enum { OPACITY_unknown, OPACITY_opaque, OPACITY_transparent, OPACITY_varying } Opacity;
 
-enum { MOST_OUTPUTS = 32 }; /* render targets, or all slots, with discard and depth */
+enum { MOST_OUTPUTS = 32 }; /* render targets, or all slots, plus discard and depth */
 _Static_assert((int)MOST_OUTPUTS >= (int)SLOT_COUNT, "a value of every slot");
 
-/* Returns the node that replaces a new one, or the node itself. */
+/* Returns the node that replaces a new node, or the node itself. */
 struct Ir;
 typedef Ref Simplify(struct Ir *ir, Ref ref);
 typedef struct Ir {
     Session *session;
     Arena *arena;
-    Arena scratch; /* of the sweep under way; reset by it, freed by ir_done */
-    Arena kept;    /* of what is known from sweep to sweep; freed by ir_done */
-    /* those that were found, while nodes keep their numbers; NULL: none. By opt_range alone */
+    Arena scratch; /* memory of the current sweep, which resets it; freed by ir_done */
+    Arena kept;    /* analyses cached across sweeps; freed by ir_done */
+    /* Intervals found so far, valid while nodes keep their numbers; NULL: none. Used by
+     * opt_range only. */
     struct Ranges *ranges;
-    /* by Ref, of live_count nodes: ir_live_kept; NULL: nobody asked since an output or a node
-     * changed */
+    /* Live flags by Ref, for live_count nodes: ir_live_kept(). NULL: not computed since the last
+     * change of an output or a node. */
     uint8_t *live;
     size_t live_count;
     IrNode *nodes;
@@ -150,46 +155,47 @@ typedef struct Ir {
     size_t arg_count, arg_room;
     double *numbers;
     size_t number_count, number_room;
-    /* hash table of nodes, of its own kind: they hold their hashes, and nothing is asked as
-     * often */
+    /* Hash table of nodes. Not a HashIndex: nodes hold their own hashes, and this is the most
+     * used table. */
     Ref *table;
     uint32_t mask;
-    bool moved; /* nodes were, or were changed: the table is built anew before it is asked */
+    bool moved; /* nodes have moved or changed: rebuild the table before its next use */
     IrFunction *functions;
     size_t function_count, function_room;
     IrTexture *textures;
     size_t texture_count, texture_room;
-    HashIndex texture_index; /* by their contents; lower_surface.c */
+    HashIndex texture_index; /* by content; lower_surface.c */
     IrConstant *constants;
     size_t constant_count, constant_room;
-    HashIndex constant_index; /* by their sources */
-    const Graph *graph;       /* for uniforms' names */
+    HashIndex constant_index; /* by source */
+    const Graph *graph;       /* supplies the names of uniforms */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
     Opacity opacity;
-    int layout_case;       /* of what is packed, by number */
-    const Node *displaced; /* the material that says how; NULL: the surface is as its mesh is */
-    /* where all slots are outputs: those that a layout has to store, 1 << slot */
+    int layout_case;       /* number of the layout case that is packed */
+    const Node *displaced; /* the material that displaces the surface; NULL: none */
+    /* When all slots are outputs: the slots that a layout has to store, 1 << slot. */
     unsigned slots;
     bool keep_pow;        /* powers stay calls of pow */
-    ReferenceNoise noise; /* which the folder computes with */
-    Ref *held;            /* operands of calls whose arguments are being made; REFS of build.h */
+    ReferenceNoise noise; /* noise variant that constant folding uses */
+    Ref *held;            /* operand stack of nested builder calls: REFS of build.h */
     size_t held_count, held_room;
-    int *function_of; /* by Ref: the last function of that result, from 1; by ir_function alone */
+    /* by Ref: the last function with that result, from 1; used by ir_function only */
+    int *function_of;
     size_t function_of_room;
-    const Node **maps; /* that nodes were made for; origin.c */
+    const Node **maps; /* maps that created nodes; origin.c */
     size_t map_count, map_room;
     HashIndex map_index;
-    uint32_t origin; /* given to new nodes */
-    /* Simplifies each new node; NULL leaves nodes as written. */
+    uint32_t origin; /* origin given to new nodes */
+    /* Simplifies each new node; NULL leaves nodes unchanged. */
     Simplify *simplify;
 } Ir;
 
 Ir *ir_new(Session *session, const Graph *graph);
-/* Copies an IR, without its outputs, into the session's arena. Nodes that are added to the copy do
- * not appear in the original. ir_fork.c */
+/* Copies an IR without its outputs into the session's arena. Nodes added to the copy do not
+ * appear in the original. ir_fork.c */
 Ir *ir_fork(const Ir *ir, Session *session);
-/* Gives back what passes worked with; the IR itself stays. */
+/* Frees the working memory of passes; the IR itself stays. */
 void ir_done(Ir *ir);
 
 static inline const IrNode *ir_at(const Ir *ir, Ref ref) { return &ir->nodes[ref]; }
@@ -200,13 +206,13 @@ static inline Ref ir_arg(const Ir *ir, Ref ref, int i)
 static inline Type ir_type(const Ir *ir, Ref ref) { return (Type)ir->nodes[ref].type; }
 static inline int ir_lanes(const Ir *ir, Ref ref) { return type_table[ir->nodes[ref].type].lanes; }
 static inline bool ir_is(const Ir *ir, Ref ref, Op op) { return ir->nodes[ref].op == op; }
-/* The numbers of a constant. */
+/* Returns the numbers of a literal. */
 static inline const double *ir_numbers(const Ir *ir, Ref ref)
 {
     return &ir->numbers[ir->nodes[ref].payload];
 }
-/* The numbers that a leaf has in this material, whether they stand in the program or come from a
- * buffer; NULL: it is neither. What is decided by them is part of the program's shape. */
+/* Returns the numbers of a leaf in this material, either literals or constants of the uniform
+ * block; NULL for other nodes. Decisions by these numbers become part of the program's shape. */
 static inline const double *ir_known(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_const)    ? ir_numbers(ir, ref)
@@ -218,57 +224,60 @@ static inline void ir_set_head(Ir *ir, Ref ref, bool head)
 {
     ir->nodes[ref].flags = (uint8_t)((ir->nodes[ref].flags & ~NODE_head) | (head ? NODE_head : 0));
 }
-/* It runs a function of the program, which its payload numbers. */
+/* True for a node that runs a function of the program; the payload is the function's index. */
 static inline bool ir_applies(const Ir *ir, Ref ref)
 {
     return op_payload[ir->nodes[ref].op] == PAYLOAD_function;
 }
-/* It takes differences between neighbouring pixels, which must all come by: it stands in no
- * branch. */
+/* True for a node that takes screen-space derivatives, which need uniform control flow: the node
+ * must not be in a branch. */
 static inline bool ir_needs_neighbours(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_call) && (ir_at(ir, ref)->payload == FN_imageSampled ||
                                        ir_at(ir, ref)->payload == FN_imageCentred);
 }
-/* A constant all of whose lanes are `value`. */
+/* True for a constant whose components all equal `value`. */
 bool ir_is_number(const Ir *ir, Ref ref, double value);
 
-/* Makes a node, or finds the equal one, or what `simplify` knows to stand for it. Of `made` are its
- * op, count and payload, and its type, unless op_table's rule gives that. build.h has words for
- * it. */
+/* Creates a node, finds an equal existing node, or returns the node to which it simplifies. The
+ * caller sets op, count and payload of `made`, and the type if the rule of op_table does not
+ * determine it. build.h has builders for most uses. */
 Ref ir_make(Ir *ir, IrNode made, const Ref *args);
 Ref ir_const(Ir *ir, Type type, const double *numbers);
-/* A number from the buffer. Equal sources are one; without a source each is its own. constants.c */
+/* Creates a constant of the uniform block. Equal sources share a constant; without a source each
+ * call creates a new one. constants.c */
 Ref ir_constant(Ir *ir, Type type, const double *numbers, const Value *source);
-/* Arguments of a function to be; then, when its result is made, the function, or the equal one that
- * exists already. Functions that it calls come before it, and have arguments of another set. */
+/* Declares a function: ir_arguments() creates its arguments. Once the result is built,
+ * ir_function() returns the function's index, or that of an equal existing function. Called
+ * functions precede their callers and have arguments of another set. */
 void ir_arguments(Ir *ir, int set, const Type *types, int count, Ref *arguments);
 int ir_function(Ir *ir, const Ref *arguments, int count, Ref result);
 void ir_output(Ir *ir, OutputKind kind, int index, Ref value);
-/* The output of that kind, one of those that there is one of; NULL: there is none. */
+/* Returns the output of a kind that occurs at most once; NULL: absent. */
 const IrOutput *ir_output_of(const Ir *ir, OutputKind kind);
-/* The fragment program writes it; others are the vertex stages'. */
+/* True for outputs of the fragment program; other outputs belong to the vertex stages. */
 bool ir_is_of_fragments(const IrOutput *output);
-enum { KERNEL_POINTS = 27 }; /* of a function that a kernel sums */
+enum { KERNEL_POINTS = 27 }; /* points that a kernel sums */
 
-/* Nodes moved or were changed: the hash table is built anew when the next one is made, which may be
- * never. */
+/* Marks the hash table as stale after nodes have moved or changed. The table is rebuilt when the
+ * next node is created, which may never happen. */
 void ir_rehash(Ir *ir);
-/* Marks the nodes that the outputs reach, through functions too: live[ref]. */
+/* Returns live[ref]: marks the nodes that the outputs reach, including those in functions. */
 uint8_t *ir_live(const Ir *ir, Arena *arena);
-/* Live nodes, cached until an output or a node changes. */
+/* Returns the live nodes, cached until an output or a node changes. */
 const uint8_t *ir_live_kept(Ir *ir);
-/* Marks what marked ones reach, of which `last` is the last. */
+/* Extends the marks to all operands of marked nodes; `last` is the last marked node. */
 void ir_live_below(const Ir *ir, uint8_t *live, Ref last);
-/* One sweep over the live nodes, operands first: each is remade on its new operands and given to
- * `rewrite`, which returns what stands for it, or the node itself. Whether anything changed. */
+/* Sweeps once over the live nodes, operands first. Each node is rebuilt on its new operands and
+ * passed to `rewrite`, which returns the replacement or the node itself. Returns whether any
+ * node changed. */
 typedef Ref IrRewrite(Ir *ir, Ref ref, const void *user);
 bool ir_sweep(Ir *ir, IrRewrite *rewrite, const void *user);
-/* Sweeps as ir_sweep does, but leaves out nodes with the flag `settled`, which `rewrite` would not
- * change. 0: none are left out. */
+/* Sweeps like ir_sweep() but skips nodes with the flag `settled`, which `rewrite` would not
+ * change. 0: skips none. */
 bool ir_sweep_unsettled(Ir *ir, uint8_t settled, IrRewrite *rewrite, const void *user);
-/* Nodes that some roots reach, without the functions that are run: users before operands. One
- * object is reused for many roots. */
+/* Nodes that a set of roots reaches, users before operands, excluding called functions. One
+ * object can be reused for many roots. */
 typedef struct {
     Arena *arena;
     Ref *at;
@@ -277,38 +286,40 @@ typedef struct {
 } IrReach;
 IrReach ir_reach_new(const Ir *ir, Arena *arena);
 void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *reach);
-/* Nodes of main and of all functions together, each counted in every one that it stands in; at most
- * `limit` + 1. */
+/* Counts the nodes of main and of all functions; a node in several functions counts in each.
+ * Stops at `limit` + 1. */
 size_t ir_written(const Ir *ir, size_t limit);
-/* Scalar operations of one node. */
+/* Returns the scalar operations of one node. */
 int ir_cost(const Ir *ir, Ref ref);
-/* Nodes alive, and their cost. */
+/* Counts the live nodes and their cost. */
 void ir_measure(const Ir *ir, int *nodes, int *cost);
-/* Invariants: operands before users, types by the rules, arguments only in functions that have
- * them. NULL, or what is wrong. */
+/* Checks the invariants: operands precede users, types follow the rules, arguments occur only in
+ * their own functions. Returns NULL or a fault. */
 const char *ir_check(const Ir *ir);
 
 void ir_print(Text *out, const Ir *ir);
 void ir_dot(Text *out, const Ir *ir);
-/* Reads what ir_print wrote (tests); NULL and a message. Textures and uniforms are those of
- * `graph`. */
+/* Parses the output of ir_print (for tests). Returns NULL and a fault on failure. Textures and
+ * uniforms come from `graph`. */
 Ir *ir_read(Session *session, const char *text, const Graph *graph, const char **fault);
 
-/* The origin of what a map makes; the map of an origin, NULL where it is none. origin.c */
+/* Returns the origin of nodes that a map creates. ir_origin_map() is the inverse; NULL if the
+ * origin is no map. origin.c */
 uint32_t ir_origin(Ir *ir, const Node *map);
 static inline const Node *ir_origin_map(const Ir *ir, uint32_t origin)
 {
     return origin < ORIGIN_MAPS ? NULL : ir->maps[origin - ORIGIN_MAPS];
 }
-/* An identifier for it: "clay" by the author's own word, "diffuse_blend" where there is none,
- * "normal" of a slot. */
+/* Returns an identifier for an origin: "clay" from the author's name, "diffuse_blend" for an
+ * unnamed map, "normal" for a slot. */
 const char *ir_origin_name(Arena *arena, const Ir *ir, uint32_t origin);
-/* A map in a comment: the author's word, or its kind. */
+/* Returns a map's title for comments: the author's name, or its kind. */
 const char *ir_origin_title(const Node *map);
 
-/* fold.c: one lane of an operation that works by lane; false when it is not finite. */
+/* Folds one component of an operation that works per component; false if the result is not
+ * finite. fold.c */
 bool fold_lane(Op op, const double *args, double *result);
-/* The value of a node on these operands, if they are constants; false when it has none (a texture,
- * an input). */
+/* Folds a node over constant operands. Returns false if an operand is not constant or the node
+ * has no constant value (a texture, an input). */
 bool fold_node(const Ir *ir, const IrNode *node, const Ref *args, double *result);
 #endif

@@ -1,4 +1,4 @@
-/* The invariants of the IR, checked after lowering and after every pass. */
+/* Checks the invariants of the IR after lowering and after every pass. */
 #include "compiler/ir/ir.h"
 #include <math.h>
 #include <string.h>
@@ -159,7 +159,7 @@ static const char *check_node(const Ir *ir, Ref ref)
     }
 }
 
-/* A function reads no arguments other than its own. */
+/* Checks that a function reads only its own arguments. */
 static const char *check_function(const Ir *ir, const IrFunction *function, IrReach *reach)
 {
     ir_reach(ir, &function->result, 1, reach);
@@ -188,7 +188,7 @@ static const char *check_functions(const Ir *ir, const uint8_t *live, Arena *scr
     return fault;
 }
 
-/* No argument of any function is read outside functions. */
+/* Checks that no argument is read outside functions. */
 static const char *check_main(const Ir *ir, Arena *scratch)
 {
     uint8_t *in_main = ARENA_ARRAY(scratch, uint8_t, ir->count);

@@ -1,5 +1,5 @@
-/* Evaluates an Ir in double precision, node by node, functions by applying them to their arguments'
- * values. */
+/* Evaluates an Ir in double precision, node by node; functions are applied to the values of
+ * their arguments. */
 #include "compiler/ir/fold.h"
 #include <string.h>
 
@@ -7,20 +7,20 @@ typedef struct {
     const Ir *ir;
     const ReferenceContext *context;
     const double (*inputs)[4];
-    const IrRounding *rounding; /* NULL: none */
+    const IrRounding *rounding; /* NULL: exact */
     Arena scratch;
 } Evaluator;
 
 typedef struct {
     double (*value)[4]; /* by Ref; valid where known */
     uint8_t *known;
-    const IrFunction *function; /* under way */
-    const FoldArg *arguments;   /* of it */
+    const IrFunction *function; /* the function being evaluated */
+    const FoldArg *arguments;   /* values of its arguments */
 } Frame;
 
 static void eval(Evaluator *e, Frame *frame, Ref result);
 
-/* A node whose operands are known, for the functions that stand under EVAL in ops.def. */
+/* A node with known operands, as passed to the EVAL functions of ops.def. */
 typedef struct {
     Evaluator *e;
     const Frame *frame;
@@ -47,7 +47,7 @@ static void eval_input(const Site *s, double *result)
 {
     copy(s->node, s->e->inputs[s->node->payload], result);
 }
-/* A sampler has no lanes; the reference gets its number. */
+/* A sampler has no components; the reference function gets its number. */
 static void eval_texture(const Site *s, double *result) { result[0] = s->node->payload; }
 
 static void eval_uniform(const Site *s, double *result)
@@ -55,7 +55,8 @@ static void eval_uniform(const Site *s, double *result)
     copy(s->node, s->e->ir->graph->uniforms[s->node->payload]->initial, result);
 }
 
-/* As of a mesh that has none: its default, which does not change. */
+/* Evaluates to the attribute's default, as for a mesh without the attribute; its derivatives are
+ * 0. */
 static void eval_attribute(const Site *s, double *result)
 {
     static const double none[4] = {0};
@@ -68,8 +69,8 @@ static void eval_member(const Site *s, double *result)
     copy(s->node, s->e->ir->constants[s->node->payload].numbers, result);
 }
 
-/* Its place among the arguments, which is not the number it was made with once others were
- * dropped. */
+/* Returns an argument's position in the function. The position differs from the original number
+ * after other arguments were dropped. */
 static int argument_number(const IrFunction *function, Ref argument)
 {
     int i = 0;
@@ -96,8 +97,8 @@ static void run_function(const Site *s, const FoldArg *args, double *result)
 
 static void eval_apply(const Site *s, double *result) { run_function(s, s->args, result); }
 
-/* Each partial sum is rounded. The arguments at the point (x, y, z) of the kernel, each from -1 to
- * 1: a position moves by all three, a vec2 by two. */
+/* Sums the function over the kernel, rounding each partial sum. Point (x, y, z) of the kernel
+ * has coordinates -1, 0 or 1: a position is offset by all three, a vec2 by two. */
 static void eval_kernel(const Site *s, double *result)
 {
     FoldArg moved[FOLD_OPERANDS];
@@ -148,8 +149,8 @@ static void eval_node(Evaluator *e, Frame *frame, Ref ref)
         result[i] = rounded(e, node, args, result[i]);
 }
 
-/* All that `result` needs, in the order of the numbers: operands come first. Both arms of a select
- * are evaluated. */
+/* Evaluates all nodes that `result` needs in numeric order, operands first. Both arms of a
+ * select are evaluated. */
 static void eval(Evaluator *e, Frame *frame, Ref result)
 {
     uint8_t *needed = arena_zero(&e->scratch, result + 1);

@@ -71,7 +71,7 @@ static void print_node(Text *out, const Ir *ir, Ref ref)
         text_format(out, " %%%u", ir_arg(ir, ref, i));
 }
 
-/* The last node that a function's line speaks of: an argument that is not used may come after the
+/* Returns the last node that a function's line refers to; an unused argument may follow the
  * result. */
 static Ref last_of(const IrFunction *function)
 {
@@ -81,7 +81,8 @@ static Ref last_of(const IrFunction *function)
     return last;
 }
 
-/* Functions by the node that completes them, from 1, 0 for none; then the next of the same node. */
+/* Functions by the node that completes them: `first` is the head of a linked list, counted from
+ * 1 (0: none), `next` its links. */
 typedef struct {
     int *first, *next;
 } Completed;
@@ -98,7 +99,7 @@ static Completed completed_functions(const Ir *ir, Arena *scratch)
     return by;
 }
 
-/* The functions that are complete with this node. */
+/* Prints the functions that are complete with this node. */
 static void print_functions(Text *out, const Ir *ir, const Completed *by, Ref ref)
 {
     for (int f = by->first[ref] - 1; f >= 0; f = by->next[f] - 1) {

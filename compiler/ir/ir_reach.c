@@ -1,5 +1,5 @@
-/* The nodes of one function, or of main: found from its roots, so that many functions cost no more
- * than what they hold. */
+/* Finds the nodes of one function, or of main, starting at its roots. The cost is proportional
+ * to the nodes found, so many functions are cheap. */
 #include "compiler/ir/ir.h"
 #include <stdlib.h>
 
@@ -28,7 +28,7 @@ IrReach ir_reach_new(const Ir *ir, Arena *arena)
     return (IrReach){.arena = arena, .inside = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
-/* The list is the queue of its own search. */
+/* Breadth-first search; the list is its own queue. */
 void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *r)
 {
     Ref last = 0, first = UINT32_MAX;

@@ -1,4 +1,4 @@
-/* Reads the text that ir_print writes: tests give it to a single pass. */
+/* Parses the output of ir_print, so that tests can run single passes. */
 #include "compiler/ir/ir.h"
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static void skip_spaces(Scanner *s)
         s->at++;
 }
 
-/* The next word; false at the line's end. */
+/* Reads the next word; false at the end of the line. */
 static bool word(Scanner *s, char *into, size_t room)
 {
     size_t size = 0;
@@ -77,13 +77,14 @@ static bool read_lanes(const char *text, Type type, uint32_t *payload)
     return true;
 }
 
-/* Payload of an argument: its set, and its number in the set; -1: out of bounds. */
+/* Returns the payload of an argument with its set and its number in the set; -1 if out of
+ * bounds. */
 static int argument_payload(int set, int number)
 {
     return set >= 0 && set < LARGEST_NUMBER && number >= 0 && number < 256 ? set << 8 | number : -1;
 }
 
-/* The number, or -1 if the text has not said what that function is. */
+/* Returns the number, or -1 if the function has not been defined yet. */
 static int defined_function(const Scanner *s, int number)
 {
     bool known =
@@ -91,7 +92,7 @@ static int defined_function(const Scanner *s, int number)
     return known ? number : -1;
 }
 
-/* "wetness", "wetness.byX": one that the graph has; -1: it has none. */
+/* Parses an attribute of the graph, "wetness" or "wetness.byX"; -1 if unknown. */
 static int attribute_payload(const Graph *graph, const char *text)
 {
     char name[LIMIT_NAME + 8];
@@ -105,7 +106,7 @@ static int attribute_payload(const Graph *graph, const char *text)
     return found < 0 ? -1 : found * ATTRIBUTE_PARTS + (int)part;
 }
 
-/* The payload that a word names; -1: it names nothing that exists. */
+/* Returns the payload that a word names; -1 if the word is unknown. */
 static int named_payload(const Scanner *s, Payload kind, Type type, const char *text)
 {
     uint32_t lanes = 0;
@@ -143,7 +144,7 @@ static bool read_payload(Scanner *s, Op op, Type type, uint32_t *payload)
     return found >= 0 || fail(s, "a node names what does not exist");
 }
 
-/* A constant of the program, or one from a buffer: each of those is its own. */
+/* Reads a literal, or a constant of the uniform block; each of the latter is separate. */
 static Ref read_const(Scanner *s, Op op, Type type)
 {
     double lanes[4] = {0};
@@ -202,8 +203,8 @@ static bool read_output(Scanner *s)
     return ref != 0;
 }
 
-/* Room for function fN: a function stands where its last node does, which need not be in the order
- * of the numbers. */
+/* Allocates function fN. A function is defined after its last node, so the definitions need not
+ * be in numeric order. */
 static bool number_function(Scanner *s, const char *text, size_t *number)
 {
     const IrFunction none = {0};

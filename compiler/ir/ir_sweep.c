@@ -1,13 +1,15 @@
-/* The sweep that most passes are. */
+/* The sweep that implements most passes. */
 #include "compiler/ir/ir.h"
 
 /* Replacements of nodes and functions during a sweep. */
 typedef struct {
     bool any;
     Ref *node;
-    /* a function whose result changed is a new one: its calls then come after the new result */
+    /* A function with a changed result is replaced by a new function, since calls must follow
+     * the new result. */
     uint32_t *function;
-    /* functions of a result: head by Ref, from 1; then the next with the same */
+    /* Lists of functions by result: heads by Ref, from 1; then the next function with the same
+     * result. */
     int *by_result, *next;
 } Moves;
 
@@ -28,7 +30,7 @@ static Moves new_moves(const Ir *ir, Arena *scratch)
     return moves;
 }
 
-/* On what stands for its operands. */
+/* Rebuilds a node on the replacements of its operands. */
 static Ref remake(Ir *ir, Ref ref, const Moves *moves)
 {
     IrNode node = ir->nodes[ref];

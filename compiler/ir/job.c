@@ -1,4 +1,4 @@
-/* A job as text. */
+/* Formats a job as text and JSON. */
 #include "compiler/ir/job.h"
 #include "compiler/base/json_write.h"
 

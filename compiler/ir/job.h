@@ -1,4 +1,4 @@
-/* A job: the target, pass, options and layout that a program is written for. */
+/* A job: the target, pass, options and layout of one program. */
 #ifndef MATC_JOB_H
 #define MATC_JOB_H
 #include "compiler/base/text.h"
@@ -10,23 +10,24 @@ typedef struct {
     Pass pass;
     const LayoutRow *layout;
     Slot slot;
-    Normals normals; /* of a G-buffer */
-    bool all_slots;  /* of the pass value: each slot is an output of that number */
+    Normals normals; /* encoding of normals in a G-buffer */
+    bool all_slots;  /* pass `value` only: each slot is an output with the slot's number */
     Choice choice[AXIS_COUNT];
-    bool from_buffer; /* numbers of the document come from a buffer */
-    unsigned cases;   /* of the layout, 1 << number: those that are read back; 0: all */
-    bool moved;       /* vertices stand where they were displaced to */
-    bool computed;    /* a compute program is written, too: with the normals of what is displaced */
+    bool from_buffer; /* numbers of the document are read from a uniform block */
+    unsigned cases;   /* layout cases that are read back, 1 << case; 0: all */
+    bool moved;       /* vertices are already displaced */
+    bool computed;    /* also emits a compute program, with normals of the displaced surface */
     bool origin;      /* positions are relative to INPUT_origin */
-    /* an object's matrices, and the numbers of its material, are found by an attribute */
+    /* An object's matrices and its material's constants are indexed by an attribute
+     * (instancing). */
     bool instances;
 } Job;
 
-/* "// choices: aa=box powers=pow", those that are not their axis' default; nothing when there is
- * none. */
+/* Writes "// choices: aa=box powers=pow": choices that differ from their axis' default; nothing
+ * if all are defaults. */
 void job_put_choices(Text *out, const Job *job);
-/* {"noise": "lattice", ...} */
+/* Writes {"noise": "lattice", ...}. */
 void job_put_json(Text *out, const Job *job);
-/* The lattice noise that a target's programs compute, for the references. */
+/* Returns the lattice noise that a target's programs compute, for the references. */
 ReferenceNoise job_noise(Choice noise, Target target);
 #endif

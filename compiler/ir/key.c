@@ -1,9 +1,9 @@
-/* The deep structure of an IR as a list of words, and its hash. A word stands for a node's
- * operation, type and payload, then one for each operand: the number that the walk gave it, or for
- * a constant its type. Numbers are listed beside.
+/* The structure of an IR as a list of words, and its hash. A node appends its operation, type
+ * and payload, then a word for each operand: the operand's number in the walk, or the type of a
+ * constant. Numbers are listed separately.
  *
  *     add(x, 2)    words: input x -- add, 1, a float --    numbers: 2
- *     add(x, 3)    the same words: one shape; other numbers: two keys */
+ *     add(x, 3)    same words, so one shape; other numbers, so two keys */
 #include "compiler/ir/key.h"
 #include <string.h>
 #define XXH_INLINE_ALL
@@ -18,11 +18,11 @@ typedef struct {
     size_t number_count, number_room;
     NumberPlace *places;
     size_t place_count, place_room;
-    uint32_t *number; /* by Ref, from 1 in the order in which they are left; 0: not met */
+    uint32_t *number; /* by Ref, from 1 in post-order; 0: not visited */
     Ref *stack;
     size_t depth, stack_room;
     uint32_t met;
-    int *members; /* constants from the buffer, as they are left */
+    int *members; /* constants of the uniform block in post-order */
     size_t member_count, member_room;
 } Walk;
 
@@ -38,7 +38,7 @@ static void put_text(Walk *w, const char *text)
     put(w, (uint32_t)(hash >> 32));
 }
 
-/* A number as the program has it: rounded to float, but for whole numbers. */
+/* Rounds a number as the program does: floats to float; integers stay exact. */
 static double written(Type type, double value)
 {
     return type >= TYPE_float && type <= TYPE_vec4 ? (double)(float)value : value;
@@ -52,10 +52,10 @@ static void put_fixed(Walk *w, double number)
     put(w, halves[1]);
 }
 
-/* Puts a value's number in the walk, or a constant. */
+/* Appends an operand: its number in the walk, or a constant. */
 static void put_value(Walk *w, Ref value, bool placed)
 {
-    const uint32_t constant = 0x80000000u; /* no number of the walk */
+    const uint32_t constant = 0x80000000u; /* distinct from all numbers of the walk */
     const Ir *ir = w->ir;
     Type type = ir_type(ir, value);
     if (!ir_is(ir, value, OP_const)) {
@@ -72,7 +72,7 @@ static void put_value(Walk *w, Ref value, bool placed)
     }
 }
 
-/* An operand of a node, or an output's value. */
+/* Appends an operand of a node, or an output's value. */
 static void put_operand(Walk *w, Ref user, int operand, Ref value)
 {
     bool placed = ir_is(w->ir, value, OP_const) && constant_storable(ir_type(w->ir, value));
@@ -82,7 +82,7 @@ static void put_operand(Walk *w, Ref user, int operand, Ref value)
     put_value(w, value, placed);
 }
 
-/* Puts a texture's format and sampler; which picture it is does not matter. */
+/* Appends a texture's format and sampler; its image is not part of the key. */
 static void put_texture(Walk *w, const IrTexture *texture)
 {
     put(w, (uint32_t)texture->kind << 3 | (uint32_t)texture->floats << 2 |
@@ -94,7 +94,7 @@ static void put_payload(Walk *w, const IrNode *node)
 {
     const Ir *ir = w->ir;
     switch ((Payload)op_payload[node->op]) {
-    case PAYLOAD_attribute: /* the index is a location */
+    case PAYLOAD_attribute: /* the index is a vertex attribute location */
         put(w, node->payload);
         put_text(w, ir->graph->attributes[attribute_of(node->payload)]->name);
         break;
@@ -104,7 +104,7 @@ static void put_payload(Walk *w, const IrNode *node)
     case PAYLOAD_library:
         put_text(w, function_row((int)node->payload)->name);
         break;
-    case PAYLOAD_member: /* a buffer's members are told apart by the order in which they are met */
+    case PAYLOAD_member: /* members of the block are identified by their order in the walk */
         break;
     case PAYLOAD_texture:
         put(w, node->payload);
@@ -140,7 +140,7 @@ static void push(Walk *w, Ref ref)
         ARENA_PUSH(w->arena, w->stack, w->depth, w->stack_room, ref);
 }
 
-/* Operands first, the left one before the right. A node stays on the stack until all of its
+/* Post-order walk, left operands before right ones. A node stays on the stack until all of its
  * operands are numbered. */
 static void visit(Walk *w, Ref root)
 {

@@ -1,18 +1,19 @@
-/* Names temporaries and members of a buffer after the author's words.
+/* Names temporaries and uniform block members after the author's names.
  *
- *     defs: { clay: { map: Blend, input: { map: Granite } } }    clay, and below it clay_granite
- *     diffuse: { map: Blend }                                    diffuse_blend
- *     defs: { mix: { map: Blend } } blend_mix, as GLSL has a function mix
- *     a Mix that nobody names                                    mix_map
- *     defs: { "Lehm, naß": { map: Blend } }                      Lehm_na */
+ *     defs: { clay: { map: Blend, input: { map: Granite } } }   clay; its input clay_granite
+ *     diffuse: { map: Blend }                                   diffuse_blend
+ *     defs: { mix: { map: Blend } }                             blend_mix: mix is reserved
+ *     an unnamed Mix without an owner                           mix_map
+ *     defs: { "Lehm, naß": { map: Blend } }                     Lehm_na */
 #include "compiler/ir/ir.h"
 #include "compiler/graph/reserved.h"
 #include "compiler/base/text.h"
 #include <string.h>
 
-enum { LONGEST_WORD = 32 }; /* of an author's word, in a name or a comment */
+enum { LONGEST_WORD = 32 }; /* characters of an author's name in an identifier or comment */
 
-/* The word's letters and digits, an underscore for each run of anything else between them. */
+/* Appends the word's letters and digits; each run of other characters in between becomes an
+ * underscore. */
 static void put_identifier(Text *name, const char *word)
 {
     const size_t before = name->size;
@@ -32,7 +33,7 @@ static bool is_usable(const char *name)
     return text_is_letter(name[0]) && !reserved_is_word(name);
 }
 
-/* Owner, kind and own word, joined: those that are not NULL. */
+/* Joins owner, kind and own name, except those that are NULL. */
 static const char *join_words(Arena *arena, const char *owner, const char *kind, const char *word)
 {
     const char *const words[] = {owner, kind, word};
@@ -48,7 +49,7 @@ static const char *join_words(Arena *arena, const char *owner, const char *kind,
     return name.size ? name.at : "";
 }
 
-/* The plainest that GLSL takes. */
+/* Returns the simplest of the candidates that is a legal GLSL identifier. */
 static const char *name_of(Arena *arena, const Node *map)
 {
     const char *kind = kind_table[map->kind].function;
@@ -60,7 +61,8 @@ static const char *name_of(Arena *arena, const Node *map)
     return is_usable(named) ? named : join_words(arena, NULL, kind, "map");
 }
 
-/* A comment takes what is printed, but for the backslash that would join lines. */
+/* True if a name can be used in a comment: printable ASCII, without the backslash, which would
+ * join lines. */
 static bool is_plain(const char *word)
 {
     size_t size = strlen(word);

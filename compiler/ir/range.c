@@ -2,9 +2,8 @@
  *
  *     a = fract(u)       [0, 1], whatever u is
  *     b = sub(a, 0.5)    [-0.5, 0.5]
- *     c = mul(b, b)      [0, 0.25]: one value twice, where the corners alone would give [-0.25,
- *                        0.25]
- *     d = max(c, 0)      is c, as opt_range finds */
+ *     c = mul(b, b)      [0, 0.25]: equal operands; bounds alone would give [-0.25, 0.25]
+ *     d = max(c, 0)      equals c, which opt_range uses */
 #include "compiler/ir/range.h"
 #include "compiler/library/references.h"
 #include <math.h>
@@ -19,9 +18,9 @@ typedef struct {
 typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
-    uint32_t set; /* these guards, and no others: each set that held has a number of its own */
-    int steps;    /* left */
-    int depth;    /* of nodes that are being looked at again */
+    uint32_t set; /* id of this set of guards; every set ever active has its own id */
+    int steps;    /* remaining */
+    int depth;    /* recursion depth of reexamined nodes */
 } Guards;
 
 /* Interval of one component of a node while a set of guards holds. */
@@ -34,7 +33,7 @@ typedef struct {
 
 typedef struct Seen {
     SeenLane slots[SEEN_SLOTS];
-    uint32_t sets; /* so many have held */
+    uint32_t sets; /* number of sets so far */
 } Seen;
 
 struct Seen *range_seen_new(Arena *arena)
@@ -42,27 +41,28 @@ struct Seen *range_seen_new(Arena *arena)
     Seen *seen = arena_alloc(arena, sizeof *seen);
     seen->sets = 0;
     for (int i = 0; i < SEEN_SLOTS; i++)
-        seen->slots[i].set = 0; /* no set: the rest says nothing */
+        seen->slots[i].set = 0; /* no set: the slot is empty */
     return seen;
 }
 
-/* -- Intervals where a condition holds: in select(t < 1, a, b), t is below 1 in a, and not below it
- * in b. What an arm computes of t is computed once more with that, as far as LIMIT_GUARD_STEPS and
- * LIMIT_GUARD_DEPTH go; beyond, what is known everywhere.
+/* -- Guards: intervals under a condition. In the arms of select(t < 1, a, b), t is below 1 in a
+ * and at least 1 in b. Nodes of an arm that depend on t are recomputed with the narrower
+ * interval, up to LIMIT_GUARD_STEPS and LIMIT_GUARD_DEPTH; further nodes keep their general
+ * interval.
  *
- *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in [0, 1],
- *                                             so [0, 2] */
+ *     t in [0, 4], select(t < 1, t * t, 2)    [0, 16] by t alone; in the first arm t is in
+ *                                             [0, 1], so the result is in [0, 2] */
 
 static SeenLane *seen_slot(const Ranges *r, Ref ref, int lane)
 {
     return &r->seen->slots[(ref * 4 + (Ref)lane) % SEEN_SLOTS];
 }
 
-/* Number of intervals of a node: one for each component, and one for a sampler, which has none. */
+/* Number of intervals of a node: one per component; a sampler, without components, has one. */
 static int lanes_of(const Ir *ir, Ref ref) { return ir_lanes(ir, ref) ? ir_lanes(ir, ref) : 1; }
 
-/* Interval of a node that depends on guarded ones, with operands as they are where the guards hold.
- * */
+/* Recomputes the interval of a node that depends on guarded nodes, from its operands under the
+ * guards. */
 static Interval found_again(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Guards *guards = r->guards;
@@ -90,7 +90,7 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
     const Guards *guards = r->guards;
     Interval kept = range_kept(r, ref, lane);
     bool guarded = false;
-    lane = r->place[ref].by_lane ? lane : 0; /* a node with one interval for all components */
+    lane = r->place[ref].by_lane ? lane : 0; /* a node with a single interval for all components */
     for (int i = 0; i < guards->count; i++)
         if (guards->at[i].ref == ref) {
             kept = both(kept, guards->at[i].within);
@@ -102,8 +102,8 @@ Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return isnan(found.low) || isnan(found.high) || is_empty(narrow) ? kept : narrow;
 }
 
-/* The node that a condition compares with a constant, and where it lies when the condition holds,
- * and when not. */
+/* Decodes a comparison with a constant: the compared node, and its interval where the condition
+ * holds (sides[0]) and where it does not (sides[1]). */
 static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *value,
                            Interval sides[2])
 {
@@ -121,7 +121,7 @@ static bool read_condition(const Ranges *r, const Ir *ir, Ref condition, Ref *va
     return right || ir_is(ir, a, OP_const);
 }
 
-/* Intervals of all components of a select's arm, given its side of the condition. */
+/* Finds the intervals of all components of a select's arm, given its side of the condition. */
 static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval found[MOST_LANES])
 {
     const Interval none = {INFINITY, -INFINITY};
@@ -145,7 +145,8 @@ static void find_arm(Ranges *r, const Ir *ir, Ref arm, Guard side, Interval foun
     guards->set = set;
 }
 
-/* Union of both arms, for a condition that is no comparison with a constant, or too many guards. */
+/* Union of both arms, used if the condition is no comparison with a constant, or there are too
+ * many guards. */
 static Interval select_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     return hull(range_of(r, ir, ir_arg(ir, ref, 1), lane),
@@ -189,7 +190,7 @@ static Interval whole(const Ranges *r, const Ir *ir, Ref ref)
     return all;
 }
 
-/* That of the tables, whatever the arguments are. */
+/* Interval of a function by its table row, for any arguments. */
 static Interval table_range(int function)
 {
     switch (function) {
@@ -210,7 +211,7 @@ static Interval table_range(int function)
     }
 }
 
-/* Octaves of a noise in [-1, 1]: the sum of their strengths. */
+/* Bounds the octaves of a noise in [-1, 1] by the sum of their amplitudes. */
 static Interval octaves_range(Interval octaves, Interval ratio)
 {
     double strength = 1, most = 0;
@@ -222,7 +223,7 @@ static Interval octaves_range(Interval octaves, Interval ratio)
     return loose((Interval){-most, most});
 }
 
-/* Rises from shininess 0 to 1; beyond, it falls again. */
+/* phongExponent rises for a shininess from 0 to 1; above 1 it falls again. */
 static Interval exponent_range(Interval a)
 {
     double low, high;
@@ -235,7 +236,7 @@ static Interval exponent_range(Interval a)
     return (Interval){low * (1 - SLACK), fmin(high * (1 + SLACK), all.high)};
 }
 
-/* A call that reads a picture of floats. */
+/* True for a call that reads an image of floats, whose values are unbounded. */
 static bool reads_floats(const Ir *ir, Ref call)
 {
     const Ref sampler = ir_arg(ir, call, 0);
@@ -265,8 +266,8 @@ static Interval call_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     }
 }
 
-/* The sum of the products of lanes; of one lane alone, where all are as one, as often as there are
- * lanes. */
+/* Interval of a dot product: the sum over the components. With one interval for all components
+ * the same term is added once per component. */
 static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
@@ -279,7 +280,7 @@ static Interval dot_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return all;
 }
 
-/* a_j b_k - a_k b_j of the two other lanes; of one interval for all lanes, that minus itself. */
+/* Interval of a cross product's component: a_j b_k - a_k b_j with the other two components. */
 static Interval cross_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const Ref a = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);
@@ -298,7 +299,7 @@ static Interval length_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return loose((Interval){0, sqrt(squares)});
 }
 
-/* A lane of a matrix times a vector, by its columns. */
+/* Interval of one component of a matrix times a vector, given by columns. */
 static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Interval all = {0, 0};
@@ -308,7 +309,8 @@ static Interval linear_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return all;
 }
 
-/* The operand that a vector's lane comes from; all of them, where one interval is kept. */
+/* Interval of a vector's component: that of its part; the union of all parts if a single
+ * interval is stored. */
 static Interval vec_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     Interval all = range_of(r, ir, ir_arg(ir, ref, 0), 0);
@@ -350,7 +352,7 @@ static Interval kernel_range(const Ranges *r, const Ir *ir, Ref ref, int lane)
     return times(apply_range(r, ir, ref, lane), between(KERNEL_POINTS, KERNEL_POINTS));
 }
 
-/* Interval of an operand; unbounded if there is no such operand. */
+/* Interval of an operand; unbounded if the operand is missing. */
 static inline Interval operand_range(const Ranges *r, const Ir *ir, const IrNode *node, int i,
                                      int lane)
 {

@@ -1,66 +1,65 @@
-/* Intervals of every value of an IR: what opt_range rewrites by, and layouts are made from. */
+/* Interval analysis of all IR values, used by opt_range and to derive automatic layouts. */
 #ifndef MATC_RANGE_H
 #define MATC_RANGE_H
 #include "compiler/ir/interval.h"
 #include "compiler/ir/ir.h"
 
-/* Where in Ranges.of a node's intervals begin, 0: it may be anything; and whether each of its lanes
- * has one there. */
+/* Index of a node's intervals in Ranges.of; 0: unbounded. by_lane: one interval per component. */
 typedef struct {
     uint32_t first : 31, by_lane : 1;
 } RangePlace;
 
 typedef struct Ranges {
-    /* of each node that was looked at as many as it has lanes, or one; the first is of none */
+    /* intervals of the examined nodes, one per component or one each; index 0 is unused */
     Interval *of;
-    size_t used, room;     /* of them */
-    RangePlace *place;     /* by Ref */
-    size_t place_room;     /* of them */
-    Ref count;             /* of nodes when they were found last */
-    int lanes;             /* 1: one for all lanes of a node; FIELD_LANES: one a lane */
-    struct Guards *guards; /* under way: range.c */
+    size_t used, room; /* entries of `of` */
+    RangePlace *place; /* by Ref */
+    size_t place_room; /* entries of `place` */
+    Ref count;         /* number of nodes at the last search */
+    /* 1: one interval for all components of a node; FIELD_LANES: one per component */
+    int lanes;
+    struct Guards *guards; /* active guards: range.c */
     uint64_t guarded;      /* marks of the nodes that the guards compare; 0: no guards */
-    struct Seen *seen;     /* while they hold; NULL: there are none */
-    /* by Ref: of what conditions compare, what this node is made of; range_mark. NULL: likewise */
+    struct Seen *seen;     /* cache of guarded intervals; NULL: none */
+    /* By Ref: marks of the compared nodes on which a node depends, see range_mark(). NULL: no
+     * node is compared. */
     uint64_t *marks;
 } Ranges;
 
-/* Finds intervals of all nodes, in the arena. Arithmetic that rounds may exceed a bound by 1e-5 of
- * it. */
+/* Finds the intervals of all nodes, in the arena. Operations that round may exceed a bound by a
+ * relative error of 1e-5. */
 Ranges range_find(const Ir *ir, Arena *arena, int lanes);
-/* Finds intervals of live nodes; other nodes are unbounded. Intervals found before in the same
- * arena are reused. Zero all members but `lanes` before the first call. */
+/* Finds intervals of live nodes; other nodes are unbounded. Intervals found earlier in the same
+ * arena are reused. Zero all members except `lanes` before the first call. */
 void range_find_live(Ranges *r, const Ir *ir, Arena *arena, const uint8_t *live);
-/* Something was found of it. */
+/* An interval of this node is stored. */
 static inline bool range_is_found(const Ranges *r, Ref ref)
 {
     return ref < r->count && r->place[ref].first;
 }
 /* Finds intervals of the nodes that some roots reach. */
 Ranges range_find_below(const Ir *ir, Arena *arena, int lanes, const Ref *roots, int count);
-/* The interval of such a node holds to the last bit. */
+/* True for operations whose intervals are exact, without rounding error. */
 bool range_is_exact(Op op);
-/* Stored interval of a component: everywhere, and where the current guards hold. */
+/* Interval of a component as stored, regardless of guards; and while the current guards hold. */
 static inline Interval range_kept(const Ranges *r, Ref ref, int lane)
 {
     const RangePlace place = ref < r->count ? r->place[ref] : (RangePlace){0};
     return !place.first ? everything : r->of[place.first + (place.by_lane ? (uint32_t)lane : 0)];
 }
 Interval range_guarded(const Ranges *r, const Ir *ir, Ref ref, int lane);
-/* Interval of one component, or of their union if only that is stored. A node that is newer than
- * the ranges has the interval of all numbers. Only nodes that depend on a guarded node look at the
- * guards. */
+/* Interval of one component, or of their union if only that is stored. Nodes created after the
+ * analysis are unbounded. Guards are consulted only for nodes that depend on a guarded node. */
 static inline Interval range_of(const Ranges *r, const Ir *ir, Ref ref, int lane)
 {
     const bool guarded = r->guarded && ref < r->count && r->marks[ref] & r->guarded;
     return guarded ? range_guarded(r, ir, ref, lane) : range_kept(r, ref, lane);
 }
-/* A bit for a node that a condition compares: all but 64 share theirs. */
+/* Bit of a node that a condition compares; nodes share the 64 bits by their number modulo 64. */
 static inline uint64_t range_mark(Ref ref) { return 1ull << (ref & 63); }
-/* Nothing was found yet while guards held. */
+/* Creates an empty cache of guarded intervals. */
 struct Seen *range_seen_new(Arena *arena);
-/* Intervals of the `lanes` components of a select. They share its guards, so all are found
- * together. */
+/* Finds the intervals of a select's `lanes` components together, since they share its guards. */
 void range_select(const Ranges *r, const Ir *ir, Ref ref, int lanes, Interval *found);
 /* Interval that follows from the operands' intervals by the node's operation. */
 Interval range_computed(const Ranges *r, const Ir *ir, Ref ref, int lane);

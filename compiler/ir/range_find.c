@@ -1,4 +1,4 @@
-/* The intervals of all nodes that are asked for, operands first. */
+/* Finds the intervals of the requested nodes, operands first. */
 #include "compiler/ir/range.h"
 #include <math.h>
 
@@ -9,8 +9,8 @@ static bool compares(const Ir *ir, Ref ref)
 
 static bool is_asked(const uint8_t *live, Ref ref) { return !live || live[ref]; }
 
-/* A bit for each node that a condition compares with something, all but 64 of them sharing theirs;
- * and those of its operands. NULL: no condition does. */
+/* Marks the nodes that a condition compares, and propagates the marks to their users. Returns
+ * NULL if no node is compared. */
 static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint8_t *live)
 {
     uint64_t *marks = NULL;
@@ -32,7 +32,7 @@ static uint64_t *mark_compared(const Ir *ir, Arena *arena, Ref count, const uint
     return marks;
 }
 
-/* A sampler has no lane; of it, too, anything is said. */
+/* Number of stored intervals; a sampler, without components, gets one unbounded interval. */
 static int kept_lanes(const Ranges *r, const Ir *ir, Ref ref)
 {
     const int lanes = ir_lanes(ir, ref);
@@ -60,7 +60,7 @@ static void find(Ranges *r, const Ir *ir, Arena *arena, Ref count, const uint8_t
 {
     r->count = count;
     r->place = arena_reach(arena, r->place, count, &r->place_room, sizeof *r->place);
-    /* all lanes as one know no guards */
+    /* guards need one interval per component */
     r->marks = r->lanes > 1 ? mark_compared(ir, arena, count, live) : NULL;
     if (r->marks && !r->seen)
         r->seen = range_seen_new(arena);

@@ -1,4 +1,4 @@
-/* Where members of a uniform block lie: OpenGL 4.6, 7.6.2.2. */
+/* Offsets of uniform block members: OpenGL 4.6, 7.6.2.2. */
 #include "compiler/ir/std140.h"
 #include <string.h>
 

@@ -1,12 +1,12 @@
-/* The std140 layout of uniform blocks. Worked example: float, vec3, float lie at 0, 16, 28, and the
- * block has 32 bytes. */
+/* The std140 layout of uniform blocks. Example: float, vec3, float have the offsets 0, 16, 28,
+ * and the block has 32 bytes. */
 #ifndef MATC_STD140_H
 #define MATC_STD140_H
 
-/* Offset of a member of that GLSL type in a std140 block that is `size` bytes so far, which
- * grows. */
+/* Returns the offset of a member of a GLSL type in a std140 block of *size bytes, and adds the
+ * member to *size. */
 int std140_offset(const char *type, int *size);
-/* Bytes of a block whose last member ends there: whole vectors, as drivers want a buffer to
- * have. */
+/* Returns the size of a block whose last member ends at `end`: rounded up to whole vec4s, as
+ * drivers require of buffers. */
 int std140_size(int end);
 #endif
