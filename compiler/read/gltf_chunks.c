@@ -15,8 +15,8 @@ static uint32_t word_at(const char *bytes)
     return at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
 }
 
-/* Twelve bytes (`glTF`, version, length of all), then chunks, each of a length, a kind and so many
- * bytes: JSON, and one of a buffer.
+/* A .glb has a header of twelve bytes (`glTF`, version, total length), then chunks. A chunk
+ * consists of its length, its type and its bytes: first JSON, then optionally a binary buffer.
  *     67 6C 54 46  02 00 00 00  44 00 00 00 | 30 00 00 00 4A 53 4F 4E {"asset": ...} */
 const char *gltf_chunks_of(Arena *arena, const char *bytes, size_t size, GltfChunks *chunks)
 {

@@ -9,10 +9,10 @@ enum { MOST_DIGITS = 7 };
 typedef struct {
     GltfBytes bytes;
     bool read;
-    const char *why; /* it could not be */
+    const char *why; /* reason why it could not be read */
 } Buffer;
 
-/* A file that a .gltf names; `why`: it could not be read. */
+/* An external file that a .gltf refers to; `why`: the reason why it could not be read. */
 struct GltfBeside {
     GltfBytes bytes;
     const char *why;
@@ -20,10 +20,10 @@ struct GltfBeside {
 
 struct GltfFile {
     const Tree *root; /* NULL: it could not be read */
-    const char *why;  /* it could not */
+    const char *why;  /* the reason */
     const char *binary;
     size_t binary_size;
-    Buffer *buffers; /* by number; NULL: none was asked for */
+    Buffer *buffers; /* by index; NULL: no buffer has been requested */
 };
 
 static bool ends_in(const char *name, size_t size, const char *ending)
@@ -69,7 +69,7 @@ static int digit_of(char c)
     return at ? (int)(at - digits) : -1;
 }
 
-/* "data:image/png;base64,iVBORw0..." (RFC 2397, RFC 4648). */
+/* Decodes a data: URI: "data:image/png;base64,iVBORw0..." (RFC 2397, RFC 4648). */
 static bool decode_data(Session *session, const Tree *uri, GltfBytes *bytes, const char **why)
 {
     static const char mark[] = ";base64,";
@@ -108,7 +108,8 @@ static GltfBeside read_file_beside(Session *session, const char *path)
     return beside;
 }
 
-/* Reads each file once, whether that works or not: `uri` is relative to `from`. */
+/* Reads an external file once and caches the result, even a failure. `uri` is relative to the
+ * glTF file. */
 static bool read_beside(const GltfPlace *place, const char *uri, GltfBytes *bytes, const char **why)
 {
     Session *session = place->session;
@@ -124,7 +125,7 @@ static bool read_beside(const GltfPlace *place, const char *uri, GltfBytes *byte
     return bytes->at != NULL;
 }
 
-/* A file, a data: address, the chunk of a .glb. */
+/* Reads a buffer: an external file, a data: URI, or the binary chunk of a .glb. */
 static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t number, Buffer *buffer)
 {
     GltfBytes *bytes = &buffer->bytes;
@@ -140,7 +141,7 @@ static bool read_buffer(const GltfPlace *place, const GltfFile *file, size_t num
            (*why = "its buffer has no uri, and the file no binary chunk", false);
 }
 
-/* Content of a buffer, read once; NULL: `why`. */
+/* Returns a buffer's content, which is read once; NULL and *why on failure. */
 static const Buffer *buffer_of(const GltfPlace *place, GltfFile *file, size_t number,
                                const char **why)
 {
@@ -177,7 +178,7 @@ static bool read_view(const GltfPlace *place, GltfFile *file, const Tree *index,
     return true;
 }
 
-/* Adds the sources that the session has got since the last call. */
+/* Indexes the sources that the session has opened since the last call. */
 static void index_sources(Session *session, GltfFiles *files)
 {
     for (; files->indexed < session->source_count; files->indexed++) {
@@ -189,7 +190,7 @@ static void index_sources(Session *session, GltfFiles *files)
     }
 }
 
-/* A source of that path: one that was read as a document, or read now. */
+/* Finds the source with this path among the documents already read, or reads it. */
 static bool find_source(Session *session, GltfFiles *files, const char *path, uint32_t *found,
                         const char **why)
 {

@@ -1,4 +1,4 @@
-/* Text -> Tree: what is asked of any text, then the reader that its name calls for. */
+/* Text -> Tree: checks the encoding, then selects the reader by the file's name. */
 #include "compiler/read/gltf_chunks.h"
 #include "compiler/read/read.h"
 #include <string.h>
@@ -13,7 +13,7 @@ static bool check_utf8(const TreeBuilder *b, const Source *source)
 {
     const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
     for (const unsigned char *at = text + b->start; at < end;) {
-        /* nearly all are of one byte */
+        /* nearly all characters are ASCII */
         const int length = *at < 0x80 ? 1 : text_utf8_length(at, end);
         if (!length) {
             uint32_t offset = (uint32_t)(at - text);

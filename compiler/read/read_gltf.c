@@ -1,14 +1,14 @@
-/* The materials of a glTF 2.0 file as a document of materials `glTF`: what stands in its JSON stays
- * where it stands, so that faults are reported there.
+/* Converts the materials of a glTF 2.0 file to a document with materials of kind `glTF`. Values
+ * keep their positions in the JSON, so that faults are reported there.
  *
  *     "materials": [{ "name": "Bark", "pbrMetallicRoughness": { "roughnessFactor": 0.8,
  *         "baseColorTexture": { "index": 0 } } }]
- *     becomes    materials: { Bark: { material: glTF, roughnessFactor: 0.8, baseColorTexture: {
- *                map: ImageMap, image: bark.png, colorspace: srgb } } }
+ *     becomes    materials: { Bark: { material: glTF, roughnessFactor: 0.8,
+ *                baseColorTexture: { map: ImageMap, image: bark.png, colorspace: srgb } } }
  *
- * A member of a material, of its pbrMetallicRoughness or of an extension becomes the parameter of
- * that name, if the material glTF has it; of others it is said that they are not read. Where
- * primitives have no material, there is one more, called `default`. */
+ * Members of a material, of its pbrMetallicRoughness and of its extensions become parameters of
+ * the same name, if the material glTF has them; others are reported as ignored. If a primitive
+ * has no material, one named `default` is added. */
 #include "compiler/base/names.h"
 #include "compiler/base/text.h"
 #include "compiler/read/gltf_chunks.h"
@@ -23,23 +23,23 @@ enum {
     CLAMP = 33071,
     MIRROR = 33648,
     REPEAT = 10497
-}; /* of OpenGL, as samplers have them */
+}; /* OpenGL constants, as samplers use them */
 
 typedef struct {
     Session *session;
     const Tree *root;
-    Names names; /* of materials so far */
-    Names stems; /* names that several materials have in the file */
-    int *last;   /* by stem: the number behind the last of its twins */
+    Names names; /* names of the materials so far */
+    Names stems; /* names that several materials of the file share */
+    int *last;   /* by stem: the number of the last duplicate */
     size_t last_count, last_room;
-    /* by material: one of its primitives has vertex colors; then the same of those without a
-     * material */
+    /* By material: a primitive with this material has vertex colors. The last entry is for
+     * primitives without a material. */
     bool *colored;
     uint32_t material_count;
     bool bare; /* a primitive has no material */
 } Gltf;
 
-/* An object that is being made. */
+/* An object under construction. */
 typedef struct {
     Member *members;
     size_t count, room;
@@ -90,7 +90,8 @@ static int whole_of(const Tree *tree, int without)
                : without;
 }
 
-/* The item of a list of the file that an index names; NULL: said. */
+/* Returns the item of a top-level list with the given index; NULL after reporting an invalid
+ * index. */
 static Tree *item_of(Gltf *g, const char *list, const Tree *index)
 {
     const Tree *items = value_of(g->root, list);
@@ -102,7 +103,7 @@ static Tree *item_of(Gltf *g, const char *list, const Tree *index)
     return NULL;
 }
 
-/* How the picture goes on, and whether texels are mixed. */
+/* Translates a sampler: address mode and filter. */
 static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
 {
     const Tree *index = value_of(texture, "sampler"),
@@ -121,8 +122,8 @@ static void put_sampler(Gltf *g, Keys *made, const Tree *texture)
         put(g, made, "texels", word(g, "centre", texture->span));
 }
 
-/* KHR_texture_transform: (u, v) times `scale` plus `offset`, with v downwards; ours goes up: v' = 1
- * - (sy (1 - v) + oy). */
+/* Translates KHR_texture_transform: (u, v) times `scale` plus `offset`, with v pointing down.
+ * Here v points up: v' = 1 - (sy (1 - v) + oy). */
 static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinates)
 {
     const Tree *transform = value_of(value_of(info, "extensions"), "KHR_texture_transform");
@@ -152,8 +153,8 @@ static void put_transform(Gltf *g, Keys *made, const Tree *info, Tree *coordinat
     put(g, made, "input", object(g, &map, span));
 }
 
-/* The second set of texture coordinates is an attribute of the mesh; NULL: the first. Tangents are
- * those of the first. */
+/* Returns the map for the second set of texture coordinates, which is a mesh attribute; NULL for
+ * the first set. Tangents are always those of the first set. */
 static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
 {
     const Tree *set = value_of(info, "texCoord");
@@ -167,7 +168,7 @@ static Tree *coordinates_of(Gltf *g, const Tree *info, bool normals)
     return NULL;
 }
 
-/* The file's name; of a picture within this one, the place that it has in it. */
+/* Writes an image's path: the external file's name, or a fragment path for an embedded image. */
 static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number)
 {
     const Tree *uri = value_of(image, "uri");
@@ -178,7 +179,8 @@ static void put_image(Gltf *g, Keys *made, const Tree *image, const Tree *number
                     image->span));
 }
 
-/* { index, texCoord } as a map; NULL: it cannot be had, which is said. */
+/* Converts a texture reference { index, texCoord } to an ImageMap; NULL after reporting why it
+ * is impossible. */
 static Tree *picture(Gltf *g, const Tree *info, bool srgb, bool normals)
 {
     const Tree *index = value_of(info, "index");
@@ -215,7 +217,7 @@ static bool ends_in_texture(const char *key)
     return size > end && !strcmp(key + size - end, "Texture");
 }
 
-/* A picture, and the factor that stands beside its index. */
+/* Adds an ImageMap, and the factor that accompanies its index. */
 static void put_picture(Gltf *g, Keys *made, const Member *member, int param)
 {
     static const struct {
@@ -258,8 +260,8 @@ static void put_members(Gltf *g, Keys *made, const Tree *from, bool outermost)
     }
 }
 
-/* The number behind the last twin of a stem. Each number is tried once, so that n materials of one
- * name take n steps. */
+/* Returns the number of the last duplicate of a name. Each number is tried once, so n materials
+ * of one name take n steps. */
 static int *last_twin(Gltf *g, const char *stem)
 {
     const int first = 1, known = names_find(&g->stems, stem);
@@ -269,7 +271,7 @@ static int *last_twin(Gltf *g, const char *stem)
     return &g->last[names_add(g->session->arena, &g->stems, stem)];
 }
 
-/* Letters, digits and _-. behind a letter, and one that no other has. */
+/* Returns a unique name made of letters, digits, '_', '-' and '.', starting with a letter. */
 static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
 {
     Text text = text_new(g->session->arena);
@@ -290,8 +292,8 @@ static const char *name_for(Gltf *g, const Tree *given, uint32_t number)
     return text.at;
 }
 
-/* Finds the materials of primitives with vertex colors, and whether a primitive has none: one pass
- * over all primitives. */
+/* Finds the materials of primitives with vertex colors, and whether a primitive has no material,
+ * in one pass over all primitives. */
 static void find_primitives(Gltf *g)
 {
     const Tree *meshes = value_of(g->root, "meshes"), *materials = value_of(g->root, "materials");
@@ -310,7 +312,7 @@ static void find_primitives(Gltf *g)
     }
 }
 
-/* Vertex colours multiply the base colour, and its alpha. */
+/* Vertex colors multiply the base color and its alpha. */
 static void put_vertex_color(Gltf *g, Keys *made, Span span)
 {
     Tree *color = word(g, "= vertexColor", span);

@@ -1,6 +1,6 @@
-/* JSON -> Tree, by RFC 8259 to the letter, with the position of every value and of the first byte
- * that is wrong. The reader goes down the grammar, one function a rule; a text is looked through
- * first, which gives its size, and then written. */
+/* Recursive-descent parser: JSON -> Tree, strictly by RFC 8259, with the position of every value
+ * and of the first invalid byte. Each grammar rule is a function. A string is scanned first to
+ * measure it, then decoded. */
 #include "compiler/read/read.h"
 #include "compiler/base/text.h"
 #include <string.h>
@@ -22,7 +22,7 @@ static Span span_of(const Json *j, const char *from, const char *to)
     return (Span){(uint32_t)(from - j->text), (uint32_t)(to - j->text), j->b->file};
 }
 
-/* The end of the word, number or character that stands at `at`. */
+/* Returns the end of the word, number or character at `at`. */
 static const char *token_end(const Json *j, const char *at)
 {
     const char *from = at;
@@ -33,8 +33,8 @@ static const char *token_end(const Json *j, const char *at)
                : at + text_utf8_length((const unsigned char *)at, (const unsigned char *)j->end);
 }
 
-/* The fault that everything else is: another thing stands where the grammar wants `wanted`. Always
- * NULL. */
+/* Reports a syntax error: the grammar expects `wanted`, but another token was found. Always
+ * returns NULL. */
 static void *wants(const Json *j, const char *at, const char *wanted)
 {
     Text found = text_new(j->b->session->arena);
@@ -65,7 +65,7 @@ static bool is_digit(const Json *j, const char *at)
     return at < j->end && *at >= '0' && *at <= '9';
 }
 
-/* digit+; false and a diagnostic where there is none. */
+/* digit+; reports a missing digit and returns false. */
 static bool skip_digits(Json *j)
 {
     if (!is_digit(j, j->at))
@@ -96,7 +96,7 @@ static bool skip_number(Json *j)
     return true;
 }
 
-/* The four digits of \uXXXX at `at`; -1: they are none. */
+/* Parses the four digits of \uXXXX at `at`; -1 if they are invalid. */
 static int32_t hex_code(const Json *j, const char *at)
 {
     int32_t code = 0;
@@ -109,9 +109,9 @@ static int32_t hex_code(const Json *j, const char *at)
     return code;
 }
 
-/* The character of the escape at `at`, and the escape's size. U+D83D and U+DE00, each an escape,
- * are the one character U+1F600: (0xD83D - 0xD800) << 10 | (0xDE00 - 0xDC00), plus 0x10000. -1: no
- * escape, or half of such a pair. */
+/* Decodes the escape at `at` and returns its code point and size. A surrogate pair of two
+ * escapes such as U+D83D and U+DE00 is one character, U+1F600: (0xD83D - 0xD800) << 10 | (0xDE00
+ * - 0xDC00), plus 0x10000. Returns -1 for an invalid escape or half of a pair. */
 static int32_t read_escape(const Json *j, const char *at, int *size)
 {
     static const char letters[] = "\"\\/bfnrt", meaning[] = "\"\\/\b\f\n\r\t";
@@ -160,7 +160,7 @@ static bool open_text(const Json *j, const char *from)
     return diag_add(j->b->session, span_of(j, from, from + 1), DIAG_json_open);
 }
 
-/* Goes to the end of the text whose quote stands at j->at; *size: its bytes when it is written. */
+/* Scans the string whose opening quote is at j->at; *size is its decoded size in bytes. */
 static bool measure_text(Json *j, size_t *size)
 {
     const char *from = j->at++;
@@ -192,7 +192,7 @@ static void write_text(const Json *j, const char *at, char *to)
     }
 }
 
-/* text: " (character | escape)* " */
+/* string: " (character | escape)* " */
 static const char *read_text(Json *j, uint32_t *size)
 {
     const char *from = j->at;
@@ -231,7 +231,7 @@ static Tree *read_number(Json *j)
     return skip_number(j) ? read_scalar(j, from, NULL, (uint32_t)(j->at - from), true) : NULL;
 }
 
-/* true, false or null; anything else is no value. */
+/* true, false or null; any other word is an error. */
 static Tree *read_word(Json *j)
 {
     static const char *const words[] = {"true", "false", "null"};
@@ -248,8 +248,8 @@ static Tree *read_word(Json *j)
     return wants(j, from, "a value");
 }
 
-/* After a part of a list or an object, `close` being its last character: 1 for a comma, 0 for the
- * end, -1 for a fault. */
+/* Reads the separator after an item or member; `close` ends the collection. Returns 1 for a
+ * comma, 0 for the end, -1 for a fault. */
 static int next_part(Json *j, Span whole, char close)
 {
     skip_space(j);
@@ -302,7 +302,7 @@ static bool read_list(Json *j, Tree *list, int depth)
     return more == 0;
 }
 
-/* member: text : value */
+/* member: string : value */
 static bool read_member(Json *j, int depth)
 {
     Member member;
@@ -350,7 +350,7 @@ static Tree *read_collection(Json *j, TreeKind kind, int depth)
     return tree;
 }
 
-/* value: object | list | text | number | word */
+/* value: object | list | string | number | word */
 static Tree *read_value(Json *j, int depth)
 {
     skip_space(j);

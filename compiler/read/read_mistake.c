@@ -1,13 +1,13 @@
-/* Explains a fault of YAML by its line and the line above it.
+/* Explains a YAML syntax error by its line and the line above it.
  *
- *     map: Checker          libyaml reads "Checker color1" as a text of two lines, and trips over
- *                           the ':' behind it;
- *       color1: red         what is wrong is that color1 stands deeper than the line above it. */
+ *     map: Checker          libyaml reads "Checker color1" as a scalar of two lines, and
+ *       color1: red         reports the ':' after it. The actual error is the deeper
+ *                           indentation of color1. */
 #include "compiler/read/read_mistake.h"
 #include <string.h>
 
 typedef struct {
-    /* of the line, its first word, and the line's end without its break */
+    /* start of the line, its first word, and its end without the line break */
     const char *start, *word, *end;
     uint32_t indent;
 } Line;
@@ -22,7 +22,8 @@ static Line line_at(const Source *source, uint32_t offset)
     return (Line){start, start + indent, end, (uint32_t)indent};
 }
 
-/* The line above that says something; the same line if there is none. */
+/* Returns the nearest line above that is neither empty nor a comment; the same line if there is
+ * none. */
 static Line line_above(const Source *source, const Line *line)
 {
     Line above = *line;
@@ -34,7 +35,8 @@ static Line line_above(const Source *source, const Line *line)
     return *line;
 }
 
-/* The ':' of the line's first key: before a space or the line's end; NULL: there is none. */
+/* Returns the ':' of the line's first key, before a space or the line's end; NULL if it is
+ * missing. */
 static const char *colon_of(const char *from, const char *end)
 {
     for (const char *at = from; at < end && *at != '#'; at++)
@@ -55,7 +57,7 @@ static const char *word_end(const char *word, const char *end)
     return word;
 }
 
-/* "specular 0.3", "specular:0.3" */
+/* Reports a missing colon or space: "specular 0.3", "specular:0.3". */
 static bool say_no_colon(Session *session, const Source *source, const YamlFault *fault,
                          const Line *line)
 {
@@ -88,7 +90,7 @@ static bool say_tab(Session *session, const Source *source, const YamlFault *fau
     return tab != NULL;
 }
 
-/* "mapping values are not allowed": a ':' where a value is being read already. */
+/* Explains "mapping values are not allowed": a ':' inside a value. */
 static bool say_second_colon(Session *session, const Source *source, const YamlFault *fault,
                              const Line *line)
 {
@@ -107,8 +109,7 @@ static bool say_second_colon(Session *session, const Source *source, const YamlF
     return line->indent > above.indent && say_indent(session, source, fault, line);
 }
 
-/* `{ map: Checker color1: red }`: a value in braces or brackets that goes on where it should
- * end. */
+/* Explains `{ map: Checker color1: red }`: a missing comma in braces or brackets. */
 static bool say_no_comma(Session *session, const Source *source, const YamlFault *fault,
                          const Line *line)
 {
@@ -126,13 +127,13 @@ static bool say_no_comma(Session *session, const Source *source, const YamlFault
     return word < end;
 }
 
-/* A brace, a bracket or a quote that has no end: whatever libyaml trips over, it begins at
- * `context`.
+/* Explains a brace, bracket or quote that is not closed. libyaml reports a later position;
+ * `context` is where the collection or string begins.
  *
- *     diffuse: { map: Checker, color1: red      libyaml reads on, and trips over the ':' of the
- *                                               next line, which stands
- *     specular: 0.5                             no deeper than the line of the brace: so the brace
- *                                               was to be closed before. */
+ *     diffuse: { map: Checker, color1: red      libyaml reads on and reports the ':' of the
+ *     specular: 0.5                             next line. That line is not indented deeper
+ *                                               than the brace's line, so the brace should
+ *                                               have been closed before it. */
 static bool say_open(Session *session, const Source *source, const YamlFault *fault,
                      const Line *line)
 {
@@ -160,8 +161,8 @@ static bool is_open(const char *problem)
     return found;
 }
 
-/* The '#' of a colour that begins a comment in these bytes: behind a space, outside of quotes.
- * NULL: there is none. */
+/* Returns the '#' of a color that starts a comment in these bytes: after a space, outside
+ * quotes. NULL: not found. */
 static const char *hash_within(const char *at, const char *end)
 {
     char quote = 0;
@@ -177,8 +178,8 @@ static const char *hash_within(const char *at, const char *end)
     return NULL;
 }
 
-/* `{ color1: #ff0000, color2: red }`: what stands behind the '#' is lost, the brace that closes it
- * too. */
+/* Explains `{ color1: #ff0000, color2: red }`: the '#' starts a comment that includes the
+ * closing brace. */
 static bool say_hash(Session *session, const Source *source, const YamlFault *fault,
                      const Line *line)
 {

@@ -1,15 +1,15 @@
-/* Faults of YAML in words of indentation and colons, which authors think in, and not in those of
- * its grammar. */
+/* Explains YAML syntax errors in terms of indentation and colons, which authors know, instead of
+ * YAML's grammar. */
 #ifndef MATC_READ_MISTAKE_H
 #define MATC_READ_MISTAKE_H
 #include "compiler/base/session.h"
 
-/* Message of libyaml, and its place in bytes of the source. */
+/* A message of libyaml, and its position in bytes of the source. */
 typedef struct {
     const char *problem;
-    uint32_t at, context, file; /* context: where what it was reading begins */
+    uint32_t at, context, file; /* context: start of the enclosing construct */
 } YamlFault;
 
-/* True: the fault is a common one, and it is said. */
+/* Returns true if the error is a common one, which has then been reported. */
 bool read_mistake(Session *session, const YamlFault *fault);
 #endif

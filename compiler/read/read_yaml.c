@@ -1,5 +1,5 @@
-/* YAML -> Tree: libyaml's events become values. An alias shares its anchor's node, so nothing is
- * ever expanded. */
+/* YAML -> Tree, from libyaml's events. An alias shares the node of its anchor, so aliases are
+ * never expanded. */
 #include "compiler/read/read.h"
 #include "compiler/base/memory.h"
 #include "compiler/read/read_mistake.h"
@@ -18,15 +18,15 @@ typedef struct {
     TreeBuilder *b;
     Session *session;
     yaml_parser_t parser;
-    /* byte offset of every MARK_STEP'th character; NULL for ASCII, where they are the same */
+    /* Byte offset of every MARK_STEP-th character; NULL for ASCII text, where both counts agree. */
     const uint32_t *bytes;
-    size_t characters; /* of the whole text */
+    size_t characters; /* length of the whole text */
     Anchor *anchors;
     size_t anchor_count, anchor_room;
-    HashIndex anchor_index; /* by their names */
+    HashIndex anchor_index; /* by name */
 } Reader;
 
-/* libyaml counts characters, a Span bytes. */
+/* Prepares the conversion of positions: libyaml counts characters, a Span bytes. */
 static void map_characters(Reader *r, const Source *source)
 {
     const unsigned char *text = (const unsigned char *)source->text, *end = text + source->size;
@@ -110,7 +110,7 @@ static void keep_anchor(Reader *r, const yaml_char_t *name, Tree *tree)
         return;
     const size_t size = strlen((const char *)name);
     Anchor *given = anchor_of(r, (const char *)name);
-    if (given) { /* a name may be given anew */
+    if (given) { /* a name may be redefined */
         tree->name = given->name;
         given->tree = tree;
         return;
@@ -157,7 +157,7 @@ static bool read_list(Reader *r, Tree *list, int depth)
     return true;
 }
 
-/* A key with an anchor is a value, too: `&a key: 1`, `other: *a`. */
+/* A key with an anchor becomes a value as well: `&a key: 1`, `other: *a`. */
 static bool keep_key(Reader *r, const yaml_event_t *event, const Member *member)
 {
     Tree *tree = tree_build_value(r->b, TREE_scalar, member->span);
@@ -170,7 +170,8 @@ static bool keep_key(Reader *r, const yaml_event_t *event, const Member *member)
     return true;
 }
 
-/* A key's event becomes a member without a value; *merge: it is `<<`. Takes the event over. */
+/* Converts a key's event to a member without a value; *merge: the key is `<<`. Deletes the
+ * event. */
 static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge)
 {
     *member = (Member){.span = span_of(r, event)};
@@ -187,8 +188,8 @@ static bool read_key(Reader *r, yaml_event_t *event, Member *member, bool *merge
     return name;
 }
 
-/* `<<: *base` brings the members of base that the object lacks; of `<<: [*a, *b]` the first
- * counts. */
+/* `<<: *base` adds the members of base that the object lacks; in `<<: [*a, *b]` earlier bases
+ * take precedence. */
 static bool merge_members(Reader *r, Tree *object, Tree *base)
 {
     return base->kind == TREE_list ? tree_build_merge(r->b, object, base->items, base->count)
@@ -240,7 +241,7 @@ static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_cha
     return fine ? tree : NULL;
 }
 
-/* value: scalar | list | object | alias. Takes the event over. */
+/* value: scalar | list | object | alias. Deletes the event. */
 static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
 {
     Tree *tree = NULL;
@@ -292,8 +293,8 @@ static Tree *read_stream(Reader *r)
     }
 }
 
-/* Lines that begin with %TAG, wherever they stand: libyaml reads them all before it tells of the
- * first. */
+/* Limits the lines that begin with %TAG, anywhere in the text: libyaml parses all of them before
+ * its first event. */
 static bool check_tags(const TreeBuilder *b, const Source *source)
 {
     static const char tag[] = "%TAG";

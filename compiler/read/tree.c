@@ -1,4 +1,4 @@
-/* Questions about a Tree, and its text form. */
+/* Queries of a Tree, and its text form. */
 #include "compiler/read/tree.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/json_write.h"
@@ -32,7 +32,7 @@ const char *tree_describe(Session *session, const Tree *tree)
     return text.at;
 }
 
-enum { LARGE_OBJECT = 16 }; /* members from which on a hash table pays */
+enum { LARGE_OBJECT = 16 }; /* min number of members for a hash table */
 
 uint32_t tree_hash(const char *key, size_t size) { return (uint32_t)key_of_bytes(key, size).low; }
 
@@ -41,7 +41,7 @@ static bool has_key(const Member *member, const char *key, size_t size)
     return member->size == size && !memcmp(member->key, key, size);
 }
 
-/* A power of two that leaves half of the table empty. */
+/* Returns a power of two that leaves at least half of the table empty. */
 static uint32_t table_size(uint32_t count)
 {
     uint32_t size = 64;
@@ -50,8 +50,8 @@ static uint32_t table_size(uint32_t count)
     return size;
 }
 
-/* The table's entry of a key, in one block with the members, which it is as old as and never
- * outgrows: it holds the number of the first member that has it, from 1, or 0. */
+/* Returns the hash table entry of a key: the number of the first member with the key, from 1, or
+ * 0. The table follows the members in the same allocation and never grows. */
 static uint32_t *table_entry(const Tree *object, const char *key, size_t size)
 {
     uint32_t *table = (uint32_t *)(object->members + object->count),

@@ -1,5 +1,5 @@
-/* The document as it was written: objects, lists and scalars, each with its position. Aliases share
- * their anchor's node. */
+/* The document as parsed: objects, lists and scalars, each with its position. Aliases share the
+ * node of their anchor. */
 #ifndef MATC_TREE_H
 #define MATC_TREE_H
 #include "compiler/base/session.h"
@@ -10,67 +10,68 @@ typedef enum {
     TREE_object, /* members, count */
 } TreeKind;
 
-/* Result of resolving a subtree, so that a shared one is resolved once. */
+/* Result of resolving a subtree, so that a shared subtree is resolved once. */
 typedef enum { MADE_nothing, MADE_node, MADE_wave, MADE_items, MADE_list } Made;
 
 typedef struct Tree Tree;
 typedef struct {
     const char *key; /* zero-terminated */
     Tree *value;
-    Span span;     /* of the key */
+    Span span;     /* position of the key */
     uint32_t size; /* bytes of the key */
 } Member;
 
-/* Documents have up to LIMIT_TREE_NODES of these: every byte here is one of
+/* Documents have up to LIMIT_TREE_NODES trees: each byte of the struct counts in
  * docs/reference/stability.md, Memory. */
 struct Tree {
     uint8_t kind; /* TreeKind */
-    uint8_t made; /* Made: which of the last pointers is set; MADE_nothing: the name may be */
-    bool plain;   /* scalar: unquoted, so that it may be a number, a truth value or null */
-    bool open;    /* being read, or being resolved: met again, it contains itself */
-    bool shared;  /* an alias stands for it */
-    bool failed;  /* resolve: has a fault that was reported */
-    bool printed; /* tree_print has shown it */
-    bool scoped;  /* scalar: a ScopedTree */
+    uint8_t made; /* Made: selects the last union; MADE_nothing: `name` may be set */
+    bool plain;   /* scalar: unquoted, so it may be a number, a boolean or null */
+    bool open;    /* being read or resolved; a visit meanwhile means a cycle */
+    bool shared;  /* an alias refers to it */
+    bool failed;  /* resolve: a fault in it was reported */
+    bool printed; /* tree_print has printed it */
+    bool scoped;  /* scalar: the tree is a ScopedTree */
     Span span;
     uint32_t count; /* items or members; bytes of a scalar */
     union {
         const char *text; /* zero-terminated */
         Tree **items;
-        Member *members; /* with a hash table behind them where they are many: tree_set_members */
+        Member *members; /* followed by a hash table if there are many: tree_set_members */
     };
     union {
         const struct Node *node;
         const struct Wave *wave;
         const struct Items *items_made;
-        const char *name; /* the author's, NULL for none: its key under `defs:`, else its anchor */
+        const char *name; /* author's name, its key under `defs:` or its anchor; NULL: unnamed */
     };
 };
 
-/* A formula of a definition, and the arguments of those parameters that it names: members of an
- * object. */
+/* A formula inside a definition, with the arguments of the parameters that the formula uses:
+ * members of an object. */
 typedef struct {
     Tree tree;
     const Tree *arguments;
 } ScopedTree;
 
-/* Text -> Tree, for YAML and JSON; NULL: see the diagnostics. `source` is an index into
- * c->sources. */
+/* Parses a YAML, JSON or glTF source. Returns NULL after reporting faults. `source` is an index
+ * into session->sources. */
 Tree *read_document(Session *session, uint32_t source);
 uint32_t tree_hash(const char *key, size_t size);
-/* The object's members are a copy of these. Of those with one key tree_find gives the first. */
+/* Sets the object's members to a copy of the array. For duplicate keys tree_find() returns the
+ * first. */
 void tree_set_members(Session *session, Tree *object, const Member *members, size_t count);
-/* The first member of that key, or NULL. */
+/* Returns the first member with this key, or NULL. */
 const Member *tree_find(const Tree *object, const char *key);
 const Member *tree_find_bytes(const Tree *object, const char *key, size_t size);
 bool tree_is_null(const Tree *tree);
-/* A plain scalar that is a finite number. */
+/* Returns true for a plain scalar that is a finite number. */
 bool tree_number(const Tree *tree, double *value);
-/* Where bytes of a scalar's text stand in its source, through quotes, escapes and folded lines.
+/* Maps a byte range of a scalar's text to its source, through quotes, escapes and folded lines.
  * tree_place.c */
 Span tree_place(const Session *session, const Tree *scalar, uint32_t start, uint32_t end);
-/* Description of a value, for messages: "a list", "the number 3", "'text'". */
+/* Describes a value for messages: "a list", "the number 3", "'text'". */
 const char *tree_describe(Session *session, const Tree *tree);
-/* The tree as indented YAML-like text, with positions; a shared subtree is printed once. */
+/* Prints the tree as indented YAML-like text with positions; a shared subtree is printed once. */
 void tree_print(Text *out, Tree *tree);
 #endif

@@ -1,4 +1,5 @@
-/* Parts -> Tree: values, texts, lists and objects as the readers of YAML and JSON meet them. */
+/* Builds a Tree: values, texts, lists and objects in the order in which the YAML and JSON
+ * parsers find them. */
 #include "compiler/read/tree_build.h"
 #include "compiler/base/memory.h"
 #include <stdlib.h>
@@ -41,7 +42,7 @@ void tree_build_check_text(TreeBuilder *b, const char *text, size_t size, Span s
         b->zero = span;
 }
 
-/* Not of the arena, which would keep every size that a stack had. */
+/* Stacks use malloc; an arena would retain every size a stack has had. */
 void *tree_build_room(void *stack, size_t count, size_t *room, size_t size)
 {
     if (count < *room)
@@ -73,7 +74,8 @@ void tree_build_list(TreeBuilder *b, Tree *list, size_t from)
     b->item_count = from;
 }
 
-/* tree_find gives the first member of a key: any other that has it stands there twice. */
+/* tree_find() returns the first member of a key, so any other member with that key is a
+ * duplicate. */
 static void check_duplicates(TreeBuilder *b, const Tree *object)
 {
     for (uint32_t i = 0; i < object->count; i++) {
@@ -99,7 +101,7 @@ void tree_build_object(TreeBuilder *b, Tree *object, size_t from)
     check_duplicates(b, object);
 }
 
-/* Keeps the first of members with one key. */
+/* Keeps the first of members with equal keys. */
 static void drop_later(TreeBuilder *b, Tree *object, uint32_t own, size_t from)
 {
     for (uint32_t i = 0; i < object->count; i++) {
@@ -122,7 +124,7 @@ bool tree_build_merge(TreeBuilder *b, Tree *object, Tree *const *bases, size_t c
         if (bases[k]->kind != TREE_object)
             return diag_add(b->session, bases[k]->span, DIAG_bad_merge,
                             tree_describe(b->session, bases[k]));
-        b->values += (int)bases[k]->count; /* merging is the one thing that copies */
+        b->values += (int)bases[k]->count; /* merging copies members */
         if (b->values > LIMIT_TREE_NODES)
             return diag_add(b->session, object->span, DIAG_too_many, LIMIT_TREE_NODES);
         for (uint32_t i = 0; i < bases[k]->count; i++)

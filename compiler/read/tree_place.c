@@ -1,23 +1,23 @@
-/* Bytes of a scalar's text -> bytes of its source. Both are walked side by side: of white space a
- * whole run stands for a whole run, since YAML folds lines and takes indentation away; what is
- * behind a backslash is what it was read as; all else is itself.
+/* Maps bytes of a scalar's text to bytes of its source by walking both in parallel. A run of
+ * white space corresponds to a run of white space, since YAML folds lines and removes
+ * indentation. An escape corresponds to its decoded character, every other byte to itself.
  *
- *     is: "a +            text  a + b\tc     source  "a +\n  b\tc"
- *       b\tc"             byte 4 of the text, the b, is byte 7 of the source: one run of white
- *                         space became one space */
+ *     is: "a +            text  a + b\tc     source  "a +
+ *   b\tc"
+ *       b\tc"             byte 4 of the text, the b, is byte 7 of the source: one run of
+ *                         white space became one space */
 #include "compiler/read/tree.h"
 #include <string.h>
 
 typedef struct {
-    const char *at, *end; /* of the source */
+    const char *at, *end; /* in the source */
     char quote;           /* '"', '\'', or 0 */
     const char *text, *text_end;
 } Walk;
 
 static bool is_space(char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; }
 
-/* Counts the bytes of a backslash and what belongs to it; *made is how many the text has for
- * them. */
+/* Returns the size of an escape sequence in the source; *made is its size in the text. */
 static int escape_size(const Walk *w, int *made)
 {
     const char *at = w->at + 1;
@@ -28,12 +28,13 @@ static int escape_size(const Walk *w, int *made)
         return 2;
     for (int i = 1; i <= digits; i++)
         code = code * 16 + (unsigned)(text_hex_digit(at[i]) & 15);
-    const bool pair = code >= 0xD800 && code < 0xDC00; /* of JSON: two escapes are one character */
+    /* JSON surrogate pair: two escapes are one character */
+    const bool pair = code >= 0xD800 && code < 0xDC00;
     *made = pair ? 4 : code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
     return pair ? 12 : digits + 2;
 }
 
-/* A backslash at the end of a line takes the line's end and what indents the next one away. */
+/* A backslash at the end of a line removes the line break and the next line's indentation. */
 static bool is_joined_line(const Walk *w)
 {
     return w->quote == '"' && w->at + 1 < w->end && *w->at == '\\' &&
@@ -46,7 +47,7 @@ static void skip_source_space(Walk *w)
         w->at += is_joined_line(w) ? 2 : 1;
 }
 
-/* White space within a line is itself; where lines end, a run of it stands for a run. */
+/* White space within a line corresponds byte by byte; a run across lines corresponds to a run. */
 static void skip_space(Walk *w)
 {
     const char *from = w->at;
@@ -59,7 +60,7 @@ static void skip_space(Walk *w)
         w->text++;
 }
 
-/* One character of both, or a run of white space. */
+/* Advances by one character of both, or by a run of white space. */
 static void advance(Walk *w)
 {
     int size = 1, made = 1;
@@ -75,7 +76,7 @@ static void advance(Walk *w)
     w->text += made;
 }
 
-/* Behind an anchor, a tag and the head of a block of lines. */
+/* Skips an anchor, a tag and the header of a block scalar. */
 static void enter(Walk *w)
 {
     while (w->at < w->end && (*w->at == '&' || *w->at == '!')) {
