@@ -1,10 +1,10 @@
-/* Numbers of a Graph and the conversion table. */
+/* Queries of a Graph, and the conversion of numbers between types. */
 #include "compiler/graph/graph.h"
 #include "grammar/lobe_table.h"
 #include <string.h>
 
-/* Narrowing to one lane takes the mean, to more the first lanes; widening copies one lane, else
- * fills with 0, alpha with 1. */
+/* Narrowing to one component takes the mean, to several the first components. Widening copies a
+ * single component; otherwise it fills with 0, and alpha with 1. */
 void graph_convert(int from_lanes, const double *from, int to_lanes, double *to)
 {
     double result[4] = {0, 0, 0, 1};
@@ -29,7 +29,7 @@ void value_number(const Value *value, Type want, double result[4])
     graph_convert(type_table[value->type].lanes, from, type_table[want].lanes, result);
 }
 
-/* The first parameter of DISPLACEMENT_PARAMS. */
+/* By kind: the first parameter of DISPLACEMENT_PARAMS. */
 static const int displacement_param[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = P_##name##_displacement,
 #include "grammar/materials.def"
@@ -64,7 +64,7 @@ bool value_is_zero(const Value *value)
     return value->kind == VALUE_number || value->kind == VALUE_none;
 }
 
-/* A parameter's map; NULL: it has none. */
+/* Returns a parameter's map, or NULL. */
 static const Node *map_of(const Node *material, int param)
 {
     const Value *value = node_param(material, param);
@@ -98,8 +98,8 @@ static unsigned lobes_of(const Graph *graph, const Node *principled)
     return lobes;
 }
 
-/* Not where its strength is nothing, nor where its colour is, as of a glTF without emissiveFactor,
- * whose strength is 1. */
+/* True unless the emission strength or color is zero. A glTF material without emissiveFactor has
+ * strength 1 and a black color. */
 static unsigned principled_emits(const Node *material)
 {
     const bool dark = value_is_zero(node_param(material, P_Principled_emission)) ||
@@ -114,8 +114,9 @@ static unsigned phong_emits(const Node *material)
 
 static unsigned relief_of(const Node *map) { return map ? MODEL_RELIEF : 0; }
 
-/* Models of a material that selects or mixes others: if one is a Principled, all become Principled.
- * An AlgorithmSwitch shows its first material only; a missing front of a SideSwitch is grey. */
+/* Models of a material that selects or mixes other materials: if one is a Principled, all become
+ * Principled. An AlgorithmSwitch shows its first material only; a missing front of a SideSwitch
+ * is gray. */
 static unsigned models_of(const Graph *graph, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];

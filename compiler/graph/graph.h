@@ -1,5 +1,6 @@
-/* The document as typed values: every name resolved, every parameter present (given or defaulted),
- * no cycles. resolve() makes it from a Tree; lower() makes IR of it; the oracle evaluates it. */
+/* The document as typed values: every name resolved, every parameter present (given or
+ * defaulted), no cycles. resolve() builds it from a Tree; lower() translates it to IR; the
+ * oracle evaluates it. */
 #ifndef MATC_GRAPH_H
 #define MATC_GRAPH_H
 #include "grammar/tables.h"
@@ -11,57 +12,58 @@ typedef struct Node Node;
 typedef struct Wave Wave;
 
 typedef enum {
-    VALUE_none,      /* not there */
-    VALUE_number,    /* number, of `type` */
+    VALUE_none,      /* absent */
+    VALUE_number,    /* number, with `type` components */
     VALUE_uniform,   /* uniform, of `type`; number holds its default */
     VALUE_node,      /* node: a map or a material */
     VALUE_wave,      /* wave */
     VALUE_transform, /* transform */
     VALUE_image,     /* image */
-    VALUE_items,     /* items; of PARAM_Maps too, those that the formula reads, in its order */
+    VALUE_items,     /* items; for PARAM_Maps the maps that the formula reads, in its order */
     VALUE_formula,   /* formula */
 } ValueKind;
 
-/* A named value that is set at run time. Equal names of one document are one uniform. */
+/* A uniform by its name: a value that the host sets at run time. Equal names in a document are
+ * one uniform. */
 typedef struct {
     const char *name;
-    Type type;         /* of its default, as written; the slot it stands in may make it an int */
+    Type type;         /* the default's type as written; the slot may convert it to int */
     double initial[4]; /* the default */
     Span span;
-    int index; /* in the document's list of uniforms */
+    int index; /* index in the document's list of uniforms */
 } Uniform;
 
-/* An attribute of the mesh's vertices, by name. Equal names of one document are one attribute. */
+/* A vertex attribute of the mesh, by name. Equal names in a document are one attribute. */
 typedef struct {
     const char *name;
     Type type;         /* float, vec2, vec3 or vec4 */
-    double initial[4]; /* where a mesh has none of the name */
+    double initial[4]; /* default for meshes without the attribute */
     Span span;
-    int index; /* in the document's list of attributes */
+    int index; /* index in the document's list of attributes */
 } MeshAttribute;
 
 typedef struct {
     const char *path; /* as written, joined to the document's folder */
     int width, height;
-    int bits;     /* of a lane: 8 or 16, over the greatest number; 32: floats, any number */
-    void *texels; /* RGBA, uint8_t, uint16_t or float, row 0 is the bottom row; NULL: not read */
-    bool opaque;  /* the file has no alpha: it is 1 everywhere */
-    bool halves;  /* of floats: half floats hold them */
-    int index;    /* in the document's list of images */
+    int bits;     /* bits of a component: 8 or 16 (normalized), or 32 (float) */
+    void *texels; /* RGBA, uint8_t, uint16_t or float; row 0 is the bottom row; NULL: not read */
+    bool opaque;  /* the file has no alpha channel: alpha is 1 */
+    bool halves;  /* float image whose values are exact as half floats */
+    int index;    /* index in the document's list of images */
 } Image;
 
 typedef struct Value {
     ValueKind kind;
-    Type type;  /* of a number or uniform, before any conversion */
-    bool given; /* stands in the document; false: the default */
-    /* a number that is written as a colour: "#ff8800", red; so is the default of a param */
+    Type type;  /* type of a number or uniform, before any conversion */
+    bool given; /* written in the document; false: the default */
+    /* A number written as a color: "#ff8800", red; also such a default of a param. */
     bool color;
-    /* of a material of another model: 1 + the author's parameter that it was made of; 0: it is the
-     * author's own */
+    /* In a material translated from another model: 1 + the author's parameter from which it was
+     * made; 0: the author's own value. */
     int16_t written;
     Span span;
     union {
-        double number[4]; /* lanes of the type; bool and int too */
+        double number[4]; /* components of the type; also bool and int */
         const Uniform *uniform;
         const Node *node;
         const Wave *wave;
@@ -78,16 +80,17 @@ struct Node {
     int index; /* in the document's list of nodes: dense, inputs before users */
     Span span;
     const Value *params;
-    int depth;         /* of the graph below it, 0 for a node without inputs; bounded */
-    int filters;       /* most filters on a way down from here, this one included; bounded */
-    const char *name;  /* the author's: its key under `defs:`, or its anchor; NULL: none */
-    const char *owner; /* whose part it is: the name nearest above it, or the slot; NULL: neither */
-    bool steps;        /* it, or a map below, has a STEP row: it jumps or is a picture */
-    int8_t width;      /* lanes of its value as a formula reads it: 1 to 4; 0 of a material */
-    Kind written; /* what the author wrote: its kind, or that of another model which became it */
+    int depth;         /* depth of the graph below it, 0 for a node without inputs; limited */
+    int filters;       /* max number of filters on a path below, including this node; limited */
+    const char *name;  /* author's name: its key under `defs:`, or its anchor; NULL: unnamed */
+    const char *owner; /* nearest enclosing name, or the slot; NULL: neither */
+    bool steps;        /* it or a map below is discontinuous (has a STEP row) or is an image */
+    int8_t width;      /* components of its value when a formula reads it: 1 to 4; 0: a material */
+    /* the author's kind, which differs for a material translated from another model */
+    Kind written;
 };
 
-/* The author's name of a material or map, and of its parameter of that place: for messages. */
+/* Returns the author's name for the material or map, and for its i-th parameter: for messages. */
 static inline const char *node_written_name(const Node *node)
 {
     return kind_table[node->written].name;
@@ -100,11 +103,11 @@ static inline const char *node_written_param(const Node *node, int i)
 
 typedef struct {
     Value value;       /* Float */
-    const Node *input; /* NULL reads the surface */
+    const Node *input; /* NULL: the surface itself */
     Span span;
-    int8_t width; /* lanes in which a formula reads the input; 0: the input's own */
-    /* of a material of another model: its parameter is no colour, whatever the formula makes of
-     * it */
+    int8_t width; /* components in which a formula reads the input; 0: the input's own */
+    /* In a material translated from another model: the parameter is no color, whatever the type
+     * of the formula. */
     bool numbers;
 } Item;
 typedef struct Items {
@@ -112,12 +115,12 @@ typedef struct Items {
     const Item *item;
 } Items;
 
-/* v -> second(factor * first(v) + shift) for a Chain; otherwise one of waves.def. */
+/* A Chain maps v to second(factor * first(v) + shift); other kinds are functions of waves.def. */
 struct Wave {
     WaveKind kind;
-    const Wave *first, *second; /* Chain only; NULL is the identity */
+    const Wave *first, *second; /* Chain only; NULL: identity */
     Value factor, shift;        /* Chain only; Float */
-    int length;                 /* waves that v is sent through, one after the other; bounded */
+    int length;                 /* number of waves applied to v in sequence; limited */
 };
 
 typedef enum {
@@ -126,9 +129,9 @@ typedef enum {
     TRANSFORM_matrix,
     TRANSFORM_components
 } TransformKind;
-/* q -> M q. scale: uniform; translation; matrix: 16 numbers by rows, the last row is (0, 0, 0, 1);
- * components: M = T Rz Ry Rx S H, angles in radians, H unit upper triangular with H01, H02, H12 =
- * shear. */
+/* q -> M q. scale: uniform scale; translation; matrix: 16 numbers by rows, the last row is (0,
+ * 0, 0, 1); components: M = T Rz Ry Rx S H, angles in radians, H unit upper triangular with H01,
+ * H02, H12 = shear. */
 typedef struct Transform {
     TransformKind kind;
     Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
@@ -139,7 +142,7 @@ typedef struct Transform {
 } Transform;
 
 typedef struct {
-    const char *name; /* under `materials:`, or the file's stem */
+    const char *name; /* key under `materials:`, or the file's stem */
     const Node *node;
 } NamedMaterial;
 
@@ -149,20 +152,20 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    /* by node's index: 1 << Model of the surface model that a material shows, MODEL_LOBE of the
-     * lobes that it may have, MODEL_EMITS and MODEL_RELIEF */
+    /* By node index: 1 << Model of the material's surface model, MODEL_LOBE of its possible
+     * lobes, MODEL_EMITS and MODEL_RELIEF. */
     unsigned *models;
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
-    Names uniform_names;              /* theirs, in the same order */
-    MeshAttribute *const *attributes; /* LIMIT_ATTRIBUTES at most */
+    Names uniform_names;              /* in the order of `uniforms` */
+    MeshAttribute *const *attributes; /* at most LIMIT_ATTRIBUTES */
     int attribute_count;
-    Names attribute_names; /* theirs, in the same order */
+    Names attribute_names; /* in the order of `attributes` */
     const Image *const *images;
     int image_count;
 } Graph;
 
-/* The texels as what they are made of; NULL: they are made of something else. */
+/* Returns the texels in their type; NULL if the image has another type. */
 static inline const uint8_t *image_bytes(const Image *image)
 {
     return image->bits == 8 ? (const uint8_t *)image->texels : NULL;
@@ -181,26 +184,27 @@ typedef struct {
     const Value *height, *vector, *scale, *bound, *volume, *threshold;
 } Displacement;
 Displacement graph_displacement(const Node *material);
-/* It has a map that moves the surface, or puts a volume in its place. */
+/* True if a map displaces the surface or replaces it by a volume. */
 bool graph_displaces(const Node *material);
-/* It puts a volume in its place: `height` and `vector` do not count. */
+/* True if a volume replaces the surface; `height` and `vector` are then ignored. */
 bool graph_displaces_volume(const Node *material);
-/* It is 0 everywhere. */
+/* True if the value is 0 everywhere. */
 bool value_is_zero(const Value *value);
-/* Fills graph->models, which has room: of nodes, inputs before users. A missing material is a grey
- * Phong. */
+/* Fills graph->models (allocated by the caller) for nodes given inputs first. A missing material
+ * is a gray Phong. */
 void graph_find_models(Graph *graph, const Node *const *nodes, size_t count);
-/* Whether the coat of a Principled or a Layer has the normal of what it lies on: both have the
- * surface's, or the same map gives them. */
+/* True if the coat of a Principled or a Layer has the normal of its base: both use the surface's
+ * normal, or the same map. */
 bool graph_coat_follows(const Graph *graph, const Node *coated);
 
-/* The parameter that P_<kind>_<name> of tables.h names. */
+/* Returns the parameter P_<kind>_<name> of tables.h. */
 static inline const Value *node_param(const Node *node, int param)
 {
     return &node->params[param - kind_table[node->kind].first];
 }
-/* A number's or uniform's (default) lanes, converted to `want` by the conversion table. */
+/* Returns a number's or a uniform's (default) components, converted to `want` by the table of
+ * conversions. */
 void value_number(const Value *value, Type want, double result[4]);
-/* The conversion table on numbers: `lanes_from` numbers to `lanes_to`. */
+/* Converts `lanes_from` numbers to `lanes_to` by the table of conversions. */
 void graph_convert(int lanes_from, const double *from, int lanes_to, double *to);
 #endif

@@ -1,4 +1,4 @@
-/* A material as a sky that shines. */
+/* Sky parameters of a SunSkyLight material. */
 #include "compiler/graph/graph_sky.h"
 #include "compiler/library/sky.h"
 
@@ -8,7 +8,7 @@ static const Node *node_of(const Node *node, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-/* As lowering chooses, of the front side. */
+/* Returns the material that lowering selects on the front side. */
 static const Node *seen(const Node *m)
 {
     while (m && (m->kind == KIND_SideSwitch || m->kind == KIND_AlgorithmSwitch)) {

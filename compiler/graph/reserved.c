@@ -1,6 +1,6 @@
-/* Names that a param cannot have, since its uniform would clash with GLSL's words or with what matc
- * declares. Temporaries, too, are called by no such word; emit_name.c names them around the
- * uniforms. */
+/* Reserved names: a param cannot have them, since its uniform would clash with GLSL's words or
+ * with declarations of matc. Temporaries avoid the words too; emit_name.c names temporaries so
+ * that they differ from the uniforms. */
 #include "compiler/graph/reserved.h"
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
@@ -8,8 +8,8 @@
 #include "compiler/base/text.h"
 #include <string.h>
 
-/* Keywords of every target and words that one of them keeps for the future, but types that is_type
- * knows. */
+/* Keywords of every target, including words reserved for future use. Types are listed by
+ * is_type(). */
 static const char keywords[] = "active asm atomic_uint attribute bool break buffer case cast "
                                "centroid class coherent common const continue "
                                "default discard do double else enum extern external false filter "
@@ -23,7 +23,7 @@ static const char keywords[] = "active asm atomic_uint attribute bool break buff
                                "this true typedef uint uniform union unsigned using usubpassInput "
                                "varying void volatile while writeonly";
 
-/* Built-in functions: GLSL ES lets nobody declare their names again, called or not. */
+/* Built-in functions: GLSL ES forbids redeclaring their names, even if they are not called. */
 static const char functions[] = "EmitVertex EndPrimitive abs acos acosh all any asin asinh atan "
                                 "atanh atomicCounter barrier bitCount "
                                 "bitfieldExtract bitfieldInsert bitfieldReverse ceil clamp cos "
@@ -53,13 +53,13 @@ static const char functions[] = "EmitVertex EndPrimitive abs acos acosh all any 
                                 "unpackDouble2x32 unpackHalf2x16 unpackSnorm2x16 unpackSnorm4x8 "
                                 "unpackUnorm2x16 unpackUnorm4x8 usubBorrow";
 
-/* Names that matc declares, and that glslang defines for Vulkan. */
+/* Names that matc declares, or that glslang defines for Vulkan. */
 static const char own[] = "Constants Draw Levels Material Surface VULKAN carpenter fragment0 "
                           "fragment1 fragment2 fragment3 "
                           "fragment4 fragment5 fragment6 fragment7 main matc normal p position st "
                           "tangentU tangentV texcoord";
 
-/* Whether the list, with a space between any two words, has that one. */
+/* Whether a list of words separated by spaces contains a word. */
 static bool has_word(const char *list, const char *word)
 {
     const size_t size = strlen(word);
@@ -69,7 +69,7 @@ static bool has_word(const char *list, const char *word)
     return false;
 }
 
-/* The part behind `start`, NULL where the name begins otherwise. */
+/* Returns the rest of the name after `start`; NULL if the name has another prefix. */
 static const char *behind(const char *name, const char *start)
 {
     while (*start && *start == *name)
@@ -77,8 +77,8 @@ static const char *behind(const char *name, const char *start)
     return *start ? NULL : name;
 }
 
-/* sampler2D, iimageCubeArray, utextureBuffer: a letter for whole numbers, what it is, and how it is
- * laid out. */
+/* sampler2D, iimageCubeArray, utextureBuffer: an optional letter for integers, the kind, and the
+ * dimensions. */
 static bool is_opaque_type(const char *name)
 {
     static const char *const kinds[] = {"sampler", "image", "texture", "subpassInput"};
@@ -122,7 +122,7 @@ static bool calls(const char *text, const char *name)
     return false;
 }
 
-/* The functions of the library, helpers too, in whichever variant. */
+/* Whether the name is a function of the library or a helper, in any variant. */
 static bool is_function(const char *name)
 {
     for (int i = 0; i < chunk_count; i++)
@@ -133,7 +133,7 @@ static bool is_function(const char *name)
 
 bool reserved_is_word(const char *name)
 {
-    /* `GL_` is the preprocessor's; the others are numbered */
+    /* `GL_` belongs to the preprocessor; matc appends numbers to the others */
     static const char *const prefixes[] = {
         "gl_",           "GL_",           "matc_", "imageTexture", "carpenterTexture",
         "smooth3DInput", "laplace3DInput"};

@@ -1,11 +1,11 @@
-/* Words that GLSL, its targets or matc have for themselves. */
+/* Words that are reserved by GLSL, its targets or matc. */
 #ifndef MATC_RESERVED_H
 #define MATC_RESERVED_H
 #include <stdbool.h>
 
-/* Nothing in a program can be called so: keywords, types, built-in functions, and what matc
- * declares but for its functions. */
+/* True if no identifier of a program can have this name: keywords, types, built-in functions,
+ * and matc's declarations except its functions. */
 bool reserved_is_word(const char *name);
-/* A uniform cannot be called so: the library's functions, too. */
+/* True if no uniform can have this name; this includes functions of the library. */
 bool reserved_has(const char *name);
 #endif
