@@ -82,8 +82,8 @@ bool graph_coat_follows(const Graph *graph, const Node *coated)
            (base->kind == KIND_Principled && map_of(base, P_Principled_input) == map);
 }
 
-/* The parts of a Principled that are not known to be nothing; light that is scattered below the
- * surface goes through thin walls alone. */
+/* Returns the lobes of a Principled that are not known to be zero. Diffuse transmission needs
+ * thin walls. */
 static unsigned lobes_of(const Graph *graph, const Node *principled)
 {
     const bool thin = !value_is_zero(node_param(principled, P_Principled_thinWalled)),

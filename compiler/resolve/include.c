@@ -1,5 +1,5 @@
-/* Files that documents include: beside the file that asks, in the folders of -I, among those that
- * come with matc; the first that is there. */
+/* Finds included files: in the folder of the including file, then in the -I folders, then among
+ * the library files shipped with matc. The first match is used. */
 #include "compiler/hints/hint.h"
 #include "compiler/resolve/include.h"
 #include "compiler/read/read.h"
@@ -7,8 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Prefix of the names of files that come with matc: no other file is called so
- * (session_path_beside). */
+/* Prefix of the paths of shipped files. No other path has it (session_path_beside). */
 static const char SHIPPED[] = "<matc>/";
 enum { SHIPPED_SIZE = sizeof SHIPPED - 1 };
 
@@ -30,7 +29,7 @@ static bool is_read(const Session *session, const char *path)
     return false;
 }
 
-/* Whether it may name one more file. */
+/* Whether the include has a valid name and does not exceed the nesting limit. */
 static bool may_include(Session *session, const Tree *name, int depth)
 {
     if (name->kind != TREE_scalar)
@@ -41,7 +40,8 @@ static bool may_include(Session *session, const Tree *name, int depth)
     return name->kind == TREE_scalar && depth < LIMIT_INCLUDE_DEPTH;
 }
 
-/* A file as it was found: nothing yet (`why` says so), read before, or text of it. */
+/* Result of a search: nothing yet (`why` has the reason), a file that was read before, or its
+ * text. */
 typedef struct {
     const char *path, *text, *why;
     size_t size;
@@ -73,7 +73,7 @@ static bool look_at(Session *session, const char *path, Found *found)
     return true;
 }
 
-/* In the folders of -I. */
+/* Searches the -I folders. */
 static bool look_in_folders(Session *session, const char *name, Found *found)
 {
     const MatcOptions *options = session->options;
@@ -86,8 +86,8 @@ static bool look_in_folders(Session *session, const char *name, Found *found)
     return false;
 }
 
-/* Beside a file that comes with matc there are only such files. A file that asks for its own name
- * means another: bricks.yaml may include matc's. */
+/* Finds an included file. Shipped files include only shipped files. A file that includes its own
+ * name means another file: a document bricks.yaml may include matc's bricks.yaml. */
 static bool find(Session *session, const char *from, const char *name, Found *found)
 {
     if (is_shipped(from))
@@ -134,8 +134,8 @@ static void say_missing(Session *session, const Tree *name, const Found *found)
         diag_add(session, name->span, DIAG_cannot_include, name->text, found->why, hint.at);
 }
 
-/* Whether some key of a document's outermost level stands in a text. What is none, a password file
- * for instance, is not read any further, so that no message quotes it. */
+/* Whether a text contains a top-level key of a document. Any other file, such as a password
+ * file, is rejected before parsing, so that no message quotes it. */
 static bool looks_like_document(const Found *found)
 {
     static const char *const keys[] = {"defs", "include", "colors", "material", "materials", "ref"};

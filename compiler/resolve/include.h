@@ -1,9 +1,9 @@
-/* Files that documents include. */
+/* Included files of documents. */
 #ifndef MATC_INCLUDE_H
 #define MATC_INCLUDE_H
 #include "compiler/read/tree.h"
 
-/* The object that a file holds, of which a document of that depth says the name. NULL and *fine: it
- * was read before; else a diagnostic says why. */
+/* Reads the file that an `include:` names in a document of nesting level `depth`. Returns its
+ * object, or NULL: with *fine the file was read before; otherwise a fault was reported. */
 Tree *include_read(Session *session, const Tree *name, int depth, bool *fine);
 #endif

@@ -1,6 +1,6 @@
-/* Tree -> Graph: walks the document from its materials and makes typed nodes. A subtree that is met
- * twice, by an alias or a reference, becomes one node. The parameters' names, types, defaults and
- * ranges come from the tables. */
+/* Tree -> Graph: walks the document from its materials and creates typed nodes. A subtree that
+ * is shared by an alias or a reference becomes one node. Names, types, defaults and ranges of
+ * parameters come from the tables. */
 #include "compiler/base/stack.h"
 #include "compiler/hints/hint.h"
 #include "compiler/hints/mistake.h"
@@ -11,7 +11,7 @@
 
 static bool is_material(Kind kind) { return kind_table[kind].lowering == LOWERING_MATERIAL; }
 
-/* Names of kinds, then aliases, then presets: one list for look-up and for suggestions. */
+/* Names of kinds, then aliases, then presets: one list for lookup and suggestions. */
 static int kind_name_count(void) { return KIND_COUNT + alias_count + preset_count; }
 
 static const char *kind_name(int i, Kind *kind)
@@ -32,7 +32,8 @@ static const char *name_of_group(const void *material, int i)
     return is_material(kind) == *(const bool *)material ? name : NULL;
 }
 
-/* Hint for an unknown kind: its name here, a near name, or where all names are. */
+/* Returns a hint for an unknown kind: matc's name for it, a similar name, or where all names are
+ * listed. */
 static const char *near_kind(Resolver *r, const char *name, bool material)
 {
     const char *near =
@@ -45,7 +46,7 @@ static const char *near_kind(Resolver *r, const char *name, bool material)
     return *near || diag_full(r->session) ? near : "; matc --list has all";
 }
 
-/* The kind a name stands for; *preset is the name if it is one. */
+/* Finds the kind with a name; *preset is set if the name is a preset. */
 static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, const char **preset)
 {
     if (name->kind != TREE_scalar) {
@@ -58,7 +59,7 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
                  tree_describe(r->session, name));
         return false;
     }
-    /* a map has the name of a material that is wanted, or a material that of a map */
+    /* the name belongs to a kind of the other group, map or material */
     bool other = false;
     for (int i = 0; i < kind_name_count(); i++) {
         const char *known = kind_name(i, kind);
@@ -108,7 +109,7 @@ static bool resolve_node_param(Resolver *r, const ParamRow *row, Tree *tree, Val
 
 static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
-    if (row->type == PARAM_Maps) /* with the formula that reads them */
+    if (row->type == PARAM_Maps) /* resolved together with the formula that reads them */
         return true;
     if (row->type == PARAM_List)
         return resolve_map_list(r, row->name, tree, value);
@@ -116,7 +117,7 @@ static bool resolve_holder(Resolver *r, const ParamRow *row, Tree *tree, Value *
                                     : resolve_node_param(r, row, tree, value);
 }
 
-/* Null is as good as not written. */
+/* A null value is treated as absent. */
 bool resolve_param(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
 {
     if (tree_is_null(tree)) {
@@ -140,10 +141,10 @@ static void set_presets(const char *preset, Kind kind, Value *params)
             params[preset_table[i].param - kind_table[kind].first].number[0] = preset_table[i].init;
 }
 
-/* Hint for an unknown parameter: its name here, a near name, or all names. */
+/* Returns a hint for an unknown parameter: matc's name for it, a similar name, or all names. */
 static const char *near_param(Resolver *r, const KindRow *row, const char *key)
 {
-    enum { MOST_LISTED = 12 }; /* more are no help within a message */
+    enum { MOST_LISTED = 12 }; /* longer lists do not help within a message */
     const char *foreign = mistake_foreign(r->session, FOREIGN_PARAM, (Kind)(row - kind_table), key);
     if (!foreign)
         foreign = mistake_foreign(r->session, FOREIGN_KEY, KIND_COUNT, key);
@@ -172,7 +173,7 @@ static bool resolve_member(Resolver *r, const Member *member, Kind kind, const c
     return false;
 }
 
-/* Owner of the maps in a material's parameter: the slot, if it is one. */
+/* Owner of the maps in a material's parameter: the slot, if the parameter is one. */
 static const char *slot_name(const char *param)
 {
     for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -181,13 +182,13 @@ static const char *slot_name(const char *param)
     return NULL;
 }
 
-/* Before anything is made of the tree. */
+/* Author's name of a tree; reads the union before the tree is resolved. */
 static const char *own_name(const Tree *tree)
 {
     return tree->made == MADE_nothing ? tree->name : NULL;
 }
 
-/* { map: Kind, param: value, ... }, and the same with material: */
+/* Resolves { map: Kind, param: value, ... }, or the equivalent with `material:`. */
 static const Node *resolve_node(Resolver *r, Tree *tree, bool material, bool outermost)
 {
     const char *key = material ? "material" : "map", *preset;
@@ -248,7 +249,7 @@ static const char *def_name(const void *user, int i)
     return names->resolver->defs[names->def]->members[i].key;
 }
 
-/* { ref: name } */
+/* Finds the definition of { ref: name }. */
 static const Member *find_def(Resolver *r, const Tree *name)
 {
     if (name->kind != TREE_scalar)
@@ -281,8 +282,8 @@ static bool says_material(Resolver *r, const Tree *tree)
     return material;
 }
 
-/* Maps and materials that a use gives are made before its definition is open: they may use it, too.
- * Their faults are said there, and once. */
+/* Resolves maps and materials among the arguments before the definition is marked as open, since
+ * they may use the same definition. Their faults are reported here, once. */
 static void resolve_given(Resolver *r, const Tree *use)
 {
     for (uint32_t i = 0; i < use->count; i++) {
@@ -336,7 +337,7 @@ static const Node *resolve_ref(Resolver *r, Tree *tree, bool material)
     return material ? resolve_material(r, def->value, &fault) : resolve_map(r, def->value, &fault);
 }
 
-/* A text that begins with '=': an Expression. */
+/* Resolves a text that begins with '=' as an Expression. */
 static const Node *resolve_shorthand(Resolver *r, Tree *tree)
 {
     Value *params = ARENA_ARRAY(r->session->arena, Value, kind_table[KIND_Expression].count);
@@ -345,7 +346,7 @@ static const Node *resolve_shorthand(Resolver *r, Tree *tree)
     return resolve_formula(r, tree, NULL, params) ? resolve_make_node(r, of) : NULL;
 }
 
-/* Constant node of a number, a list, a colour or a param. */
+/* Resolves a number, list, color or param as a Constant node. */
 static const Node *resolve_constant(Resolver *r, Tree *tree)
 {
     Value value;
@@ -385,8 +386,8 @@ static void resolve_on_stack(void *user)
     of->node = resolve_new(of->r, of->tree, of->material, of->outermost);
 }
 
-/* A chain of references may be longer than the caller's stack can hold: some of it at a time is
- * resolved on another. */
+/* Long chains of references could overflow the caller's stack: every LIMIT_SHALLOW levels
+ * continue on a new stack. */
 static const Node *resolve_below(Resolver *r, Tree *tree, bool material, bool outermost)
 {
     Resolving of = {r, tree, material, outermost, NULL};

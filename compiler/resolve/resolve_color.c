@@ -1,6 +1,6 @@
-/* Colours of a document: "#rgb" and its like, names, and whether they are linear light or sRGB.
- * `colors:` says it for a file, srgb(...) and linear(...) for one colour. What a file says holds
- * for what is written in that file, wherever it is used. */
+/* Colors of a document: hex colors, names, and the choice between linear light and sRGB.
+ * `colors:` selects for a file, srgb(...) and linear(...) for one color. A file's choice applies
+ * to the colors written in that file, wherever they are used. */
 #include "compiler/hints/hint.h"
 #include "compiler/hints/mistake.h"
 #include "compiler/library/srgb.h"
@@ -8,7 +8,7 @@
 #include "compiler/base/warnings.h"
 #include <string.h>
 
-enum { ADVISED_DIGITS = 3 }; /* decimals of the numbers in advice */
+enum { ADVISED_DIGITS = 3 }; /* decimals of numbers in the advice */
 
 static const char *const space_names[] = {"linear", "srgb"};
 
@@ -44,7 +44,7 @@ bool resolve_color_space(Resolver *r, const Tree *document)
 
 /* -- Advice about hex colors without `colors:` */
 
-/* All components are 0 or 1, which mean the same light in sRGB and linearly. */
+/* True if all components are 0 or 1, which are equal in sRGB and linear light. */
 static bool is_pure(const double *lanes)
 {
     bool pure = true;
@@ -62,7 +62,7 @@ static bool is_advised(const Session *session, uint32_t file)
     return false;
 }
 
-/* "[0.91, 0.878, 0.8]" */
+/* Formats three components: "[0.91, 0.878, 0.8]". */
 static const char *three_lanes(Session *session, const double *lanes, bool srgb)
 {
     Text list = text_new(session->arena);
@@ -92,7 +92,7 @@ static const char *color_name(const void *user, int i)
     return color_table[i].name;
 }
 
-/* #rgb, #rrggbb, #rrggbbaa */
+/* Parses #rgb, #rrggbb or #rrggbbaa. */
 static bool hex_color(const char *text, Value *value)
 {
     size_t size = strlen(text + 1);
@@ -124,7 +124,8 @@ static bool named_color(Resolver *r, const Tree *tree, const char *text, Value *
     return false;
 }
 
-/* "srgb(orange)" -> "orange", and *srgb is set; a text of another form is itself. */
+/* Returns the color inside srgb(...) or linear(...) and sets *srgb: "srgb(orange)" -> "orange".
+ * Other text is returned unchanged. */
 static const char *within_space(Resolver *r, const char *text, bool *srgb)
 {
     size_t size = strlen(text);
@@ -151,7 +152,7 @@ bool resolve_color(Resolver *r, const Tree *tree, Value *value)
         return false;
     if (text == tree->text && text[0] == '#')
         resolve_advise_colors(r, tree->span, text, value->number);
-    for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a share, and no light */
+    for (int lane = 0; srgb && lane < 3; lane++) /* alpha is a coverage, not light */
         value->number[lane] = srgb_decode(value->number[lane]);
     value->color = true;
     return true;

@@ -1,6 +1,6 @@
-/* Definitions with parameters: what `{ ref: bricks, rows: 12 }` stands for. The definition's tree
- * is copied as far as a `{ param: rows }` stands in it, with the argument's tree in its place; the
- * rest is shared. Equal arguments have one copy, so that what they make is made once.
+/* Instantiates definitions with parameters: `{ ref: bricks, rows: 12 }`. The definition's tree
+ * is copied only along the paths to a `{ param: rows }`, which is replaced by the argument's
+ * tree; the rest is shared. Equal arguments share a copy, which is therefore resolved once.
  *
  *     defs:
  *       stripes:
@@ -8,20 +8,20 @@
  *         params: { count: 8, dark: black }
  *         map: Blend
  *         blend: [{ value: 0, input: { param: dark } }, { value: 1, input: white }]
- *         input: { map: Gradient, direction: [0, 0, 1], waveForm: Ramp, frequency: { param: count }
- *             }
- *     diffuse: { ref: stripes, count: 12 }     the Blend, with 12 for { param: count } and black
- *                                              for { param: dark }
+ *         input: { map: Gradient, direction: [0, 0, 1], waveForm: Ramp,
+ *                  frequency: { param: count } }
+ *     diffuse: { ref: stripes, count: 12 }     the Blend, with 12 for { param: count } and
+ *                                              black for { param: dark }
  *
- * A fault is said where its text stands, and a note shows the other place: the use of what is wrong
- * in the definition, the parameter of what is wrong in an argument. */
+ * A fault is reported at its text, with a note at the other place: the use, for a fault in the
+ * definition; the parameter, for a fault in an argument. */
 #include "compiler/base/text.h"
 #include "compiler/resolve/resolve_definition.h"
 #include "compiler/resolve/resolve_parameter.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A definition with arguments in their places, from parameter to parameter. */
+/* A definition with arguments substituted, and the arguments in the order of the parameters. */
 struct Expansion {
     const Tree *definition;
     Tree **arguments;
@@ -34,7 +34,7 @@ typedef struct {
     Parameter *parameters;
     Tree **arguments;
     size_t count;
-    const Tree **shared; /* what aliases stand for, and their copies */
+    const Tree **shared; /* targets of aliases, and their copies */
     Tree **copies;
     size_t shared_count, shared_room, copies_count, copies_room;
     HashIndex index;
@@ -82,7 +82,7 @@ static int find_parameter(const Copy *c, const char *name)
     return -1;
 }
 
-/* The arguments of a use, NULL: of none, where stand-ins take the place of what a use must say. */
+/* Reads the arguments of a use. For a NULL use, placeholders replace mandatory arguments. */
 static bool read_arguments(Copy *c, const Tree *use)
 {
     Session *session = c->r->session;
@@ -124,7 +124,7 @@ static bool read_arguments(Copy *c, const Tree *use)
 
 static Tree *copy_of(Copy *c, Tree *tree);
 
-/* The end of the name that begins there. */
+/* Returns the end of the name that starts at `at`. */
 static uint32_t name_end(const Tree *text, uint32_t at)
 {
     while (at < text->count && (text_is_alphanumeric(text->text[at]) || text->text[at] == '_'))
@@ -137,7 +137,7 @@ static bool is_for_formulas(ParameterType type)
     return type == PARAMETER_number || type == PARAMETER_color || type == PARAMETER_map;
 }
 
-/* The parameters that a formula names: *named is true for those. Whether there are any. */
+/* Sets `named` for the parameters that a formula names. Returns whether there are any. */
 static bool find_named(Copy *c, const Tree *formula, bool named[LIMIT_DEFINITION_PARAMS])
 {
     bool any = false;
@@ -152,11 +152,12 @@ static bool find_named(Copy *c, const Tree *formula, bool named[LIMIT_DEFINITION
             continue;
         any = named[found] = true;
     }
-    c->r->copied += formula->count / sizeof(Tree); /* a long text is as much work as many values */
+    c->r->copied += formula->count / sizeof(Tree); /* a long text costs as much as many values */
     return any;
 }
 
-/* A formula with the arguments of the parameters that it names; itself where it names none. */
+/* Attaches to a formula the arguments of the parameters that it names; returns a formula without
+ * such names unchanged. */
 static Tree *copy_formula(Copy *c, Tree *formula)
 {
     Arena *arena = c->r->session->arena;
@@ -184,7 +185,7 @@ static Tree *copy_formula(Copy *c, Tree *formula)
     return &copy->tree;
 }
 
-/* Copy of a member: `is:` has a formula without its sign. */
+/* Copies a member; the value of `is:` is a formula without '='. */
 static Tree *copy_member(Copy *c, const Member *member)
 {
     Tree *tree = member->value;
@@ -192,7 +193,7 @@ static Tree *copy_member(Copy *c, const Member *member)
                                                                    : copy_of(c, tree);
 }
 
-/* The copy of a list's or object's parts; the tree itself where they are as they were. */
+/* Copies a list or object if any of its parts changes; otherwise returns the tree itself. */
 static Tree *copy_parts(Copy *c, Tree *tree)
 {
     Arena *arena = c->r->session->arena;
@@ -224,7 +225,7 @@ static Tree *copy_parts(Copy *c, Tree *tree)
     return copy;
 }
 
-/* The argument that a tree stands for; -1: it is no `{ param: name }` of a parameter. */
+/* Returns the index of the parameter that `{ param: name }` refers to, -1 for other trees. */
 static int argument_of(const Copy *c, const Tree *tree)
 {
     const Member *name = tree_find(tree, "param");
@@ -260,7 +261,7 @@ static Tree *copy_of(Copy *c, Tree *tree)
     return tree->shared ? copy_shared(c, tree) : copy_parts(c, tree);
 }
 
-/* Equal texts of scalars, or the same tree. */
+/* True for equal scalars of one file, or the same tree. */
 static bool alike(const Tree *a, const Tree *b)
 {
     if (a == b)
@@ -292,7 +293,7 @@ static Expansion *find_expansion(const Copy *c, uint32_t hash)
     return NULL;
 }
 
-/* The definition without what is said of it, arguments in their places. */
+/* Builds the definition with arguments substituted, without its keys `params:` and `doc:`. */
 static Tree *expand(Copy *c)
 {
     Session *session = c->r->session;
@@ -317,7 +318,7 @@ static Tree *expand(Copy *c)
 Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use)
 {
     Copy c = {.r = r, .definition = definition};
-    if (definition->value->failed) /* its parameters are wrong, and that was said */
+    if (definition->value->failed) /* its parameters have a fault that was reported */
         return NULL;
     if (!read_parameters(&c)) {
         definition->value->failed = true;

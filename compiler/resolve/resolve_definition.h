@@ -3,11 +3,12 @@
 #define MATC_RESOLVE_DEFINITION_H
 #include "compiler/resolve/resolve.h"
 
-/* It says `params:` or `doc:`. */
+/* True if the tree has `params:` or `doc:`. */
 bool resolve_is_definition(const Tree *tree);
-/* The tree that a use of a definition stands for, `{ ref: name, parameter: argument }`; equal ones
- * have one. NULL for a use: with its defaults, to be checked. NULL: told. */
+/* Instantiates a definition for a use `{ ref: name, parameter: argument }`; equal uses share one
+ * tree. A NULL use selects the defaults, to check the definition. Returns NULL after reporting a
+ * fault. */
 Tree *resolve_definition(Resolver *r, const Member *definition, const Tree *use);
-/* Shows the other place of the fault that was said last, of what the use stands for. */
+/* Adds a note at the other place of the last reported fault in an instance of the definition. */
 void resolve_say_use(Resolver *r, const Member *definition, const Tree *use);
 #endif

@@ -1,4 +1,4 @@
-/* The outermost level of a document: its materials, its definitions, the files it includes. */
+/* The top level of a document: its materials, definitions and includes. */
 #include "compiler/hints/doubt.h"
 #include "compiler/resolve/include.h"
 #include "compiler/hints/hint.h"
@@ -20,7 +20,7 @@ bool resolve_is_name(const char *name)
     return true;
 }
 
-/* "dir/rock.yaml" -> "rock"; what is no file, "<stdin>" -> "stdin" */
+/* "dir/rock.yaml" -> "rock"; "<stdin>" -> "stdin" */
 static const char *stem(Session *session, const char *path)
 {
     if (path[0] == '<' && path[strlen(path) - 1] == '>')
@@ -40,14 +40,15 @@ static bool read_include(Resolver *r, const Tree *name, int depth)
     return tree ? read_defs(r, tree, depth + 1) : fine;
 }
 
-/* A value with several keys is named by the first. */
+/* Names each definition after its key; a value with several keys gets the first. */
 static void name_defs(const Tree *defs)
 {
     for (uint32_t i = defs->count; i-- > 0;)
         defs->members[i].value->name = defs->members[i].key;
 }
 
-/* `defs:` is an object of names and values. Returns false and reports it if it is not. */
+/* Checks that `defs:` is an object of names and values. Returns false after reporting another
+ * form. */
 static bool check_defs_form(Resolver *r, const Tree *defs)
 {
     if (hint_assigned(r->session, defs))
@@ -58,8 +59,8 @@ static bool check_defs_form(Resolver *r, const Tree *defs)
     return defs->kind == TREE_object;
 }
 
-/* Collects `defs:` of the document and, after them, of the files it includes; each file's `colors:`
- * counts for itself. */
+/* Collects `defs:` of the document, then those of its includes; each file's `colors:` applies to
+ * that file only. */
 static bool read_defs(Resolver *r, Tree *document, int depth)
 {
     const Member *defs = tree_find(document, "defs"), *include = tree_find(document, "include");
@@ -84,7 +85,7 @@ static bool read_defs(Resolver *r, Tree *document, int depth)
     return fine && read;
 }
 
-/* materials: { name: material, ... } */
+/* Resolves materials: { name: material, ... } */
 static bool resolve_list(Resolver *r, const Tree *list, NamedMaterial *materials)
 {
     bool fine = true;
@@ -151,13 +152,13 @@ static bool check_top(Resolver *r, const Tree *document, bool many)
     return fine;
 }
 
-/* An object that a scene instances, which runtime/scene_reader reads. */
+/* True for an object that a scene instances, which runtime/scene_reader reads. */
 static bool is_scene_object(const Tree *tree)
 {
     return tree->kind == TREE_object && tree_find(tree, "object");
 }
 
-/* One that nothing used: as if with its defaults. */
+/* Checks an unused definition, with the defaults of its parameters. */
 static void check_def(Resolver *r, const Member *def)
 {
     Tree *tree = def->value;
@@ -174,7 +175,7 @@ static void check_def(Resolver *r, const Member *def)
     }
 }
 
-/* Definitions that nothing refers to are checked too: a fault in them is a fault. */
+/* Unused definitions are checked too: their faults count as faults of the document. */
 static void check_defs(Resolver *r, const Tree *document)
 {
     const bool scene = resolve_is_scene(document);
@@ -187,7 +188,7 @@ static void check_defs(Resolver *r, const Tree *document)
         }
 }
 
-/* A palette: definitions for `include:`, and nothing to compile. */
+/* True for a document of definitions for `include:`, without a material to compile. */
 static bool has_definitions_only(const Tree *document)
 {
     for (uint32_t i = 0; i < document->count; i++)
@@ -209,7 +210,7 @@ static void *say_no_material(Session *session, const Tree *document)
     return diag_add(session, document->span, DIAG_no_material, hint_no_material(session, document));
 }
 
-/* - material: Phong */
+/* True for a list whose first item is a material: - material: Phong */
 static bool lists_material(const Tree *document)
 {
     return document->kind == TREE_list && document->count &&
@@ -223,7 +224,7 @@ static void say_nothing_to_compile(Session *session, const Tree *document)
                                         : "there are definitions only, for `include:`");
 }
 
-/* `ref:` and its arguments at the outermost level, without what stands beside a material there. */
+/* Returns a top-level `ref:` with its arguments, without the other top-level keys. */
 static Tree *outermost_use(Session *session, const Tree *document)
 {
     Tree *use = ARENA_NEW(session->arena, Tree);
@@ -299,6 +300,6 @@ Graph *resolve(Session *session, Tree *document)
     graph->models = ARENA_ARRAY(session->arena, unsigned, graph->node_count);
     graph_find_models(graph, r.nodes, r.named_count);
     doubt_graph(session, graph, r.nodes, r.named_count);
-    diag_sort(&session->diags); /* doubts come by nodes, and are told by lines */
+    diag_sort(&session->diags); /* lints are found in node order but printed in line order */
     return session->diags.errors ? NULL : graph;
 }

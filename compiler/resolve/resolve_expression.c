@@ -1,5 +1,5 @@
-/* Formulas of a document: their text, the maps that they name, and how many lanes a map has in
- * them. */
+/* Formulas of a document: their text, the maps that they name, and the number of components of
+ * each map in them. */
 #include "compiler/formula/formula.h"
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
@@ -9,14 +9,15 @@
 #include <math.h>
 #include <string.h>
 
-/* A formula and the maps of the names that it reads, each once. */
+/* A formula and the maps that it reads, each once. */
 typedef struct {
     Resolver *r;
-    const Tree *text, *with; /* with: NULL for none */
-    /* of the definition's parameters, for those that the text names; NULL for none */
+    const Tree *text, *with; /* with: may be NULL */
+    /* Arguments of the definition's parameters that the text names; NULL: none. */
     const Tree *arguments;
-    const Tree *parameters; /* of that definition, found where a name is unknown; NULL for none */
-    uint32_t skipped;       /* bytes of the text before the formula */
+    /* parameters of the definition, looked up for an unknown name; NULL: none */
+    const Tree *parameters;
+    uint32_t skipped; /* bytes of the text before the formula */
     Item *items;
     size_t count, room;
     Names names;
@@ -36,7 +37,7 @@ static const Member *definition(const Resolver *r, const char *name)
     return found;
 }
 
-/* Arguments that a definition was given for its parameters. */
+/* Returns the arguments that a definition passes to its formula. */
 static const Tree *arguments_of(const Tree *text)
 {
     return text->scoped ? ((const ScopedTree *)(const void *)text)->arguments : NULL;
@@ -48,7 +49,7 @@ static bool stands_in(const Tree *text, const Tree *tree)
            text->span.end <= tree->span.end;
 }
 
-/* The parameters of the definition in which the text stands. */
+/* Returns the parameters of the definition that contains the text. */
 static const Tree *parameters_around(const Inputs *in)
 {
     for (size_t k = 0; k < in->r->def_count; k++)
@@ -61,7 +62,7 @@ static const Tree *parameters_around(const Inputs *in)
     return NULL;
 }
 
-/* Names of parameters, of `with:`, then of definitions. */
+/* Enumerates the names of parameters, of `with:`, then of definitions. */
 static const char *name_of(const void *user, int i)
 {
     const Inputs *in = user;
@@ -88,8 +89,8 @@ static int name_count(const Inputs *in)
     return (int)count;
 }
 
-/* Value of a name; a definition with parameters has its defaults. NULL: these have a fault, which
- * is reported. */
+/* Returns the value of a name; a definition with parameters is instantiated with its defaults.
+ * Returns NULL after reporting a fault. */
 static Tree *tree_of(Inputs *in, const Member *member)
 {
     if (!resolve_is_definition(member->value))
@@ -101,8 +102,8 @@ static Tree *tree_of(Inputs *in, const Member *member)
     return tree;
 }
 
-/* A param is read by way of `with:`; what a file would define that could not be read is not asked
- * for. */
+/* Reports an unknown name. A formula can read a param only through `with:`. After a failed
+ * include no name is reported, since the file might define it. */
 static int say_unknown(Inputs *in, const char *name, const FormulaStep *step)
 {
     Resolver *r = in->r;
@@ -148,7 +149,7 @@ static int find_input(void *user, const char *name, const FormulaStep *step, int
     return names_add(r->session->arena, &in->names, name);
 }
 
-/* The document's attribute of that name, made on first use. */
+/* Returns the document's attribute with that name, created on first use. */
 static int find_attribute(void *user, const FormulaAttribute *given)
 {
     const Inputs *in = user;
@@ -188,7 +189,7 @@ static void keep(Resolver *r, const Inputs *in, const Formula *formula, Value *p
             (Value){.kind = VALUE_items, .items = items, .given = true, .span = in->text->span};
 }
 
-/* `= mix(red, #00ff00, u)`, without quotes: YAML ends it before the '#'. */
+/* Detects an unquoted `= mix(red, #00ff00, u)`: YAML ends the text before the '#'. */
 static void say_hash(const Inputs *in)
 {
     const Span span = in->text->span;
@@ -243,7 +244,7 @@ bool resolve_formula(Resolver *r, const Tree *text, const Tree *with, Value *par
     return true;
 }
 
-/* Part of a formula that is not known when the program is compiled; NULL: none. */
+/* Names a part of a formula that is unknown at compile time; NULL: all parts are known. */
 static const char *unknown_part(const Inputs *in, const Formula *formula)
 {
     if (formula->groups || formula->meshed)
@@ -294,7 +295,7 @@ bool resolve_known_formula(Resolver *r, const char *what, const Tree *text, Lane
     return true;
 }
 
-/* with: { name: map, ... }. What the formula does not read is looked at, too. */
+/* Checks with: { name: map, ... }, including maps that the formula does not read. */
 static bool check_names(Resolver *r, const Tree *with)
 {
     bool fine = true;

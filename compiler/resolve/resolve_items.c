@@ -1,5 +1,5 @@
-/* Lists that hold maps: the items of a Blend, and maps one after the other. Each is made once,
- * however often an anchor has it. */
+/* Lists that hold maps: the items of a Blend, and plain lists of maps. A list is resolved once,
+ * even if it is shared by aliases. */
 #include "compiler/hints/mistake.h"
 #include "compiler/resolve/resolve.h"
 #include <string.h>
@@ -10,7 +10,7 @@ static const char *item_key(const void *user, int i)
     return i ? "input" : "value";
 }
 
-/* item: { value: number, input: map } */
+/* Resolves an item: { value: number, input: map } */
 static bool resolve_item(Resolver *r, Tree *tree, Item *item)
 {
     *item = (Item){.span = tree->span};
@@ -71,7 +71,7 @@ bool resolve_items(Resolver *r, Tree *tree, Value *value)
     return fine;
 }
 
-/* Each stands at its number, from 0 on. */
+/* Gives the maps of a list the values 0, 1, 2, ... */
 bool resolve_map_list(Resolver *r, const char *name, Tree *tree, Value *value)
 {
     if (tree->kind != TREE_list) {

@@ -1,5 +1,5 @@
-/* The value of a parameter that holds no map: a number, a truth value, a word, a picture, a wave, a
- * transformation. What a row of the tables says of it, type, default and range, is checked here. */
+/* Values of parameters that contain no map: numbers, booleans, keywords, images, waves,
+ * transforms. Checks type and range, and applies the default, by the row of the tables. */
 #include "compiler/images/image.h"
 #include "compiler/resolve/resolve.h"
 #include <math.h>
@@ -33,7 +33,7 @@ bool resolve_in_range(Resolver *r, const ParamRow *row, const Tree *tree, const 
 static bool resolve_whole(Resolver *r, const ParamRow *row, const Tree *tree, const Value *value)
 {
     const double *number = value->kind == VALUE_uniform ? value->uniform->initial : value->number;
-    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* an int of GLSL */
+    if (*number == trunc(*number) && fabs(*number) < 2147483648.0) /* range of a GLSL int */
         return true;
     diag_add(r->session, tree->span, DIAG_not_whole, row->name, tree_describe(r->session, tree));
     return false;
@@ -65,7 +65,8 @@ static const char *names_of_words(Resolver *r, ParamKind list)
     return text.at;
 }
 
-/* Word of a list that false or true stands for; -1: the value is neither, or stands for none. */
+/* Returns the keyword of a list that is equivalent to false or true; -1 if the value is neither,
+ * or no keyword is equivalent. */
 static int truth_of(ParamKind list, const Tree *tree)
 {
     const bool yes = tree->kind == TREE_scalar && tree->plain && !strcmp(tree->text, "true");
@@ -111,7 +112,7 @@ static bool resolve_numeric(Resolver *r, const ParamRow *row, Tree *tree, Value 
            resolve_in_range(r, row, tree, value);
 }
 
-/* `diffuse: #ff0000` gives nothing, and a comment. */
+/* Warns about `diffuse: #ff0000`, an empty value followed by a comment. */
 static void warn_of_comment(Resolver *r, const Tree *tree)
 {
     const Source *source = &r->session->sources[tree->span.file];
@@ -151,7 +152,7 @@ bool resolve_leaf(Resolver *r, const ParamRow *row, Tree *tree, Value *value)
         return resolve_bool(r, row, tree, value);
     case PARAM_Image:
         return resolve_image(r, row, tree, value);
-    case PARAM_Formula: /* with the maps that it reads */
+    case PARAM_Formula: /* resolved together with its maps */
         return true;
     case PARAM_Wave:
         value->kind = VALUE_wave;

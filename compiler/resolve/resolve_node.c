@@ -1,9 +1,9 @@
-/* Nodes of a Graph: one is numbered when all below it are, and knows how many lanes it has and how
- * much hangs there. Defaults are nodes, too. */
+/* Nodes of a Graph. A node is numbered after all nodes below it, when its width and the depth of
+ * its graph are known. Defaults are nodes, too. */
 #include "compiler/formula/formula.h"
 #include "compiler/resolve/resolve.h"
 
-/* -- Lanes of maps */
+/* -- Widths (numbers of components) of maps */
 
 enum { SURFACE_WIDTH = 3 };
 
@@ -12,11 +12,11 @@ static int width_of(const Value *map)
     return map->kind == VALUE_node ? map->node->width : SURFACE_WIDTH;
 }
 
-/* Width that holds both per component: a number stands for all components, and two components are
- * no color. */
+/* Width that can represent both operands: a number is replicated to all components, and two
+ * components cannot be widened to a color. */
 static int joined(int a, int b) { return a + b == 3 ? 3 : a > b ? a : b; }
 
-/* Width that holds each item; 0 for none. */
+/* Width that can represent all items; 0 for an empty list. */
 static int width_of_items(const Value *list)
 {
     const Items *items = list->kind == VALUE_items ? list->items : NULL;
@@ -29,8 +29,8 @@ static int width_of_items(const Value *list)
     return width;
 }
 
-/* Width of the maps that make its color; 0: it has none. A missing map is replaced by the others,
- * or by the input. */
+/* Width of the maps that determine the node's color; 0: none. A missing map is replaced by the
+ * others, or by the input. */
 static int width_of_colours(const Node *node)
 {
     const int first = kind_table[node->kind].first, count = kind_table[node->kind].count;
@@ -46,7 +46,8 @@ static int width_of_colours(const Node *node)
     return width;
 }
 
-/* Lanes of a map's value as formulas read it, from those of the maps below it; 0 of a material. */
+/* Number of components of a map's value in formulas, from those of the maps below; 0 for a
+ * material. */
 static int width_of_node(const Node *node)
 {
     const Value *formula = node->kind == KIND_Expression ? node_param(node, P_Expression_is) : NULL;
@@ -78,7 +79,7 @@ static int width_of_node(const Node *node)
     return is_number ? 1 : width_of(&node->params[0]);
 }
 
-/* -- What hangs below */
+/* -- Depth and filters */
 
 static void below(Node *node, const Node *child)
 {
@@ -91,7 +92,7 @@ static void below(Node *node, const Node *child)
     node->steps |= child->steps;
 }
 
-/* Measures what hangs below a node, and bounds it. */
+/* Computes depth and filters of a node from the nodes below, and checks their limits. */
 static bool measure(Resolver *r, Node *node)
 {
     for (int i = 0; i < kind_table[node->kind].count; i++) {
@@ -120,7 +121,7 @@ const Node *resolve_make_node(Resolver *r, Node of)
     node->index = r->node_count++;
     node->owner = r->owner;
     ARENA_PUSH(r->session->arena, r->nodes, r->named_count, r->named_room, node);
-    node->written = of.written ? of.written : of.kind; /* kind 0 is of no other model */
+    node->written = of.written ? of.written : of.kind; /* kind 0 is never a translated material */
     node->width = (int8_t)width_of_node(node);
     return measure(r, node) ? node : NULL;
 }

@@ -1,6 +1,6 @@
 /* Parameters of definitions: `count: 8`, or `count: { default: 8, type: number, min: 1, max: 64,
- * doc: "Stripes." }`. What the type does not say is judged where the argument stands in the
- * definition. */
+ * doc: "Stripes." }`. Requirements that the type does not express are checked where the
+ * definition uses the argument. */
 #include "compiler/resolve/resolve_parameter.h"
 #include <string.h>
 
@@ -33,13 +33,13 @@ static bool is_number(const Tree *tree)
     return tree->kind == TREE_scalar && tree_number(tree, &number);
 }
 
-/* A formula may stand for any value that has lanes. */
+/* A formula can replace any value made of numbers. */
 static bool is_formula(const Tree *tree)
 {
     return tree->kind == TREE_scalar && tree->text[0] == '=';
 }
 
-/* Type of a parameter by its default. */
+/* Infers a parameter's type from its default. */
 static ParameterType type_of(const Tree *tree)
 {
     static const char *const transforms[] = {"scale", "translation", "rotation", "shear", "matrix"};
@@ -68,10 +68,10 @@ static ParameterType type_of(const Tree *tree)
 
 const char *resolve_parameter_type(ParameterType type) { return type_names[type]; }
 
-/* Maps stand for colours and colours for maps. */
+/* Whether a type accepts an argument. Colors and maps are interchangeable. */
 static bool fits(ParameterType type, const Tree *tree)
 {
-    /* what else is wrong in it is told by name */
+    /* other faults in them are reported by name */
     static const char *const others[] = {"map", "material", "wave", "ref"};
     const bool scalar = tree->kind == TREE_scalar, object = tree->kind == TREE_object;
     switch (type) {
@@ -135,7 +135,7 @@ static bool read_bound(Resolver *r, const Tree *declaration, const char *key, co
     return false;
 }
 
-/* name: default, or name: { default, type, doc, min, max } */
+/* Parses name: default, or name: { default, type, doc, min, max } */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *p)
 {
     Tree *tree = member->value;

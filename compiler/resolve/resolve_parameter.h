@@ -1,9 +1,9 @@
-/* Parameters of definitions: what is declared of one, and which arguments it takes. */
+/* Parameters of definitions: their declarations, and the arguments that they accept. */
 #ifndef MATC_RESOLVE_PARAMETER_H
 #define MATC_RESOLVE_PARAMETER_H
 #include "compiler/resolve/resolve.h"
 
-/* Type of an argument, by the word of `type:`; without it, by the default. */
+/* Type of an argument: given by `type:`, otherwise inferred from the default. */
 typedef enum {
     PARAMETER_number,
     PARAMETER_color,
@@ -17,19 +17,21 @@ typedef enum {
 } ParameterType;
 
 typedef struct {
-    const Member *member; /* of `params:` */
+    const Member *member; /* the member of `params:` */
     ParameterType type;
-    Tree *init;             /* NULL: a use must say it */
-    const Tree *low, *high; /* numbers, or NULL */
+    Tree *init;             /* default; NULL: every use must give an argument */
+    const Tree *low, *high; /* min and max: numbers, or NULL */
 } Parameter;
 
-/* The word of a type. */
+/* Returns the name of a type. */
 const char *resolve_parameter_type(ParameterType type);
-/* name: default, or name: { default, type, doc, min, max }. False: told. */
+/* Parses name: default, or name: { default, type, doc, min, max }. Returns false after reporting
+ * a fault. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
-/* Whether the parameter of that definition takes the argument. False: told. */
+/* Whether the parameter of a definition accepts an argument. Returns false after reporting a
+ * fault. */
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
                       const Tree *argument);
-/* A note at the parameter, of what an argument for it does wrong. */
+/* Adds a note at the parameter that rejected an argument. */
 void resolve_say_parameter(Resolver *r, const Member *definition, const Parameter *parameter);
 #endif

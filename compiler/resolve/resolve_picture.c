@@ -1,22 +1,23 @@
-/* Which pictures are sRGB, where their maps do not say. In a file of `colors: srgb` it is those
- * that feed a colour: there is a way from a colour of a material to them, by parameters whose map's
- * colour is passed on (COLORED of maps.def). All others give numbers.
+/* Selects the color space of images whose maps do not give one. In a file with `colors: srgb`,
+ * images that feed a color are sRGB: those reached from a material's color through parameters
+ * whose color is passed on (COLORED of maps.def). All other images hold linear numbers.
  *
  *     colors: srgb
  *     material: Phong
- *     diffuse: { map: Blend, blend: [{ input: { map: ImageMap, image: a.png } }], # a colour: sRGB
- *                input: { map: ImageMap, image: b.png } } # a coordinate: linear
- *     shininess: { map: ImageMap, image: c.png } # a number: linear
+ *     diffuse: { map: Blend, blend: [{ input: { map: ImageMap, image: a.png } }],  # color: sRGB
+ *                input: { map: ImageMap, image: b.png } }      # coordinate: linear
+ *     shininess: { map: ImageMap, image: c.png }               # number: linear
  *
- * A picture of floats is always linear. A map that feeds both is one map, with one value: sRGB.
+ * A float image is always linear. A map that feeds both a color and a number is one map with one
+ * value: sRGB.
  *
- * glTF defines its pictures: those of colours are sRGB whatever the file's `colors:` say, all
- * others linear, and texels stand in the middle of their squares. So it is for a material `glTF` of
- * a document, as of a .gltf (read_gltf.c), where the maps do not say otherwise. UsdPreview's
- * textures and MaterialX's images, which StandardSurface reads, span the square from 0, 0 to 1, 1
- * by their edges, too: texels stand in the middle of theirs. What their bytes mean is no matter of
- * the material there, but of the texture's sourceColorSpace and the file's colorspace: here, of the
- * map's and the document's. */
+ * glTF defines the color space of its images: sRGB for colors whatever the file's `colors:`,
+ * linear for others, with texel centers inside the texels. A document's material `glTF`
+ * therefore behaves as a .gltf (read_gltf.c), unless its maps state otherwise. The textures of
+ * UsdPreview and the MaterialX images of StandardSurface also cover the unit square from edge to
+ * edge, so their texel centers are inside the texels, too. Their color space is not defined by
+ * the material but by the texture's sourceColorSpace or the file's colorspace; here by the map
+ * and the document. */
 #include "compiler/resolve/resolve.h"
 
 void resolve_picture(Resolver *r, const Node *node, Value *params)
@@ -37,8 +38,8 @@ void resolve_picture(Resolver *r, const Node *node, Value *params)
         ARENA_PUSH(r->session->arena, r->undecided, r->undecided_count, r->undecided_room, picture);
 }
 
-/* Nodes that some reach, by ways of colours alone or by all, and those of them whose own inputs are
- * still to be looked at. */
+/* Depth-first search from a set of nodes, either along color parameters only or along all;
+ * `open` is the stack of unvisited nodes. */
 typedef struct {
     bool any_way, *met; /* by index */
     const Node **open;
@@ -56,7 +57,7 @@ static void reach(Reach *reach, const Node *node)
 static void reach_inputs(Reach *all, const Node *node)
 {
     const int first = kind_table[node->kind].first;
-    /* a Blend without items is its input */
+    /* a Blend without items passes its input on */
     const bool passes =
         node->kind == KIND_Blend && node_param(node, P_Blend_blend)->kind != VALUE_items;
     for (int i = 0; i < kind_table[node->kind].count; i++) {
@@ -75,7 +76,7 @@ static void reach_inputs(Reach *all, const Node *node)
 
 static bool is_gltf(Kind written) { return written == KIND_glTF; }
 
-/* Nodes below the materials that the author wrote as such. */
+/* Returns the nodes below materials whose written kind satisfies `such`. */
 static const bool *reached_of(const Resolver *r, bool (*such)(Kind written), bool any_way)
 {
     Reach all = {.any_way = any_way,

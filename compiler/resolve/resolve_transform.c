@@ -1,4 +1,4 @@
-/* Transformations of space: some of their components, or a matrix. */
+/* Transforms of space: given by components, or as a matrix. */
 #include "compiler/hints/doubt.h"
 #include "compiler/resolve/resolve.h"
 #include <string.h>
@@ -13,7 +13,7 @@ static const char *key_name(const void *user, int key)
     return names[key];
 }
 
-/* KEY_COUNT, and a diagnostic: it is none. */
+/* Returns the key, or KEY_COUNT after reporting an unknown key. */
 static Key find_key(Resolver *r, const Member *member)
 {
     int key = 0;
@@ -53,7 +53,7 @@ static bool resolve_matrix(Resolver *r, const Tree *tree, Transform *transform)
     return false;
 }
 
-/* A matrix stands alone: the other key is the one that is wrong. */
+/* Checks that a matrix is the only key; otherwise reports the other key. */
 static bool stands_alone(Resolver *r, const Tree *tree, const Member *matrix)
 {
     if (tree->count == 1)
@@ -64,7 +64,7 @@ static bool stands_alone(Resolver *r, const Tree *tree, const Member *matrix)
     return false;
 }
 
-/* A lone number is meant for scale only; a param may have one lane or three. */
+/* A single number is allowed for scale only; a param may have one or three components. */
 static bool is_one_number(Key key, const Tree *value)
 {
     return key == SCALE && value->kind != TREE_list;
@@ -108,8 +108,8 @@ static bool resolve_component(Resolver *r, const Tree *tree, const Member *membe
     return stands_alone(r, tree, member) && fine;
 }
 
-/* transform: { scale: s } | { translation: v } | { matrix: [16] } | any of translation, rotation,
- * scale, shear */
+/* Resolves transform: { scale: s } | { translation: v } | { matrix: [16] } | any of translation,
+ * rotation, scale, shear */
 bool resolve_transform(Resolver *r, Tree *tree, Transform *transform)
 {
     if (tree->kind != TREE_object || !tree->count) {

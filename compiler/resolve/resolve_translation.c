@@ -1,11 +1,11 @@
-/* A material of another model as a Principled, by the rows of translations.def. What its formulas
- * make of numbers is a number again, so that a material of numbers alone compiles to what the same
- * Principled does.
+/* Translates a material of another model to a Principled by the rows of translations.def.
+ * Formulas over numbers are folded to numbers, so a material without maps compiles to the same
+ * program as the equivalent Principled.
  *
- *     material: glTF, roughnessFactor: 0.5, metallicRoughnessTexture: { map: ImageMap, image:
- *         mr.png }
- *     becomes    roughness: { map: Expression, is: roughnessFactor * metallicRoughnessTexture.g,
- *                with: { the two } }, and so on */
+ *     material: glTF, roughnessFactor: 0.5,
+ *         metallicRoughnessTexture: { map: ImageMap, image: mr.png }
+ *     becomes    roughness: { map: Expression, with: { both parameters },
+ *                is: roughnessFactor * metallicRoughnessTexture.g }, and so on */
 #include "compiler/formula/formula.h"
 #include "compiler/hints/doubt.h"
 #include "compiler/resolve/resolve.h"
@@ -15,21 +15,21 @@
 
 static const Type type_of_lanes[] = {TYPE_float, TYPE_float, TYPE_vec2, TYPE_vec3, TYPE_vec4};
 
-/* The material, and what the formula that is being read takes of it. */
+/* The material, and the inputs of the formula being read. */
 typedef struct {
     Resolver *r;
     Kind kind;
-    Span span; /* of its name */
+    Span span; /* span of the material's name */
     const Value *params;
     Item *items;
     size_t count, room;
     Names names;
-    const Value *given; /* the first that stands in the document; NULL: none does */
+    const Value *given; /* the first input given in the document; NULL: all are defaults */
 } Foreign;
 
 static Span place(void *user, uint32_t start, uint32_t end)
 {
-    (void)start, (void)end; /* rows have no faults: tests read them all */
+    (void)start, (void)end; /* Rows have no faults: tests read all of them. */
     return ((const Foreign *)user)->span;
 }
 
@@ -42,7 +42,7 @@ static int find_param(Kind kind, const char *name)
     return -1;
 }
 
-/* A word of one of the material's parameters, as a number. */
+/* Returns a keyword of one of the material's parameters, as a number. */
 static int find_word(Kind kind, const char *name)
 {
     const KindRow *row = &kind_table[kind];
@@ -109,21 +109,22 @@ static const Formula *read_formula(Foreign *s, const char *text)
     return formula_read(&source);
 }
 
-/* An input's value in the lanes that the formula reads; false: it is not known yet. */
+/* Returns an input's value in the components that the formula reads; false: not known at compile
+ * time. */
 static bool known_input(const Item *item, double lanes[4])
 {
     const Node *node = item->input;
     if (node->kind != KIND_Constant || node->params->kind != VALUE_number)
         return false;
-    if (item->width == 1) /* red */
+    if (item->width == 1) /* the red component */
         lanes[0] = lanes[1] = lanes[2] = lanes[3] = node->params->number[0];
     else
         value_number(node->params, TYPE_vec4, lanes);
     return true;
 }
 
-/* The formula's value, what is not known taken as `guess`; NULL: then it has none. False: it has
- * none, or one that is not finite. */
+/* Evaluates the formula, using `guess` for unknown inputs; with a NULL guess an unknown input
+ * fails. Returns false if the value is unknown or not finite. */
 static bool value_with(const Foreign *s, const Formula *formula, const double guess[4],
                        double result[4])
 {
@@ -157,7 +158,8 @@ static const Node *expression(Foreign *s, const Formula *formula)
                              (Node){.kind = KIND_Expression, .span = s->span, .params = params});
 }
 
-/* It is 0 whatever maps are that are not known: as a factor that is known is. */
+/* True if the value is 0 for any value of the unknown maps, because a known factor is 0. Tested
+ * with several guesses. */
 static bool is_nothing(const Foreign *s, const Formula *formula)
 {
     static const double guesses[][4] = {{.3, .6, .9, .2}, {0, .5, 0, .7}, {1, 0, .4, 1}};
@@ -175,8 +177,8 @@ static bool holds(Foreign *s, const char *where)
     return !where || !formula || !is_nothing(s, formula);
 }
 
-/* Value of a parameter of Principled; of kind VALUE_none: it is too large, and that was reported.
- * */
+/* Returns the value of a parameter of Principled; VALUE_none after reporting a number that is
+ * too large. */
 static Value translated(Foreign *s, const char *text)
 {
     const int alone = find_param(s->kind, text);
@@ -200,7 +202,7 @@ static Value translated(Foreign *s, const char *text)
                    .span = s->given ? s->given->span : s->span};
 }
 
-/* A parameter that takes no map is the number itself. */
+/* Unwraps a Constant for a parameter that takes no map. */
 static Value as_number(Value value)
 {
     if (value.kind != VALUE_node || value.node->kind != KIND_Constant)
@@ -212,7 +214,7 @@ static Value as_number(Value value)
     return number;
 }
 
-/* A NormalMap of the material's map over what is there. */
+/* Applies a NormalMap with the material's map to the normal `there`. */
 static Value over_normal(Foreign *s, const TranslationRow *row, Value there)
 {
     const int own = kind_table[s->kind].first, first = kind_table[KIND_NormalMap].first;
@@ -277,7 +279,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
-    doubt_units(r->session, &of); /* by the units that the author knows */
+    doubt_units(r->session, &of); /* in the units of the author's material */
     say_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;

@@ -1,4 +1,4 @@
-/* Numbers, lists of them, colours and params, as values of parameters. */
+/* Numbers, lists of numbers, colors and params, as values of parameters. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include "compiler/hints/mistake.h"
@@ -18,7 +18,7 @@ bool resolve_fits_float(Resolver *r, const char *what, const Tree *tree, double 
     return false;
 }
 
-/* [0.5] where 0.5 would do. */
+/* Reports [0.5] where 0.5 is sufficient. */
 static bool say_single(Resolver *r, const char *what, const Tree *list, LaneCount lanes)
 {
     double number;
@@ -75,7 +75,7 @@ static bool same_default(const Uniform *uniform, const Value *value)
                    sizeof(double) * (size_t)type_table[value->type].lanes);
 }
 
-/* The uniform of that name, made on first use. */
+/* Returns the uniform with that name, created on first use. */
 static bool name_uniform(Resolver *r, const Tree *name, Value *value)
 {
     int found = names_find(&r->uniform_names, name->text);
@@ -105,7 +105,7 @@ static bool name_uniform(Resolver *r, const Tree *name, Value *value)
     return true;
 }
 
-/* { param: name, default: number, list or colour } */
+/* Resolves { param: name, default: number, list or color } */
 static bool param(Resolver *r, const char *what, Tree *tree, LaneCount lanes, Value *value)
 {
     const Member *initial = tree_find(tree, "default");

@@ -1,4 +1,4 @@
-/* Waves: a name, or a Chain of two of them, which is a tree. */
+/* Waves: a name, or a Chain of two waves, which forms a binary tree. */
 #include "compiler/resolve/resolve.h"
 #include <string.h>
 
@@ -49,7 +49,7 @@ static bool chain(Resolver *r, const Tree *tree, Wave *wave)
     return fine;
 }
 
-/* Only a Chain has other keys beside its name. */
+/* Only a Chain has keys other than `wave:`. */
 static bool stands_alone(Resolver *r, const Tree *tree, const Member *name, WaveKind kind)
 {
     if (tree->count == 1)
@@ -71,8 +71,8 @@ static bool has_length(Resolver *r, const Tree *tree, Wave *wave)
     return false;
 }
 
-/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number, second:
- * wave } */
+/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number,
+ * second: wave } */
 static bool make_wave(Resolver *r, const Tree *tree, Wave *wave)
 {
     const Member *name = tree_find(tree, "wave");

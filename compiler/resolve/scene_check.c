@@ -8,10 +8,10 @@
 
 typedef struct {
     Session *session;
-    Resolver resolver;     /* of values; its nodes belong to no program */
-    const Tree *materials; /* `materials:` of the document; NULL: there are none */
-    const Tree *defs;      /* `defs:` of the document; NULL: there are none */
-    HashIndex met;         /* parts that were checked: an alias stands for one again */
+    Resolver resolver;     /* resolves values; its nodes belong to no program */
+    const Tree *materials; /* `materials:` of the document; NULL: absent */
+    const Tree *defs;      /* `defs:` of the document; NULL: absent */
+    HashIndex met;         /* parts already checked, since aliases can share them */
     const Tree **parts;
     size_t part_count, part_room;
 } SceneCheck;
@@ -23,13 +23,13 @@ static const char *param_name(const void *user, int i)
     return scene_param_table[((const SceneKindRow *)user)->first + i].param.name;
 }
 
-/* The i-th of all kinds, if it is of the sort. */
+/* Returns the name of the i-th kind if it has the given sort, otherwise NULL. */
 static const char *kind_name(const void *user, int i)
 {
     return scene_kind_table[i].sort == *(const SceneSort *)user ? scene_kind_table[i].name : NULL;
 }
 
-/* As it is to be written: `{ toneMapping: Filmic }`. */
+/* Returns the correct form for a message: `{ toneMapping: Filmic }`. */
 static const char *written_kind(Session *session, const Tree *tree, SceneSort sort)
 {
     Text written = text_new(session->arena);
@@ -112,7 +112,7 @@ static void check_material_name(SceneCheck *c, const Tree *name)
                                       all->count ? "; there are " : NULL));
 }
 
-/* A name, a material that stands here, or one of a file, which is not read. */
+/* Checks a material: a name, an inline material, or a file, which is not read. */
 static void check_material(SceneCheck *c, Tree *tree)
 {
     bool fault = false;
@@ -130,7 +130,7 @@ static bool is_object(const Tree *tree)
     return tree->kind == TREE_object && tree_find(tree, "object");
 }
 
-/* An object under `defs:`. */
+/* Checks the name of an object under `defs:`. */
 static void check_name(SceneCheck *c, const Tree *name)
 {
     const Member *found =
@@ -148,7 +148,7 @@ static void check_name(SceneCheck *c, const Tree *name)
                          : "");
 }
 
-/* A param would be a uniform of a program, of which a scene has none. */
+/* Rejects a param, which would be a uniform of a program; a scene has no program. */
 static void check_plain(SceneCheck *c, const ParamRow *row, Tree *tree)
 {
     Value value;
@@ -202,7 +202,8 @@ static const SceneParamRow *find_row(SceneKind kind, const char *key)
     return NULL;
 }
 
-/* Lists and objects that an alias stands for are checked once: aliases of aliases would unfold. */
+/* Lists and objects shared by aliases are checked once: nested aliases could expand
+ * exponentially. */
 static bool is_met(SceneCheck *c, const Tree *tree)
 {
     HashProbe probe = hash_probe(&c->met, hash_pointer(tree));
