@@ -1,10 +1,10 @@
-/* Warnings about what shows nothing. Every node is asked for groups of channels by those above it,
- * and asks those below it in turn; as inputs come before their users, one walk from the last node
- * to the first knows what each is asked for.
+/* Lints: warnings about parts of a document without a visible effect. Every node is queried for
+ * groups of properties by its users, and queries its inputs in turn. Inputs precede their users,
+ * so one walk from the last node to the first finds all queries.
  *
  *     diffuse: { map: Granite, input: { map: UVTransform, scaleU: 8 } }
- *     Phong asks Granite for a colour, Granite asks UVTransform for x, y and z, which passes that
- *         on: nobody sees its u and v. */
+ *     Phong queries Granite for a color, Granite queries UVTransform for x, y and z, which
+ *         UVTransform passes on: its u and v have no effect. */
 #include "compiler/formula/formula.h"
 #include "compiler/hints/doubt.h"
 #include "grammar/lobe_table.h"
@@ -12,13 +12,12 @@
 #include <math.h>
 #include <string.h>
 
-/* -- Constants in another unit, colors where a normal is wanted */
+/* -- Constants in another unit, colors in the place of a normal */
 
-/* Warnings about constants that look as if they were meant in another unit, and about colours where
- * a normal is wanted. */
+/* Lints for constants that seem to be in another unit, and for colors in the place of a normal. */
 
-/* The first lane of a constant map, the greatest of a list of numbers, the default of a param;
- * false: it is none of these. */
+/* Returns the first component of a constant map, the largest of a list of numbers, or the
+ * default of a param. False for other values. */
 static bool lane_of(const Value *value, double *lane)
 {
     const bool map = value->kind == VALUE_node && value->node->kind == KIND_Constant;
@@ -32,7 +31,7 @@ static bool lane_of(const Value *value, double *lane)
     return true;
 }
 
-/* "; 45 degrees are 0.7854" */
+/* Appends a conversion: "; 45 degrees are 0.7854" */
 static void put_meant(Text *out, const UnitRow *unit, double number)
 {
     const double meant = number * unit->factor;
@@ -66,7 +65,7 @@ void doubt_unit(Session *session, const char *name, const UnitRow *unit, const V
 void doubt_units(Session *session, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
-    /* of another model's numbers, which were looked at as such */
+    /* Values translated from another model were already linted as the author wrote them. */
     const bool made = node->written && node->written != node->kind;
     for (int i = 0; i < row->count && !made; i++) {
         const UnitRow *unit = unit_of(row->first + i);
@@ -75,7 +74,7 @@ void doubt_units(Session *session, const Node *node)
     }
 }
 
-/* It makes colours of a place, or is one number, and no direction. */
+/* True for a map that yields a pattern of colors or a single number, but no direction. */
 static bool is_plain(const Node *map)
 {
     const Section section = section_of(map->kind);
@@ -106,17 +105,18 @@ static void doubt_normals(Session *session, const Node *material)
     }
 }
 
-/* -- Parts that no G-buffer holds */
+/* -- Parts that no G-buffer stores */
 
-/* Warnings about parts of a physically based material that no G-buffer holds, or not as they are:
- * UNSTORED and PARTED of materials.def. */
+/* Lints for parts of a physically based material that no G-buffer stores, or stores only
+ * modified: UNSTORED and PARTED of materials.def. */
 
 static bool is_lost(const Node *node, int i)
 {
     return param_is_unstored(kind_table[node->kind].first + i) && !value_is_zero(&node->params[i]);
 }
 
-/* How a parameter of a body's inside is changed where there is one; NULL: it is kept. */
+/* Describes how an interior parameter of a closed mesh is modified when stored; NULL: stored
+ * unchanged. */
 static const char *parted(const Node *node, int i)
 {
     int weight;
@@ -140,33 +140,32 @@ static void doubt_lost(Session *session, const Node *material)
     }
 }
 
-static const double LEAST_FUZZ = .2; /* as surface_principled.glsl has it */
-/* a colour's greatest lane from which on whole lanes look like bytes */
+static const double LEAST_FUZZ = .2; /* as in surface_principled.glsl */
+/* min value of a color's largest component for which integer components look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
-/* Properties that a node is queried for. The first two begin as MOVES_xyz and MOVES_uv of tables.h.
- * */
+/* Properties that a node is queried for. The first two equal MOVES_xyz and MOVES_uv of tables.h. */
 typedef enum {
     ASKED_xyz = MOVES_xyz,
     ASKED_uv = MOVES_uv,
     ASKED_color = 4,
-    ASKED_shininess = 8, /* red as a material reads it for an exponent */
-    ASKED_slope = 16,    /* by u and v */
-    ASKED_other = 32,    /* normal, index of refraction, position in the world */
-    ASKED_light = 64,    /* a colour that light is made of, of any strength */
-    ASKED_shape = 128,   /* also: where points move goes by it */
+    ASKED_shininess = 8, /* the red component, which a material reads as an exponent */
+    ASKED_slope = 16,    /* derivatives by u and v */
+    ASKED_other = 32,    /* normal, index of refraction, world position */
+    ASKED_light = 64,    /* a color of light, of unbounded intensity */
+    ASKED_shape = 128,   /* additional flag: the value displaces the surface */
     ASKED_shown = ASKED_color | ASKED_shininess,
 } Asked;
 
 typedef struct {
     Session *session;
     unsigned *asked;        /* by node's index: Asked */
-    const Node **reader;    /* by node's index: one of those that ask */
-    const unsigned *models; /* the graph's */
-    bool saying;            /* what all are asked for is known */
+    const Node **reader;    /* by node index: one of the nodes that query it */
+    const unsigned *models; /* the graph's models */
+    bool saying;            /* all queries are known */
 } Doubts;
 
-/* Lanes of a number, or of a param's default. */
+/* Returns the components of a number, or of a param's default. */
 static int lanes_of(const Value *value, const double **lanes)
 {
     if (value->kind != VALUE_number && value->kind != VALUE_uniform)
@@ -177,7 +176,7 @@ static int lanes_of(const Value *value, const double **lanes)
 
 static bool is_byte(double lane) { return lane >= 0 && lane <= BYTE && lane == trunc(lane); }
 
-/* The three lanes of a colour. */
+/* Lints a color's three components. */
 static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
 {
     const double most = fmax(lanes[0], fmax(lanes[1], lanes[2]));
@@ -188,8 +187,8 @@ static void doubt_bytes(const Doubts *d, Span span, const double *lanes)
     diag_add(d->session, span, DIAG_byte_color, hex.at);
 }
 
-/* `diffuse: 128` is a grey as bytes have it, unless it may be a light of that strength. `diffuse:
- * 112233`: as many digits as a colour has. */
+/* Lints a single number as a color: `diffuse: 128` looks like a gray in bytes, unless it may be
+ * a light intensity. `diffuse: 112233` has the digits of a hex color. */
 static void doubt_single(const Doubts *d, const Value *value, double lane, bool light)
 {
     const char *text = d->session->sources[value->span.file].text + value->span.start;
@@ -204,7 +203,7 @@ static void doubt_single(const Doubts *d, const Value *value, double lane, bool 
     }
 }
 
-/* Parameters r, g and b of a colour or a material. */
+/* Lints the parameters r, g and b of a color or a material. */
 static void doubt_components(const Doubts *d, const Node *node)
 {
     double rgb[3];
@@ -253,7 +252,7 @@ static void ask(Doubts *d, const Node *reader, const Node *node, unsigned asked)
     d->reader[node->index] = reader;
 }
 
-/* Queries of a kind with the parameter `dimensions`. */
+/* Queries of a kind that has the parameter `dimensions`. */
 static unsigned asked_by_dimensions(const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -264,7 +263,7 @@ static unsigned asked_by_dimensions(const Node *node)
     return number[0] < 3 ? ASKED_uv : ASKED_xyz;
 }
 
-/* Queries of a formula at a point. */
+/* Queries that a formula makes of its point. */
 static unsigned asked_of_point(const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
@@ -274,7 +273,8 @@ static unsigned asked_of_point(const Node *node)
     return coordinates | (groups & ~(1u << GROUP_X | 1u << GROUP_U) ? ASKED_other : 0);
 }
 
-/* Operands are colours of any strength, of slopes and coordinates numbers. */
+/* Operands of math maps are colors of any intensity; for slopes and coordinates they are
+ * numbers. */
 static unsigned asked_by_math(unsigned asked)
 {
     if (asked & (ASKED_shown | ASKED_light))
@@ -282,7 +282,7 @@ static unsigned asked_by_math(unsigned asked)
     return asked & ASKED_slope ? ASKED_slope : ASKED_other;
 }
 
-/* Queries that a map makes of its input when it is queried itself. */
+/* Queries that a map makes of its input when the map itself is queried. */
 static unsigned asked_of_input(const Node *node, unsigned asked)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -307,7 +307,7 @@ static unsigned asked_of_input(const Node *node, unsigned asked)
     }
 }
 
-/* Queries that a material or map makes of the map of one of its own parameters. */
+/* Queries that a material or map makes of the map of a parameter. */
 static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned asked)
 {
     if (section_of(node->kind) == SECTION_normal)
@@ -322,7 +322,7 @@ static unsigned asked_of_param(const Node *node, const ParamRow *param, unsigned
         return ASKED_shininess;
     if ((node->kind == KIND_Principled || node->kind == KIND_Layer) &&
         !param_is_colored((int)(param - param_table)))
-        return ASKED_color | ASKED_light; /* a number of any size */
+        return ASKED_color | ASKED_light; /* a number of any magnitude */
     return strcmp(param->name, "emissive") ? ASKED_color : ASKED_color | ASKED_light;
 }
 
@@ -347,7 +347,7 @@ static void ask_below(Doubts *d, const Node *node, unsigned asked)
     }
 }
 
-/* The map of its section that moves just these coordinates. */
+/* Returns the transform map that changes exactly these coordinates. */
 static const char *mover(unsigned moves)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++)
@@ -356,7 +356,7 @@ static const char *mover(unsigned moves)
     return "";
 }
 
-/* A transformer, or a modifier of the normal. */
+/* Lints a transform map or a normal modifier whose effect is not queried. */
 static void doubt_use(const Doubts *d, const Node *node)
 {
     const unsigned asked = d->asked[node->index], moves = kind_table[node->kind].moves;
@@ -374,7 +374,7 @@ static void doubt_use(const Doubts *d, const Node *node)
                  mover(asked & (ASKED_uv | ASKED_xyz)));
 }
 
-/* A map that is asked for something, and lacks what it would show: its picture, its items. */
+/* Lints a queried map without its image, formula or items. */
 static void doubt_lack(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -392,8 +392,8 @@ static void doubt_lack(const Doubts *d, const Node *node)
     }
 }
 
-/* The material that displaces where this one shows its front: itself, or one within switches. NULL:
- * none. */
+/* Returns the material that displaces the front side: the material itself, or one within
+ * switches. NULL: none. */
 static const Node *displaced_front(const Node *material)
 {
     while (material && !graph_displaces(material)) {
@@ -417,7 +417,7 @@ static const Value *first_map(const Displacement *d)
                                            : d->vector;
 }
 
-/* Parameters that a volume replaces, and parameters that only volumes use. */
+/* Lints parameters that a volume overrides, and parameters that only volumes use. */
 static void doubt_volume(const Doubts *d, const Node *node)
 {
     const Displacement has = graph_displacement(node);
@@ -431,7 +431,7 @@ static void doubt_volume(const Doubts *d, const Node *node)
         diag_add(d->session, has.vector->span, DIAG_volume_displacement, "displacementVector");
 }
 
-/* A surface has one shape, which is not its back's, unless that is the same. */
+/* A surface has a single shape, that of its front: lints a different displacement on the back. */
 static void doubt_back(const Doubts *d, const Node *node)
 {
     const Value *back = node_param(node, P_SideSwitch_backShader);
@@ -447,7 +447,7 @@ static void doubt_back(const Doubts *d, const Node *node)
         diag_add(d->session, height->span, DIAG_back_displacement);
 }
 
-/* A part of a Phong that the Principled which a Layer makes of it has no slot for. */
+/* Lints parts of a Phong that are lost when a Layer converts it to a Principled. */
 static void doubt_layered(const Doubts *d, const Node *base)
 {
     static const int lost[] = {P_Phong_ambient, P_Phong_diffuseTransparency};
@@ -458,7 +458,7 @@ static void doubt_layered(const Doubts *d, const Node *base)
     }
 }
 
-/* Where there is fuzz, a number that the lobe does not go down to. */
+/* Lints a fuzz roughness below the minimum of the fuzz lobe. */
 static void doubt_fuzz(const Doubts *d, const Node *node)
 {
     const Value *rough =
@@ -473,8 +473,8 @@ static void doubt_fuzz(const Doubts *d, const Node *node)
         diag_add(d->session, span, DIAG_narrow_fuzz);
 }
 
-/* A Mix of materials one of which would move the surface; or one material of two whose slots mean
- * other things. */
+/* Lints a Mix of materials of which one displaces the surface, and materials of different models
+ * whose slots have different meanings. */
 static void doubt_mixed(const Doubts *d, const Node *node)
 {
     const KindRow *row = &kind_table[node->kind];
@@ -501,7 +501,7 @@ static void doubt_mixed(const Doubts *d, const Node *node)
     }
 }
 
-/* A formula in a displacement. */
+/* Lints a formula in a displacement, where some quantities have no value. */
 static void doubt_shape(const Doubts *d, const Node *node)
 {
     const Value *is = node_param(node, P_Expression_is);
@@ -514,7 +514,7 @@ static void doubt_shape(const Doubts *d, const Node *node)
         diag_add(d->session, node->span, DIAG_displaced_attribute, "objectRandom as 0");
 }
 
-/* In the order of the document, inputs before their users. */
+/* Reports lints of a node; called in document order, inputs before their users. */
 static void say(Doubts *d, const Node *node)
 {
     const Section section = section_of(node->kind);

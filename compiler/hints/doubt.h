@@ -1,15 +1,15 @@
-/* Warnings about what is no fault, and shows nothing of what was meant. */
+/* Lints: warnings about documents that are valid but without the probably intended effect. */
 #ifndef MATC_DOUBT_H
 #define MATC_DOUBT_H
 #include "compiler/base/session.h"
 #include "compiler/graph/graph.h"
 #include "grammar/unit_table.h"
 
-/* Lints a graph without faults; `nodes` are its materials and maps that are not plain numbers, in
- * the order of their indices. */
+/* Lints a graph without faults; `nodes` are its materials and maps that are not plain numbers,
+ * in the order of their indices. */
 void doubt_graph(Session *session, const Graph *graph, const Node *const *nodes, size_t count);
-/* A constant of an unusual size for what its numbers count; `unit` is NULL where nothing is said of
- * that. */
+/* Warns about a constant of unusual magnitude for its unit; doubt_units() checks all parameters
+ * of a node. A NULL `unit` disables the check. */
 void doubt_unit(Session *session, const char *name, const UnitRow *unit, const Value *value);
 void doubt_units(Session *session, const Node *node);
 #endif

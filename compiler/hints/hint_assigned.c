@@ -1,5 +1,5 @@
-/* Hints for text that is valid YAML but does not mean what its author wants: `n = value` in place
- * of `n: value`, Windows paths in double quotes, documents without `material:`. */
+/* Hints for text that is valid YAML with an unintended meaning: `n = value` in place of `n:
+ * value`, Windows paths in double quotes, documents without `material:`. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include <string.h>
@@ -14,8 +14,8 @@ static size_t word_size(const char *text)
     return text_is_letter(*text) || *text == '_' ? size : 0;
 }
 
-/* The value as a document writes it: a formula in quotes after '=', a color in quotes, a number or
- * a word unchanged. */
+/* Formats a value as it must be written: a formula in quotes after '=', a color in quotes, a
+ * number or a word unchanged. */
 static const char *written_value(Session *session, const char *value, size_t size)
 {
     Text text = text_new(session->arena);
@@ -26,8 +26,8 @@ static const char *written_value(Session *session, const char *value, size_t siz
     return text.at;
 }
 
-/* Reports "n = fbm(p, 3)" and its correction, which ends with the line. Returns false for other
- * text. */
+/* Reports "n = fbm(p, 3)" with its correction, which ends at the line's end. Returns false for
+ * other text. */
 static bool assigned(Session *session, Span span, const char *text)
 {
     const size_t name = word_size(text), space = strspn(text + name, " ");

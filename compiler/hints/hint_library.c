@@ -1,5 +1,4 @@
-/* Names that files of the library define, which come with matc: which file a document has to
- * include. */
+/* Hints for names that shipped library files define: which file to include. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Literal colours and lists where one number is read, with the parameter that would take them. */
+/* Hints for literal colors and lists in the place of a single number, with the parameter that
+ * accepts them. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include "compiler/hints/mistake.h"
@@ -10,8 +11,8 @@ static bool reads_number(const ParamRow *row)
     return row->type == PARAM_Map && param_is_number((int)(row - param_table));
 }
 
-/* A single number in brackets has a message of its own. A param may have several lanes, of which
- * other places read all. */
+/* A list of a single number has its own message. A param may have several components, since
+ * other places may read all of them. */
 bool hint_number_list(Resolver *r, const ParamRow *row, const Tree *tree)
 {
     double number;
@@ -30,8 +31,8 @@ static size_t without_end(const char *name, size_t size, const char *end)
     return ends ? size - length : size;
 }
 
-/* The parameter of the same kind that has the colour: emission -> emissionColor, emissiveStrength
- * -> emissiveFactor, base -> base_color. NULL: there is none. */
+/* Returns the parameter of the same kind that takes the color: emission -> emissionColor,
+ * emissiveStrength -> emissiveFactor, base -> base_color. NULL: none. */
 static const char *color_sibling(const ParamRow *row)
 {
     static const char *const ends[] = {"Color", "_color", "ColorFactor", "Factor"};
@@ -55,7 +56,7 @@ static bool is_gray(const double lanes[4], int count)
     return gray;
 }
 
-/* The lanes of a literal; of a param those of its default, if that is written as a colour. 0:
+/* Returns the components of a literal, or of a param whose default is written as a color. 0:
  * neither. */
 static int literal_lanes(const Value *constant, const double **lanes)
 {

@@ -1,5 +1,5 @@
-/* Objects and lists in a map's or a material's place that lack the key of their kind, or have it
- * under another name. */
+/* Hints for objects and lists in the place of a map or material without the key of their kind,
+ * or with another name for the key. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include "grammar/foreign_table.h"
@@ -18,7 +18,7 @@ static const char *scalar_of(const Tree *object, const char *const names[2])
     return NULL;
 }
 
-/* { r: 1, g: .5, b: 0 }, with `a:` or without */
+/* Reports { r: 1, g: .5, b: 0 }, with or without `a:`. */
 static bool hint_components(Resolver *r, const Tree *object)
 {
     static const char *const names[4][2] = {
@@ -39,7 +39,7 @@ static bool hint_components(Resolver *r, const Tree *object)
     return true;
 }
 
-/* The kind of that name, of a preset, an alias or another tool; KIND_COUNT: none. */
+/* Returns the kind with this name, alias, preset name or name in another tool; KIND_COUNT: none. */
 static Kind kind_called(const char *name, bool material, const char **written)
 {
     const char *here = foreign_name(material ? FOREIGN_MATERIAL : FOREIGN_MAP, KIND_COUNT, name);
@@ -61,7 +61,7 @@ static Kind kind_called(const char *name, bool material, const char **written)
     return KIND_COUNT;
 }
 
-/* { type: Checker } */
+/* Reports { type: Checker }. */
 static bool hint_type(Session *session, const Tree *object, bool material)
 {
     const char *written;
@@ -78,7 +78,7 @@ static bool hint_type(Session *session, const Tree *object, bool material)
     return false;
 }
 
-/* The parameter of a map with that name, also as other tools call it; NULL: it has none. */
+/* Returns the parameter of a map with this name, or with this name in another tool; NULL: none. */
 static const char *param_called(Kind kind, const char *name)
 {
     const KindRow *row = &kind_table[kind];
@@ -92,7 +92,8 @@ static const char *param_called(Kind kind, const char *name)
     return NULL;
 }
 
-/* { image: f.png }: a map that has all of these parameters, if one of them is its own */
+/* Reports { image: f.png }: the first map that has all these parameters, of which at least one
+ * is not `input`. */
 static bool hint_kindless(Resolver *r, const Tree *object)
 {
     for (int kind = 0; kind < KIND_COUNT && object->count; kind++) {

@@ -1,4 +1,4 @@
-/* Forms of values that other languages have: foreign.def, FOREIGN_FORM. */
+/* Hints for values in the syntax of other languages: foreign.def, FOREIGN_FORM. */
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include "grammar/foreign_table.h"
@@ -7,15 +7,15 @@
 
 enum { BYTE = 255, COLOR_LANES = 4, FULL_CIRCLE = 360 };
 
-/* -- Colours as functions: rgb(255, 0, 0), hsl(120, 50%, 50%) */
+/* -- Colors as functions: rgb(255, 0, 0), hsl(120, 50%, 50%) */
 
 typedef struct {
     int count;
     double number[COLOR_LANES];
-    bool percent[COLOR_LANES], whole; /* whole: no argument has a point */
+    bool percent[COLOR_LANES], whole; /* whole: no argument has a decimal point */
 } Arguments;
 
-/* "(255, 0, 0)", "(120 50% 50%)"; false: it is no list of three or four numbers. */
+/* Parses "(255, 0, 0)" or "(120 50% 50%)"; false unless it has three or four numbers. */
 static bool read_arguments(const Session *session, const char *text, Arguments *arguments)
 {
     *arguments = (Arguments){.whole = true};
@@ -40,10 +40,11 @@ static double share(const Arguments *a, int i, double full)
     return a->number[i] / (a->percent[i] ? 100 : full);
 }
 
-/* A byte of red, green or blue (`lane` 0, 1, 2), from hue in degrees, and chroma about a middle. */
+/* Returns red, green or blue (`lane` 0, 1, 2) in [0, 1] from the hue in degrees: the triangular
+ * ramp of HSL and HSV, scaled by the chroma. */
 static double lane_of_hue(double hue, int lane, double low, double chroma)
 {
-    /* 3: this lane is full */
+    /* 3: center of this component's ramp */
     const double sector = fmod(hue / (FULL_CIRCLE / 6.) + 6 - 2 * lane + 3, 6);
     const double ramp = 2 - fabs(sector - 3);
     return low + chroma * fmin(fmax(ramp, 0), 1);
@@ -67,7 +68,7 @@ static void put_hex(Text *out, const double *rgb, int count)
     text_put(out, "\"");
 }
 
-/* Bytes are written as a colour, shares as a list. */
+/* Writes bytes as a hex color, fractions as a list. */
 static void put_color(Text *out, const char *name, const Arguments *a)
 {
     double rgb[COLOR_LANES] = {0};
@@ -109,7 +110,7 @@ static bool hint_function(Resolver *r, const Tree *tree)
     return false;
 }
 
-/* 0xff8800 */
+/* Reports 0xff8800. */
 static bool hint_hexadecimal(Resolver *r, const Tree *tree)
 {
     const char *digits = tree->text + 2;
@@ -125,7 +126,7 @@ static bool hint_hexadecimal(Resolver *r, const Tree *tree)
 
 /* -- Numbers */
 
-/* "0,5": one number by its comma; "1, 2" has a space, and is a list. */
+/* Reports "0,5", a number with a decimal comma; "1, 2" with a space is a list. */
 static bool hint_decimal(Resolver *r, const Tree *tree, bool one)
 {
     const size_t sign = strspn(tree->text, "+-"), whole = strspn(tree->text + sign, "0123456789");
@@ -164,7 +165,7 @@ bool hint_value(Resolver *r, const char *what, const Tree *tree, LaneCount lanes
     return lanes.most >= 3 && (hint_function(r, tree) || hint_hexadecimal(r, tree));
 }
 
-/* -- Names of colours and maps */
+/* -- Names of colors and maps */
 
 bool hint_color_name(Resolver *r, const Tree *tree, const char *text)
 {

@@ -1,12 +1,12 @@
-/* Mistakes of people who know another format better, and the hints that they get. */
+/* Hints for common errors of authors who know other formats. */
 #include "compiler/hints/mistake.h"
 #include "compiler/base/text.h"
 #include "compiler/hints/hint.h"
 #include <math.h>
 #include <string.h>
 
-/* "45deg": 45, and *unit is "deg"; NULL: it is no number with letters, a percent or a degree sign
- * behind it. */
+/* Splits "45deg" into 45 and the unit "deg"; NULL unless the text is a number followed by
+ * letters, a percent or a degree sign. */
 static const char *unit_of(const Session *session, const char *text, double *number)
 {
     const size_t digits = strspn(text, "+-.0123456789");
@@ -16,7 +16,7 @@ static const char *unit_of(const Session *session, const char *text, double *num
             return NULL;
     if (!*unit || text_same(unit, "e"))
         return NULL;
-    /* text_number reads what stands behind, too */
+    /* The number is copied, since text_number() depends on the byte after it. */
     const char *alone = arena_string(session->arena, text, digits);
     return text_number(alone, digits, number) ? unit : NULL;
 }
@@ -52,7 +52,7 @@ bool mistake_number(Resolver *r, const Tree *tree)
     return true;
 }
 
-/* Words that a colon follows. */
+/* Words that are keys and need a colon. */
 static bool is_key(const char *word)
 {
     static const char *const others[] = {"map",   "material", "materials", "ref",
@@ -71,7 +71,8 @@ bool mistake_key(Session *session, Span span, const char *text)
     const Source *source = &session->sources[span.file];
     const size_t size = strcspn(text, " :");
     if (!text[size] || !text[size + 1] || span.start + size >= source->size ||
-        strncmp(source->text + span.start, text, size + 1) != 0) /* it is in quotes, or in lines */
+        /* in quotes, or folded over several lines */
+        strncmp(source->text + span.start, text, size + 1) != 0)
         return false;
     const char *key = arena_string(session->arena, text, size);
     const uint32_t end = span.start + (uint32_t)size;
@@ -103,7 +104,7 @@ bool mistake_hex(Resolver *r, const Tree *tree, const char *text)
     return true;
 }
 
-/* The name of a map as it is to be written. */
+/* Returns a map's correctly spelled name, found case-insensitively. */
 static const char *map_name(const char *name)
 {
     for (int kind = 0; kind < KIND_COUNT; kind++)

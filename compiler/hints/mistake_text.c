@@ -1,14 +1,15 @@
-/* Texts that stand where a number, a list or a colour is wanted, and are something else: a list
- * without its brackets, a formula without its sign, a picture's name, a param's. */
+/* Hints for texts in the place of a number, list or color: a list without brackets, a formula
+ * without '=', an image's file name, the name of a param. */
 #include "compiler/base/text.h"
 #include "compiler/formula/formula.h"
 #include "compiler/hints/hint.h"
 #include "compiler/hints/mistake.h"
 #include <string.h>
 
-enum { MOST_SHOWN = 80 }; /* bytes of a text that is written out once more */
+enum { MOST_SHOWN = 80 }; /* max bytes of a text that a hint repeats */
 
-/* "0.1 0.2 0.3", "(0.1, 0.2, 0.3)": the same as a list; NULL: it is none. */
+/* Returns "0.1 0.2 0.3" or "(0.1, 0.2, 0.3)" as a list in brackets; NULL: the text is no list of
+ * numbers. */
 static const char *list_of(const Session *session, const char *text)
 {
     Text list = text_new(session->arena);
@@ -53,7 +54,7 @@ static bool ends_as_picture(const Tree *tree)
     return false;
 }
 
-/* It has an operator or a call, or is one of the values that formulas have. */
+/* True if the text has an operator or a call, or is a quantity of formulas. */
 static bool looks_like_formula(const char *text, size_t size)
 {
     static const char *const colors[] = {"srgb(", "linear(", "rgb(", "rgba(", "hsl(", "hsv(", "#"};
@@ -85,7 +86,7 @@ bool mistake_formula(Resolver *r, const Tree *tree)
     return true;
 }
 
-/* The parameter of the definition that is looked at; NULL: it has none of that name. */
+/* Returns the parameter of the current definition with this name; NULL: none. */
 static const Member *parameter_called(const Resolver *r, const char *name)
 {
     const Member *params = r->definition ? tree_find(r->definition->value, "params") : NULL;
