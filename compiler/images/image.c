@@ -1,15 +1,14 @@
-/* Pictures that documents name, files or parts of glTF files: PNG, JPEG, OpenEXR or BMP, told by
- * their first bytes. The numbers are the file's: gamma, profiles and all else that says how they
- * are to be shown is passed over. */
+/* Images that documents name, as files or parts of glTF files: PNG, JPEG, OpenEXR or BMP,
+ * detected by their first bytes. Stored numbers are used unchanged: gamma, color profiles and
+ * other display metadata are ignored. */
 #include "compiler/hints/hint.h"
 #include "compiler/images/image.h"
 #include "compiler/images/image_file.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Formats that are not read, by their first bytes, with a reason that says what to do. A GIF has
- * 256 colours and may move; its decoder would be one more library in every program that embeds
- * matc. */
+/* Unsupported formats, by their first bytes, with advice. GIF has 256 colors and may be
+ * animated, and its decoder would be another library in every host program. */
 static const char *refusal(const char *at, size_t size)
 {
     static const struct {
@@ -47,7 +46,7 @@ static const char *decode(ImageFile *file)
     return refusal(file->at, size);
 }
 
-/* The bytes of the picture of that path, and the file to free, if it is one; false: `why`. */
+/* Finds the bytes of an image; *file is to be freed, or NULL. Returns false and *why on failure. */
 static bool find_bytes(Resolver *r, const char *path, ImageFile *picture, char **file,
                        const char **why)
 {
@@ -89,7 +88,7 @@ static const Image *read_picture(Resolver *r, const char *full, const char **why
     return image;
 }
 
-/* A picture that cannot be read is tried once only. */
+/* An unreadable image is tried only once. */
 const Image *image_load(Resolver *r, const char *path, Span span)
 {
     Session *session = r->session;

@@ -1,17 +1,17 @@
-/* BMP files, as Microsoft's headers BITMAPCOREHEADER (12 bytes), BITMAPINFOHEADER (40) and its
- * successors (52, 56, 108, 124) have them: 1, 4 and 8 bits with a palette, 16, 24 and 32 bits, with
- * masks or without. Colours become bytes. What is compressed is refused.
+/* Reads BMP files with the headers BITMAPCOREHEADER (12 bytes), BITMAPINFOHEADER (40) and its
+ * successors (52, 56, 108, 124): 1, 4 and 8 bits with a palette; 16, 24 and 32 bits, with or
+ * without masks. Colors become bytes. Compressed files are rejected.
  *
- *     "BM", the file's size, 0, offset of the rows | size of the header, width, height, 1, bits,
- *         ... | masks,
- *     palette | rows, the bottom one first unless height < 0, each a multiple of four bytes */
+ *     "BM", size of the file, 0, offset of the rows
+ *     size of the header, width, height, 1, bits, ...; masks; palette
+ *     rows, the bottom one first unless height < 0, each a multiple of four bytes */
 #include "compiler/images/image_file.h"
 
 enum {
     FILE_HEADER = 14,
     CORE_HEADER = 12,
     INFO_HEADER = 40,
-    MASKED_HEADER = 52, /* from here on the masks are a part of the header */
+    MASKED_HEADER = 52, /* from this version on the header includes the masks */
     ALPHA_HEADER = 56,
     LARGEST_HEADER = 1 << 12,
     BI_RGB = 0,
@@ -23,11 +23,12 @@ enum {
 
 typedef struct {
     const uint8_t *bytes;
-    size_t size, header, rows, stride; /* the header's size; where rows begin, and bytes of one */
+    /* header: its size; rows, stride: offset of the rows, bytes of a row */
+    size_t size, header, rows, stride;
     unsigned bits, compression;
     bool from_top;
     const uint8_t *palette;
-    size_t entry, colors; /* bytes of an entry of the palette, and how many there are */
+    size_t entry, colors; /* size of a palette entry in bytes, and number of entries */
     uint32_t masks[LANES];
 } Bmp;
 
@@ -40,7 +41,7 @@ static uint32_t read_four(const Bmp *bmp, size_t at)
     return read_two(bmp, at) | read_two(bmp, at + 2) << 16;
 }
 
-/* Width, height, bits, compression. */
+/* Reads width, height, bits and compression. */
 static const char *read_sizes(Bmp *bmp, Image *image)
 {
     const bool core = bmp->header == CORE_HEADER;
@@ -61,7 +62,7 @@ static const char *read_sizes(Bmp *bmp, Image *image)
     return NULL;
 }
 
-/* Ones side by side; none are a lane that is not there. */
+/* True for contiguous set bits; a zero mask means a missing component. */
 static bool is_mask(uint32_t mask)
 {
     while (mask && !(mask & 1))
@@ -69,7 +70,8 @@ static bool is_mask(uint32_t mask)
     return !(mask & (mask + 1));
 }
 
-/* Pixels of 16 and 32 bits have five or eight bits a color, or those that the masks say. */
+/* Sets the component masks of 16 and 32 bit pixels: five or eight bits per color by default, or
+ * those in the file. */
 static const char *read_masks(Bmp *bmp, Image *image)
 {
     static const uint32_t plain[2][LANES] = {{0x7C00, 0x3E0, 0x1F, 0}, {0xFF0000, 0xFF00, 0xFF, 0}};
@@ -90,7 +92,7 @@ static const char *read_masks(Bmp *bmp, Image *image)
     return NULL;
 }
 
-/* Behind the header, up to the rows. */
+/* Finds the palette after the header. */
 static const char *read_palette(Bmp *bmp)
 {
     const size_t at = FILE_HEADER + bmp->header, most = (size_t)1 << bmp->bits;
@@ -128,7 +130,7 @@ static const char *read_header(Bmp *bmp, Image *image)
     return why;
 }
 
-/* A lane of 1 to 32 bits, rounded to a byte. */
+/* Returns a component of 1 to 32 bits, rounded to a byte. */
 static uint8_t masked_lane(uint32_t pixel, uint32_t mask)
 {
     uint64_t value = pixel & mask, most = mask;
@@ -139,7 +141,7 @@ static uint8_t masked_lane(uint32_t pixel, uint32_t mask)
     return (uint8_t)((value * BYTE + most / 2) / most);
 }
 
-/* False: its colour is beyond the palette. */
+/* Reads a pixel. Returns false if its index is outside the palette. */
 static bool read_pixel(const Bmp *bmp, const uint8_t *row, size_t x, uint8_t rgba[LANES])
 {
     const uint8_t *at = row + x * bmp->bits / 8;

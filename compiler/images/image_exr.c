@@ -1,13 +1,12 @@
-/* OpenEXR files, by the library's C core: halves and floats, scan lines and tiles, of the first
- * part and its first level. A picture is the display window; what the data window has beyond it is
- * left out, and where it has nothing the picture is transparent black.
+/* Reads OpenEXR files by the C core of the OpenEXR library: half and float channels, scan lines
+ * and tiles, the first part, mipmap level 0. The image covers the display window; texels of the
+ * data window outside it are dropped, and missing texels are transparent black.
  *
- *     display window 0 to 3, data window 2 to 5: the picture's columns are 0, 0, the file's first,
- *         its second
+ *     display window 0 to 3, data window 2 to 5: the image's columns are 0, 0, and the first
+ *         two columns of the file
  *
- * Colours are linear, and may be any number. Whoever samples them would spread one that is infinite
- * or none over its neighbours, so such texels are an error. Only the common compressions that lose
- * nothing are read. */
+ * Colors are linear and unbounded. A texel that is infinite or NaN would spread to its neighbors
+ * when filtered and is therefore an error. Only the common lossless compressions are supported. */
 #include "compiler/images/image_file.h"
 #include <OpenEXR/openexr.h>
 #include <math.h>
@@ -16,13 +15,13 @@
 
 enum {
     LANES = 4,
-    MOST_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long ones */
-    /* bytes, of the library at once: a block of lines, a tile, a table of them */
+    MOST_HEADER = 1 << 18, /* bytes: the library takes quadratic time for long headers */
+    /* Max bytes of one allocation of the library: a block of lines, a tile, or a table of them. */
     MOST_ALLOCATION = 256 << 20,
-    /* bytes that a block of lines or a tile takes: its place in the table, its own head */
+    /* Min bytes of a block of lines or a tile: its table entry and its header. */
     LEAST_CHUNK = 16,
-    MOST_DEFLATED = 1032, /* bytes that deflate makes of one, at most */
-    MOST_RUN = 64,        /* likewise of run lengths: 128 of 2 */
+    MOST_DEFLATED = 1032, /* max expansion ratio of deflate */
+    MOST_RUN = 64,        /* max ratio of run-length encoding: 128 bytes from 2 */
 };
 
 static const char
@@ -38,15 +37,15 @@ typedef struct {
     exr_context_t exr;
     exr_attr_box2i_t data, display;
     const exr_attr_chlist_t *channels;
-    /* of the file's channels, which is red, green, blue, alpha; NONE: it has none */
+    /* Index of the red, green, blue and alpha channel in the file; NONE: missing. */
     int lane[LANES];
-    bool header_read; /* what is read now are texels */
-    const char *why;  /* the fault */
+    bool header_read; /* texels are being read */
+    const char *why;  /* the first fault */
 } ExrReader;
 
 enum { NONE = -1 };
 
-/* Part of a file: a block of lines or a tile, whose first texel is at (x, y). */
+/* A chunk of the file: a block of lines or a tile, whose first texel is at (x, y). */
 typedef struct {
     exr_chunk_info_t info;
     int x, y;
@@ -65,7 +64,7 @@ static bool fail(ExrReader *d, const char *why)
     return false;
 }
 
-/* The first message says most. */
+/* Keeps the first message, which is the most specific. */
 static void on_error(exr_const_context_t exr, exr_result_t code, const char *message)
 {
     ExrReader *d = reader_of(exr);
@@ -79,7 +78,7 @@ static void on_error(exr_const_context_t exr, exr_result_t code, const char *mes
         fail(d, arena_string(d->file->session->arena, message, strlen(message)));
 }
 
-/* Reports the error that the library returned. */
+/* Converts the library's result to success or a fault. */
 static bool done(ExrReader *d, exr_result_t code)
 {
     return code == EXR_ERR_SUCCESS ||
@@ -111,7 +110,7 @@ static int64_t on_read(exr_const_context_t exr, void *user, void *to, uint64_t s
     return (int64_t)count;
 }
 
-/* Texels of a window along an axis. */
+/* Size of a window in texels. */
 static double width_of(const exr_attr_box2i_t *box) { return (double)box->max.x - box->min.x + 1; }
 static double height_of(const exr_attr_box2i_t *box) { return (double)box->max.y - box->min.y + 1; }
 
@@ -128,7 +127,7 @@ static int find_channel(const ExrReader *d, const char *name)
     return NONE;
 }
 
-/* Red, green and blue, or Y for all of them. */
+/* Selects the channels R, G and B, or Y for all three, and A. */
 static bool choose_channels(ExrReader *d)
 {
     static const char *const names[LANES] = {"R", "G", "B", "A"};
@@ -179,7 +178,7 @@ static bool covers(const exr_attr_box2i_t *a, const exr_attr_box2i_t *b)
            a->max.y >= b->max.y;
 }
 
-/* Starts reading a picture that is within the limit of size. */
+/* Opens an image within the size limit. */
 static bool start_read(ExrReader *d)
 {
     const exr_context_initializer_t calls = {
@@ -222,8 +221,9 @@ static bool read_header(ExrReader *d)
     return true;
 }
 
-/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of,
- * and all channels together, wanted or not, must not be more than pictures may take. */
+/* Rejects files that are too short for their header before allocating memory. The data must be
+ * long enough for the chunks that the header declares, and all channels together, used or not,
+ * must fit the limit of image memory. */
 static bool check_size(ExrReader *d)
 {
     static const double most[] = {[EXR_COMPRESSION_NONE] = 1,
@@ -250,7 +250,7 @@ static bool check_size(ExrReader *d)
            fail(d, image_file_cut);
 }
 
-/* Samples of a chunk: for each line all of the first channel, then of the second. */
+/* Samples of a chunk: for each line all samples of the first channel, then of the second, ... */
 typedef struct {
     const uint8_t *at, *end;
 } Samples;
@@ -279,7 +279,8 @@ static float float_from(uint32_t bits)
     return number;
 }
 
-/* The texel at a place of the file; NULL: it is outside of the picture, or that has none yet. */
+/* Returns the texel at a position of the file; NULL if it is outside the image, or the image has
+ * no texels yet. */
 static float *texel_at(const ExrReader *d, int64_t x, int64_t y)
 {
     const Image *image = d->file->image;
@@ -289,7 +290,7 @@ static float *texel_at(const ExrReader *d, int64_t x, int64_t y)
     return (float *)image->texels + (row * image->width + column) * LANES;
 }
 
-/* A channel's part of a line: red, green, blue and alpha, as many of them as it is. */
+/* Stores a channel's samples of a line in every component that uses the channel. */
 static bool put_line(ExrReader *d, int number, int width, const int at[2], Samples *samples)
 {
     const exr_attr_chlist_entry_t *entry = &d->channels->entries[number];
@@ -309,8 +310,8 @@ static bool put_line(ExrReader *d, int number, int width, const int at[2], Sampl
     return true;
 }
 
-/* Unpacks a chunk, since version 3.1.5 of the library does not: it follows unwanted channels to
- * NULL, and takes A B G R for R G B A. */
+/* Unpacks a chunk. Version 3.1.5 of the library cannot be used for this: it writes unwanted
+ * channels to NULL, and treats the order A B G R as R G B A. */
 static exr_result_t unpack(exr_decode_pipeline_t *decode)
 {
     const Chunk *chunk = decode->decoding_user_data;
@@ -349,7 +350,7 @@ static bool decode_chunk(ExrReader *d, Chunk *chunk)
     return fine;
 }
 
-/* Both decode the first chunks, at most as many as given. */
+/* Both functions decode at most `most` chunks, from the first on. */
 static bool read_lines(ExrReader *d, int64_t most)
 {
     int32_t high = 0;
@@ -379,8 +380,8 @@ static bool read_tiles(ExrReader *d, int64_t most)
     return true;
 }
 
-/* Before anything is read: transparent black, and black where the file has texels without an
- * alpha. */
+/* Initializes the texels to transparent black, or to opaque black inside the data window if the
+ * file has no alpha. */
 static void clear(ExrReader *d)
 {
     Image *image = d->file->image;

@@ -1,4 +1,4 @@
-/* Functions that the readers of all formats share. */
+/* Functions shared by the readers of all image formats. */
 #include "compiler/images/image_file.h"
 
 const char image_file_cut[] = "it ends too soon", image_file_too_large[] = "it is too large",

@@ -1,16 +1,16 @@
-/* Readers of picture files, one a format. Each gives the header's size, bits and alpha, and where
- * the session wants them the texels: RGBA, the bottom row first. NULL, or what is wrong. The file
- * is untrusted: a header alone takes no memory. */
+/* Image readers, one per format. A reader fills in size, bits and alpha, and if the session
+ * needs them the texels: RGBA, bottom row first. It returns NULL or a fault. Files are
+ * untrusted: a header alone causes no large allocation. */
 #ifndef MATC_IMAGE_FILE_H
 #define MATC_IMAGE_FILE_H
 #include "compiler/graph/resolver.h"
 
 typedef struct {
     Session *session;
-    const char *at, *end; /* what is not read yet */
-    size_t room;          /* bytes that pictures may still take */
-    Image *image;         /* that is being read */
-    Arena memory;         /* the texels, and what decoding takes: freed where the file is broken */
+    const char *at, *end; /* unread bytes */
+    size_t room;          /* bytes that images may still use */
+    Image *image;         /* the image being read */
+    Arena memory;         /* texels and decoder memory: freed if the file is broken */
 } ImageFile;
 
 const char *image_png(ImageFile *file);
@@ -18,13 +18,14 @@ const char *image_jpeg(ImageFile *file);
 const char *image_exr(ImageFile *file);
 const char *image_bmp(ImageFile *file);
 
-/* Faults that all formats have. */
+/* Faults common to all formats. */
 extern const char image_file_cut[], image_file_too_large[], image_file_too_many[];
-/* NULL, or what is wrong with the size that a header speaks of; a size of 0 is. */
+/* Checks the size in a header. Returns NULL or a fault; a size of 0 is a fault. */
 const char *image_file_check_side(double width, double height);
-/* Bytes that an image takes, decoded. */
+/* Returns the bytes that a decoded image occupies. */
 size_t image_file_size(const Image *image);
-/* NULL and the texels, which are the image's; or what is wrong: there is no room. A reader decodes
- * the first of them before, so that a file whose data are broken at once takes no memory. */
+/* Allocates the image's texels. Returns NULL, or a fault if the limit of image memory is
+ * exceeded. Readers decode a first part before this call, so that a file with broken data causes
+ * no large allocation. */
 const char *image_file_allocate(ImageFile *file);
 #endif

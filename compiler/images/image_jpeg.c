@@ -1,5 +1,6 @@
-/* JPEG files, by libjpeg-turbo: grey and YCbCr or RGB, baseline and progressive. What it would only
- * warn of, such as a scan that is cut off, is an error here: half of a picture is none. */
+/* Reads JPEG files by libjpeg-turbo: grayscale, YCbCr or RGB, baseline and progressive. Warnings
+ * of the library, for instance about a truncated scan, are errors here, since half an image is
+ * useless. */
 #include "compiler/images/image_file.h"
 #include <setjmp.h>
 #include <stdio.h>
@@ -9,13 +10,14 @@
 #include <jerror.h>
 
 enum {
-    /* of a progressive file, each of which goes over the whole picture; encoders make about ten */
+    /* Max scans of a progressive file, each of which covers the whole image; encoders write
+     * about ten. */
     MOST_SCANS = 128,
-    BLOCK = 8,            /* texels of a block's edge */
-    LEAST_BLOCK_BITS = 1, /* that a block takes in a file: a code of one bit */
+    BLOCK = 8,            /* texels along a block's edge */
+    LEAST_BLOCK_BITS = 1, /* min bits of a block in a file: a code of one bit */
 };
 
-/* It outlives the longjmp of libjpeg's errors. */
+/* Lives outside the function that calls setjmp, so longjmp of libjpeg's errors preserves it. */
 typedef struct {
     struct jpeg_decompress_struct jpeg;
     struct jpeg_error_mgr errors;
@@ -42,7 +44,7 @@ static void on_error(j_common_ptr jpeg)
     fail(d, arena_string(d->file->session->arena, message, strlen(message)));
 }
 
-/* Below 0: data that is broken. Bytes between segments are common, and change nothing. */
+/* Negative levels are corrupt data. Stray bytes between segments are common and harmless. */
 static void on_message(j_common_ptr jpeg, int level)
 {
     if (level < 0 && jpeg->err->msg_code != JWRN_EXTRANEOUS_DATA)
@@ -51,7 +53,7 @@ static void on_message(j_common_ptr jpeg, int level)
 
 static void on_begin(j_decompress_ptr jpeg) { (void)jpeg; }
 
-/* All is there from the beginning: who asks for more is beyond the end. */
+/* The whole file is in memory: a request for more data means that the file is truncated. */
 static boolean on_more(j_decompress_ptr jpeg)
 {
     fail(reader_of((j_common_ptr)jpeg), image_file_cut);
@@ -125,19 +127,19 @@ static void read_header(JpegReader *d)
                      .opaque = true};
 }
 
-/* A header alone takes no memory: what follows must be able to hold the blocks that it speaks of,
- * of the finest component. */
+/* Rejects a file that is too short for its header before allocating memory: the data must be
+ * able to hold all blocks of the finest component. */
 static void check_size(JpegReader *d)
 {
     const size_t wide = ((size_t)d->file->image->width + BLOCK - 1) / BLOCK;
     const size_t high = ((size_t)d->file->image->height + BLOCK - 1) / BLOCK;
     if (wide * high * LEAST_BLOCK_BITS / 8 > d->source.bytes_in_buffer)
         fail(d, image_file_cut);
-    /* of a progressive file's coefficients */
+    /* limits the memory of a progressive file's coefficients */
     d->jpeg.mem->max_memory_to_use = (long)LIMIT_PIXELS_MIB << 20;
 }
 
-/* The first row is decoded by itself, before there is room for all. */
+/* Decodes the first row before allocating memory for all rows. */
 static void read_rows(JpegReader *d)
 {
     const size_t stride = (size_t)d->file->image->width * 4,
@@ -159,7 +161,7 @@ static void read_rows(JpegReader *d)
     jpeg_finish_decompress(&d->jpeg);
 }
 
-/* No variables here: setjmp may lose them. */
+/* No local variables: longjmp could clobber them. */
 static void read_picture(JpegReader *d)
 {
     if (setjmp(d->back))

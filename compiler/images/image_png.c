@@ -1,4 +1,5 @@
-/* PNG files, by libpng. Of 16 bits a lane all are kept, of fewer each lane becomes a byte. */
+/* Reads PNG files by libpng. Images with 16 bits per component keep them; fewer bits are
+ * expanded to a byte. */
 #include "compiler/images/image_file.h"
 #include "compiler/base/memory.h"
 #include <png.h>
@@ -6,17 +7,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* All that decoding needs. It outlives the longjmp of libpng's errors, so nothing of it is lost. */
+/* State of decoding. It lives outside the function that calls setjmp, so longjmp of libpng's
+ * errors preserves it. */
 typedef struct {
     ImageFile *file;
     png_structp png;
     png_infop info;
     png_bytep *rows; /* in the order of the file */
-    png_bytep first; /* the first row, where it was decoded before there were others */
+    png_bytep first; /* the first row, if it was decoded before the others were allocated */
     const char *why; /* the fault */
 } PngReader;
 
-enum { MOST_DEFLATED = 1032 }; /* bytes that deflate makes of one, at most */
+enum { MOST_DEFLATED = 1032 }; /* max expansion ratio of deflate */
 
 static void on_error(png_structp png, png_const_charp message)
 {
@@ -27,7 +29,7 @@ static void on_error(png_structp png, png_const_charp message)
 
 static void on_warning(png_structp png, png_const_charp message)
 {
-    (void)png, (void)message; /* what libpng warns of, it has dealt with */
+    (void)png, (void)message; /* libpng has already handled what it warns about */
 }
 
 static void on_read(png_structp png, png_bytep to, size_t size)
@@ -45,19 +47,20 @@ static bool is_little_endian(void)
     return *(const uint8_t *)&one == 1;
 }
 
-/* Rows of RGBA, whatever the file has: palettes, 1 to 16 bits, a colour that is transparent. */
+/* Converts rows of any PNG format to RGBA: palettes, 1 to 16 bits, a transparent color. */
 static void convert_to_rgba(PngReader *d)
 {
     png_set_expand(d->png);
     if (is_little_endian())
-        png_set_swap(d->png); /* of words; PNG has their upper byte first */
+        png_set_swap(d->png); /* PNG stores words in big-endian order */
     png_set_gray_to_rgb(d->png);
     png_set_add_alpha(d->png, 0xFFFF, PNG_FILLER_AFTER);
     png_set_interlace_handling(d->png);
     png_read_update_info(d->png, d->info);
 }
 
-/* A header alone takes no memory: what follows must be able to hold the rows that it speaks of. */
+/* Rejects a file that is too short for its header before allocating memory: the data must be
+ * able to hold all rows. */
 static void check_size(PngReader *d, size_t row_bytes)
 {
     if (row_bytes * (size_t)d->file->image->height / MOST_DEFLATED >
@@ -82,7 +85,7 @@ static void allocate(PngReader *d)
 
 static void read_header(PngReader *d)
 {
-    /* of the chunks that are not needed for the pixels none is read: no profile is inflated */
+    /* Ancillary chunks are not read; in particular no color profile is inflated. */
     png_set_keep_unknown_chunks(d->png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_read_info(d->png, d->info);
     Image *image = d->file->image;
@@ -98,8 +101,8 @@ static void read_header(PngReader *d)
                     !png_get_valid(d->png, d->info, PNG_INFO_tRNS);
 }
 
-/* Decodes the first row by itself. An interlaced picture has no such row: each pass writes to all
- * of it. */
+/* Decodes the first row separately. An interlaced image has no such row: each pass writes to all
+ * rows. */
 static void read_first_row(PngReader *d)
 {
     if (png_get_interlace_type(d->png, d->info) != PNG_INTERLACE_NONE)
@@ -118,7 +121,7 @@ static void read_rows(PngReader *d)
     png_read_rows(d->png, d->rows + 1, NULL, (png_uint_32)d->file->image->height - 1);
 }
 
-/* No variables here: setjmp may lose them. */
+/* No local variables: longjmp could clobber them. */
 static void read_picture(PngReader *d)
 {
     if (setjmp(png_jmpbuf(d->png)))
