@@ -22,7 +22,7 @@ bool mistake_list(Resolver *r, const Tree *tree);
 bool mistake_formula(Resolver *r, const Tree *tree);
 /* Reports the bare name of a param, or of a parameter of the definition. */
 bool mistake_param(Resolver *r, const Tree *tree);
-/* The key that is written in another case; NULL if there is none. */
+/* Returns the member whose key equals `key` except for the case of letters; NULL: none. */
 const Member *mistake_case(const Tree *object, const char *key);
 /* Returns "; here it is ImageMap" for a name that other tools use for a map, a material or a
  * parameter of `kind` (foreign.def). NULL: unknown. */

@@ -1,38 +1,38 @@
-/* --layout=auto: which slots lie together. A case stores the slots of some of the materials' sets;
- * how few words a pixel does it take, if every set shall find a case, and then how few cases? One
- * by one they are tried.
+/* --layout=auto: groups slots into cases. A case stores the slots of some of the materials' slot
+ * sets. Finds the fewest words per pixel such that every set is contained in a case, then the
+ * fewest cases, by backtracking.
  *
- *     sets {diffuse, emissive} of 40 bits, {diffuse, specular} of 32, {diffuse, ior} of 28, and
- *         words of 32
- *     1 word: the first set alone is too large. 2 words, 1 case: the union of all takes 52 and
- *         fits: 8 bytes, no bits to tell cases.
- *     Were the union 70: the second set joins the first's case if both fit there together, else it
- *         opens the second case; what
- *     has come to a dead end goes back to the last choice. */
+ *     sets {diffuse, emissive} of 40 bits, {diffuse, specular} of 32, {diffuse, ior} of 28,
+ *         and words of 32 bits
+ *     1 word: the first set alone is too large
+ *     2 words, 1 case: the union of all sets takes 52 bits and fits: 8 bytes, and no bits for
+ *         a case number
+ *     If the union took 70 bits, the second set would join the first case if both fit there,
+ *         otherwise open the second case; a dead end returns to the last choice. */
 #include "compiler/layout/auto_layout.h"
 #include <stdlib.h>
 #include <string.h>
 
 enum {
     MOST_WORDS = 4 * LAYOUT_TARGETS,
-    MOST_STEPS = 20000, /* of one search: all divisions of eight sets are 4,140 */
+    MOST_STEPS = 20000, /* of one search: eight sets have 4,140 partitions in all */
     TRIED = 1 << 12,
 };
 
-/* Whether the slots of a case fit; what was tried last of those that share a place. */
+/* Cache: whether the slots of a case fit; the last query of each hash slot. */
 typedef struct {
     unsigned slots;
     bool tried, fits;
 } Tried;
 
-/* A division into so many cases of so many words. */
+/* State of partitioning the sets into a given number of cases of a given number of words. */
 typedef struct {
     const FieldRow *fields; /* by falling size */
     int field_count;
-    /* none of which lies within another; those that take the most bits first */
+    /* Sets of which none contains another, by decreasing number of bits. */
     unsigned sets[MATC_SETS + 1];
     int set_count;
-    LayoutRow row; /* as large as the cases may be, and so many of them */
+    LayoutRow row; /* formats and number of the cases being tried */
     int steps;
     Division *found;
     Tried tried[TRIED];
@@ -56,7 +56,7 @@ static bool can_fit(const Search *s, unsigned slots)
 {
     FieldRow fields[SLOT_COUNT];
     CaseRow only = {.fields = fields};
-    /* each of its cases by itself, beside the number that tells them apart */
+    /* Allocates the case alone; the case number's bits are reserved by the row. */
     LayoutRow row = s->row;
     Placement placement;
     for (int i = 0; i < s->field_count; i++)
@@ -68,15 +68,15 @@ static bool can_fit(const Search *s, unsigned slots)
 
 static bool fits(Search *s, unsigned slots)
 {
-    static const uint32_t spread = 2654435769; /* 2^32 over the golden ratio */
+    static const uint32_t spread = 2654435769; /* 2^32 divided by the golden ratio */
     Tried *at = &s->tried[(slots * spread >> 16) % TRIED];
     if (!at->tried || at->slots != slots)
         *at = (Tried){slots, true, can_fit(s, slots)};
     return at->fits;
 }
 
-/* Finds a case for the sets from `next` on: one that has it already, one that can take it in, or a
- * new one. */
+/* Assigns the sets from `next` on to cases: to a case that already contains the set, to one that
+ * can be extended, or to a new one. */
 static bool divide(Search *s, int next)
 {
     Division *found = s->found;
@@ -106,7 +106,7 @@ static bool divide(Search *s, int next)
     return false;
 }
 
-/* False, too, where the search is given up. */
+/* Returns false also if the search is abandoned. */
 static bool divide_into(Search *s, int words, int cases)
 {
     if (targets_of(words) > LAYOUT_TARGETS)
@@ -130,7 +130,7 @@ static int slots_bits(const Search *s, unsigned slots)
     return bits;
 }
 
-/* A set that lies within another finds its case. */
+/* Adds a set unless another set contains it; removes sets that it contains. */
 static void add_set(Search *s, unsigned set)
 {
     int at, kept = 0;
@@ -171,7 +171,7 @@ static void finish(Division *division, unsigned stored, const MatcRanges *ranges
         count_materials(division, stored, &ranges->others);
 }
 
-/* With one case, as few words as do; then fewer, in as few cases as do. */
+/* Finds the fewest words with a single case, then fewer words with the fewest cases. */
 static bool find_division(Search *s, unsigned stored)
 {
     Division *found = s->found;

@@ -1,4 +1,5 @@
-/* --layout=auto: fields by falling size, in as few words as hold them, in cases. */
+/* --layout=auto: derives fields, sorted by decreasing size, packs them into the fewest words,
+ * and groups them into cases. */
 #include "compiler/layout/auto_layout.h"
 #include <stdlib.h>
 #include <string.h>
@@ -10,7 +11,7 @@ static int by_size(const void *a, const void *b)
     return difference ? difference : (int)x->source[0].slot - (int)y->source[0].slot;
 }
 
-/* The parts of a layout: what is stored, and what is fixed. */
+/* The parts of a layout: stored fields, and constant slots. */
 typedef struct {
     FieldRow fields[SLOT_COUNT];
     int count;
@@ -37,7 +38,7 @@ static const char *doc_of(Arena *arena, int materials)
     return text.at;
 }
 
-/* "Materials with specular, emissive.": what this case has and another one has not. */
+/* Describes a case by the slots that distinguish it: "Materials with specular, emissive." */
 static const char *doc_of_case(Arena *arena, const Division *division, int number)
 {
     unsigned all = division->slots[0];
@@ -83,7 +84,7 @@ static const LayoutRow *make_row(Arena *arena, const MatcRanges *ranges, Plan pl
     row->case_count = division->count;
     for (int i = 0; i < division->count; i++) {
         cases[i] = make_case(arena, parts.fields, parts.count, division->slots[i]);
-        /* the first one's is the layout's */
+        /* the first case has the layout's text */
         cases[i].doc = i ? doc_of_case(arena, division, i) : row->doc;
     }
     return row;

@@ -1,4 +1,4 @@
-/* --layout=auto: from ranges to fields. */
+/* --layout=auto: derives the fields of a layout from the ranges of slots. */
 #ifndef MATC_AUTO_LAYOUT_H
 #define MATC_AUTO_LAYOUT_H
 #include "compiler/layout/layout.h"
@@ -6,54 +6,56 @@
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
 
-/* Ranges of one material's slots, by its optimized IR of the pass value with all slots. */
+/* Finds the ranges of a material's slots from its optimized IR (pass `value`, all slots). */
 void auto_ranges(const Ir *ir, MatcRanges *one);
-/* The layout of the materials that `ranges` were joined of; `error` is the colours', 0: that of
- * classes.def. NULL: no layout has so many words. The report tells of every slot what became of
- * it. */
+/* Returns a layout for the materials whose ranges were joined in `ranges`. `error` is the max
+ * error of colors; 0 selects that of classes.def. NULL: no layout has enough words. The report
+ * explains the encoding of every slot. */
 const LayoutRow *auto_layout(Arena *arena, const MatcRanges *ranges, double error, Text *report);
 
-/* How a slot is kept. */
+/* How a layout treats a slot. */
 typedef enum {
-    FATE_field,    /* it is stored */
-    FATE_fixed,    /* all materials have the same of it */
-    FATE_absent,   /* no material says anything about it */
-    FATE_unneeded, /* it changes nothing in any material */
-    FATE_taken,    /* another slot has it in */
+    FATE_field,    /* stored in a field */
+    FATE_fixed,    /* constant, equal in all materials */
+    FATE_absent,   /* absent in all materials */
+    FATE_unneeded, /* without effect in any material */
+    FATE_taken,    /* contained in another slot */
 } Fate;
 
 typedef struct {
     Slot slot;
     Fate fate;
-    double low, high; /* of all lanes */
+    double low, high; /* range over all components */
     ErrorClass kind;
-    double error; /* at most, in the unit of its class; of a field what it really is */
+    double error; /* max error in the unit of the class; for a field its actual error */
     FieldRow field;
 } Plan;
 
-/* Which slots lie together in a case. */
+/* Assignment of slots to cases. */
 enum { MOST_AUTO_CASES = 8 };
 typedef struct {
     int count;
-    unsigned slots[MOST_AUTO_CASES]; /* 1 << slot; few first */
-    int materials[MOST_AUTO_CASES];  /* that take it; those of MatcRanges.others all together */
-    int words;                       /* of a pixel */
-    int words_of_one;                /* if there were but one case */
+    unsigned slots[MOST_AUTO_CASES]; /* 1 << slot; fewest slots first */
+    /* number of materials per case; all of MatcRanges.others count together */
+    int materials[MOST_AUTO_CASES];
+    int words;        /* per pixel */
+    int words_of_one; /* with a single case */
 } Division;
 
-/* The fewest words that hold the fields, each one slot's, and then the fewest cases. A material
- * finds all of its slots in a case. False: no layout has so many words. auto_cases.c */
+/* Finds the fewest words that hold the fields (one slot each), then the fewest cases. Each
+ * material has a case with all of its slots. Returns false if no layout has enough words.
+ * auto_cases.c */
 bool auto_divide(const FieldRow *fields, int count, const MatcRanges *ranges, Division *division);
-/* Gives the row so many words: targets of four, two and one. */
+/* Sets the row's formats: targets of four, two and one words. */
 void auto_choose_formats(LayoutRow *row, int words);
-/* Adds the slots of a material, or of several. What `other` has. auto_sets.c */
+/* Adds the slot set of a material; auto_sets_join() adds all sets of `other`. auto_sets.c */
 void auto_sets_add(MatcRanges *ranges, MatcSlotSet set);
 void auto_sets_join(MatcRanges *ranges, const MatcRanges *other);
-/* Bits of all groups of a field. auto_plan.c */
+/* Returns the bits of all groups of a field. auto_plan.c */
 int auto_field_bits(const FieldRow *field);
-/* Plans a slot at `scale` times the errors of classes.def. auto_plan.c */
+/* Selects the encoding of a slot for `scale` times the errors of classes.def. auto_plan.c */
 Plan auto_plan_slot(Slot slot, const MatcSlotRange *range, double scale);
-/* A table of the slots and their fates. auto_report.c */
+/* Writes a table of the slots and their treatment. auto_report.c */
 void auto_report(Text *out, const Plan *plans, const MatcRanges *ranges, const LayoutRow *row,
                  const Division *division);
 #endif

@@ -1,8 +1,9 @@
-/* The cheapest encoding of a slot: the fewest bits that keep its class' error over its range. */
+/* Selects the cheapest encoding of a slot: the fewest bits that keep its class' error over its
+ * range. */
 #include "compiler/layout/auto_layout.h"
 #include <math.h>
 
-/* Two numbers that differ by roundings are one. */
+/* Relative tolerance that absorbs rounding errors. */
 static const double SAME = 1e-9;
 
 typedef struct {
@@ -13,13 +14,14 @@ typedef struct {
 
 static double displayed(double value) { return sqrt(fmin(fmax(value, 0), 1)); }
 
-/* Error of a field in the unit of the slot's class. */
+/* Returns the error of a field in the unit of the slot's class. */
 static double class_error(const Plan *plan, const FieldRow *field)
 {
     const double step = field_error(field);
     switch (class_table[plan->kind].unit) {
     case CLASS_UNIT_display:
-        if (field->encoding == ENCODING_root) /* equal steps of the square root: half of one */
+        /* steps of the square root are uniform: half of one */
+        if (field->encoding == ENCODING_root)
             return sqrt(field_high(field)) * .5 / (ldexp(1, field->bits) - 1);
         return displayed(fmax(plan->low, 0) + step) - displayed(plan->low);
     case CLASS_UNIT_relative:
@@ -46,7 +48,8 @@ int auto_field_bits(const FieldRow *field)
     return field_size(field) * (takes ? field->count / takes : 1);
 }
 
-/* The encoding at the fewest bits that do, if they are fewer than those of the best one so far. */
+/* Tries an encoding with the fewest sufficient bits; keeps it in *best if it takes fewer bits
+ * than the best so far. */
 static void try_encoding(const Wish *wish, Encoding encoding, double low, double high,
                          FieldRow *best)
 {
@@ -67,7 +70,7 @@ static void try_encoding(const Wish *wish, Encoding encoding, double low, double
         *best = field;
 }
 
-/* In [0, 1] as it is, or the range that is in use, where that saves bits. */
+/* Tries the default range [0, 1], and the actual range if that saves bits. */
 static void try_range(const Wish *wish, Encoding encoding, double low, FieldRow *best)
 {
     const Plan *plan = wish->plan;
@@ -104,7 +107,7 @@ static FieldRow best_field(const Wish *wish)
     return best;
 }
 
-/* One number in all materials and lanes' places. */
+/* True if each component is the same number in all materials. */
 static bool is_constant(const MatcSlotRange *range, int lanes)
 {
     for (int lane = 0; lane < lanes; lane++)
@@ -113,7 +116,8 @@ static bool is_constant(const MatcSlotRange *range, int lanes)
     return true;
 }
 
-/* Range of a slot that some materials give and the draw call gives for the others: unbounded. */
+/* Widens the range of a slot that the draw call sets for some materials: any value of the slot
+ * is possible. */
 static MatcSlotRange with_drawn(Slot slot, MatcSlotRange range)
 {
     for (int lane = 0; lane < FIELD_LANES && range.counted && range.drawn; lane++) {
@@ -148,7 +152,7 @@ Plan auto_plan_slot(Slot slot, const MatcSlotRange *of, double scale)
     plan.fate = FATE_field;
     const bool gray = lanes > 1 && range->alike == range->counted &&
                       class_table[plan.kind].unit != CLASS_UNIT_degrees;
-    /* a direction is encoded as one, whatever its lanes are */
+    /* directions always use a direction encoding, whatever the ranges of their components */
     plan.field = best_field(&(Wish){&plan, gray, lanes});
     plan.error = class_error(&plan, &plan.field);
     return plan;

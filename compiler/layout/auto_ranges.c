@@ -1,4 +1,4 @@
-/* Ranges of a set of materials: the intervals of every slot, by the optimized IR. */
+/* Ranges of the slots of a set of materials: intervals from the optimized IR. */
 #include "compiler/layout/auto_layout.h"
 #include "compiler/ir/range.h"
 #include <math.h>
@@ -11,7 +11,7 @@ void matc_ranges_init(MatcRanges *ranges)
 {
     if (!ranges)
         return;
-    /* what lies between members too: equal ranges are equal bytes */
+    /* clears padding too, so that equal ranges are equal bytes */
     memset(ranges, 0, sizeof *ranges);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         for (int lane = 0; lane < FIELD_LANES; lane++) {
@@ -40,8 +40,8 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* Lanes that are the same by how they are computed, by those of the operands: the SAME lines of
- * ops.def. */
+/* Whether a node's components are equal by construction, given the same for its operands: the
+ * SAME lines of ops.def. */
 static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {
     const double *numbers = ir_numbers(ir, ref);
@@ -105,7 +105,7 @@ static uint8_t *find_same(const Ir *ir, Arena *arena)
     return same;
 }
 
-/* One material's slot; what a surface cannot be is taken off. */
+/* Reads the range of one slot of a material, clipped to the slot's valid range. */
 static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
                       const IrOutput *output, MatcSlotRange *range)
 {
@@ -115,13 +115,13 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
         ir_is(ir, value, OP_input) && input_table[ir_at(ir, value)->payload].source == SOURCE_draw;
     range->drawn = draws;
     if (slot_class_table[output->index].kind == CLASS_none || draws)
-        return; /* another slot has it, or who draws knows it */
+        return; /* contained in another slot, or set by the draw call */
     range->counted = 1;
     range->absent = ir_is_number(ir, value, row->absent);
     range->alike = same[value];
     for (int lane = 0; lane < type_table[row->type].lanes; lane++) {
         Interval found = range_of(ranges, ir, value, lane);
-        /* it is stored as the eye sees it: no way is ever left out */
+        /* Normals are stored in view space, where any direction can occur. */
         if (slot_mixing((Slot)output->index) == MIXING_DIRECTION)
             found = (Interval){row->low, row->high};
         range->low[lane] = fmin(fmax(found.low, row->low), row->high);
@@ -129,7 +129,7 @@ static void read_slot(const Ir *ir, const Ranges *ranges, const uint8_t *same,
     }
 }
 
-/* There are points where it is more than 0. */
+/* True if the slot can be greater than 0. */
 static bool is_there(const MatcSlotRange *range)
 {
     for (int lane = 0; lane < FIELD_LANES; lane++)
@@ -138,7 +138,7 @@ static bool is_there(const MatcSlotRange *range)
     return false;
 }
 
-/* Slots that change nothing in this material do not count. */
+/* Drops slots without effect in this material. */
 static void drop_unneeded(MatcRanges *one)
 {
     MatcRanges none;

@@ -1,4 +1,4 @@
-/* Why a layout is as it is: a line a slot. */
+/* Report of an automatic layout: one line per slot. */
 #include "compiler/layout/auto_layout.h"
 
 static void put_range(Text *out, double low, double high)
@@ -23,7 +23,7 @@ static void put_error(Text *out, const Plan *plan)
     text_put(out, units[unit]);
 }
 
-/* Why a slot has no field. */
+/* Explains why a slot has no field. */
 static void put_fate(Text *out, const Plan *plan, const MatcSlotRange *range, int materials)
 {
     const unsigned matters = slot_class_table[plan->slot].matters;
@@ -68,7 +68,7 @@ static void put_field(Text *out, const Plan *plan)
     text_put(out, field->gray ? ", one for all lanes" : "");
 }
 
-/* "case 0    3 materials    normal, diffuse" */
+/* Lists the cases: "case 0    3 materials    normal, diffuse". */
 static void put_cases(Text *out, const Division *division)
 {
     text_format(out, "%-25s %-18s %s\n", "case", "materials", "slots that it stores");

@@ -1,13 +1,13 @@
-/* Which slots materials have together: sets of slots with the number of materials that have just
- * these. There is room for so many; those with the most slots stay, since small ones are the
- * likeliest to lie within another, and the rest become one. What stays are the first ones of all
- * that ever came, so that the order in which they come is of no account. */
+/* Slot sets of materials: sets of slots with the number of materials that use exactly these
+ * slots. The capacity is limited: the sets with the most slots stay, since small sets are most
+ * likely contained in others, and the rest are merged into one. The kept sets are the first of
+ * all sets ever added in a fixed order, so the result does not depend on the order of insertion. */
 #include "compiler/layout/auto_layout.h"
 #include <string.h>
 
 static int slot_count(unsigned slots) { return __builtin_popcount(slots); }
 
-/* More slots first, then the smaller number. */
+/* Orders sets by decreasing number of slots, then by value. */
 static bool comes_before(unsigned a, unsigned b)
 {
     return slot_count(a) != slot_count(b) ? slot_count(a) > slot_count(b) : a < b;

@@ -1,4 +1,4 @@
-/* A layout of the user's own, as the library's surface holds it: layout_api.c makes it. */
+/* A user-defined layout of the public API, created by layout_api.c. */
 #ifndef MATC_CUSTOM_H
 #define MATC_CUSTOM_H
 #include "compiler/base/session.h"
@@ -8,7 +8,7 @@ struct MatcLayout {
     Arena arena;
     MatcOptions options;
     Session session;
-    const LayoutRow *row; /* NULL: faults */
+    const LayoutRow *row; /* NULL: the text has faults */
     const char *text, *report;
 };
 #endif

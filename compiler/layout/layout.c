@@ -1,12 +1,12 @@
-/* Allocates the fields of a layout. */
+/* Allocates the fields of a layout in the render targets. */
 #include "compiler/layout/layout.h"
 #include <math.h>
 #include <string.h>
 
-/* Bits of each target component that are taken; fields are only appended. */
+/* Used bits of each component of the targets. Fields are only appended. */
 typedef struct {
     int taken[LAYOUT_TARGETS][FIELD_LANES];
-    bool marked; /* the highest bit of the last word is, too */
+    bool marked; /* the highest bit of the last word is used, too */
 } Room;
 
 int layout_targets(const LayoutRow *row)
@@ -111,8 +111,8 @@ static int bits_for(int count)
     return bits;
 }
 
-/* Numbers of further cases: of four bits at most. Where they are not enough, the last of them says
- * that one more of so many bits follows. */
+/* Numbers of further cases have at most four bits. The greatest of them is an escape code,
+ * followed by additional bits. */
 enum { SHORT_BITS = 4, SHORT_NUMBERS = 1 << SHORT_BITS, ESCAPE = SHORT_NUMBERS - 1 };
 
 int layout_case_bits(const LayoutRow *row) { return bits_for(plain_count(row)); }
@@ -124,7 +124,7 @@ Further layout_further(const LayoutRow *row)
     return (Further){SHORT_BITS, ESCAPE, bits_for(row->further_count - ESCAPE)};
 }
 
-/* The bits behind the case's number 0, and how many there are. */
+/* Returns the code of a further case, which follows case number 0, and its number of bits. */
 static unsigned further_code(const LayoutRow *row, int further, int *bits)
 {
     const Further numbers = layout_further(row);
@@ -182,7 +182,7 @@ bool piece_takes_bits(const Piece *piece)
     return strchr(arguments, 'i') != NULL;
 }
 
-/* Free lanes side by side. */
+/* True if the adjacent components are free. */
 static bool fits_lanes(const Room *room, const FormatRow *format, const Piece *piece)
 {
     for (int i = 0; i < piece->size; i++)
@@ -220,7 +220,7 @@ static bool find_room(Room *room, const LayoutRow *row, Piece *piece)
     return false;
 }
 
-/* The bits are within the encoding's, and its groups use up the lanes. */
+/* Checks that the bits are within the encoding's limits, and that its groups use all components. */
 static bool is_sound(const FieldRow *field)
 {
     const EncodingRow *encoding = &encoding_table[field->encoding];
@@ -240,7 +240,7 @@ const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *pla
     room.marked = further || (row->further_count && number == 0);
     placement->count = 0;
     if ((layout_case_bits(row) || row->further_count) && !format_table[row->formats[0]].words)
-        return &fields->fields[0]; /* nowhere to tell the cases apart */
+        return &fields->fields[0]; /* no word can hold the case number */
     for (int i = 0; i < fields->field_count; i++) {
         const FieldRow *field = &fields->fields[i];
         int takes = encoding_table[field->encoding].takes ? encoding_table[field->encoding].takes

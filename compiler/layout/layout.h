@@ -1,5 +1,5 @@
-/* Where a layout's fields lie: each group of lanes that an encoding takes is one piece of a render
- * target. */
+/* Allocation of a layout's fields: each group of components that an encoding takes is one piece
+ * of a render target. */
 #ifndef MATC_LAYOUT_H
 #define MATC_LAYOUT_H
 #include "compiler/base/text.h"
@@ -9,9 +9,9 @@ enum { MOST_PIECES = 128 };
 
 typedef struct {
     const FieldRow *field;
-    int first, count; /* its lanes, among the field's sources */
-    int target, lane; /* of the render target */
-    int size;         /* lanes there; or bits, from `shift` on */
+    int first, count; /* range of components among the field's sources */
+    int target, lane; /* render target, and component of the target */
+    int size;         /* number of components; in a word target number of bits */
     int shift;
 } Piece;
 
@@ -20,48 +20,52 @@ typedef struct {
     int count;
 } Placement;
 
-/* Gives every piece of a case its place: the first target lane, or run of lanes, with room for it.
- * Places depend on the rows alone. Returns NULL, or the field that does not fit. */
+/* Allocates every piece of a case in the first target component, or run of components, with
+ * enough free bits. The result depends on the rows only. Returns NULL, or the field that does
+ * not fit. */
 const FieldRow *layout_allocate(const LayoutRow *row, int number, Placement *placement);
-/* Bits that tell the cases apart, the lowest of target 0; 0 where there is but one. Those of
- * further cases stand behind them. */
+/* Returns the number of low bits in target 0 that hold the case number; 0 for a single case. The
+ * numbers of further cases follow these bits. */
 int layout_case_bits(const LayoutRow *row);
-/* Numbers of further cases: the first `few` have `bits`; where `more_bits` is not 0, the others
- * have the number `few` and, behind it, one of their own, counted from 0. Of 20 cases 15 have four
- * bits, 0 to 14, and five have the number 15 and three bits more. */
+/* Numbering of further cases: the first `few` numbers have `bits` bits. If `more_bits` is not 0,
+ * other cases have the escape number `few`, followed by a second number, counted from 0.
+ * Example: of 20 cases 15 have the numbers 0 to 14 in four bits; five have the number 15 and
+ * three more bits. */
 typedef struct {
     int bits, few, more_bits;
 } Further;
 Further layout_further(const LayoutRow *row);
-/* Code of a case in a word: its number, and the highest bit of the last word. */
+/* Returns a case's bits in a word: its number, and the highest bit of the last word. */
 double layout_case_code(const LayoutRow *row, int number, int target, int lane);
-/* The case that words were packed by, of the first target's first lane and of the last's last. */
+/* Decodes the case from the first target's first word and the last target's last word. */
 int layout_case_of(const LayoutRow *row, uint32_t first, uint32_t last);
 int layout_targets(const LayoutRow *row);
-int layout_bytes(const LayoutRow *row); /* of a pixel */
-/* A target of it holds words, for which GLSL 1.10 has no type. */
+int layout_bytes(const LayoutRow *row); /* bytes per pixel */
+/* True if a target holds unsigned words, for which GLSL 1.10 has no type. */
 bool layout_has_words(const LayoutRow *row);
-/* Constant value of a slot in all materials of a case; NULL: the slot is stored, or absent. */
+/* Returns the constant value of a slot in all materials of a case; NULL: the slot is stored, or
+ * absent. */
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
-/* Slots that unpacking the layout yields, a bit each: some case stores them, or they are fixed. */
+/* Returns a bit for each slot that unpacking yields: stored by some case, or constant. */
 unsigned layout_slots(const LayoutRow *row);
 /* Whether unpacking the layout yields the slot. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
-/* At least a lane of it is stored by that case; a bit for each such slot. */
+/* Whether the case stores at least one component of the slot; layout_case_slots() returns a bit
+ * for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);
-/* The slots of layout_slots() that are the same for all materials. */
+/* Returns the slots of layout_slots() that are constant for all materials. */
 unsigned layout_fixed_slots(const LayoutRow *row);
-/* A case stores every slot of the layout that is not fixed, so that every material has one. Where
- * none does, what changes nothing need not be stored. */
+/* True if some case stores every slot of the layout that is not constant, so that every material
+ * has a case. If no case does, slots without effect may be omitted. */
 bool layout_is_whole(const LayoutRow *row);
-/* The slot that is not stored but the same for all materials; NULL: it is stored, or absent. */
+/* Returns the constant value of a slot in all materials; NULL: the slot is stored, or absent. */
 const FixedRow *layout_fixed(const LayoutRow *row, Slot slot);
-/* The lanes are all lanes of one slot, in order. */
+/* True if the piece holds all components of one slot in order. */
 bool piece_is_slot(const Piece *piece);
-/* Its encoding is told how many bits to use. */
+/* True if the encoding's functions take the number of bits as an argument. */
 bool piece_takes_bits(const Piece *piece);
-/* "unorm 8"; "0 to 1" */
+/* Writes an encoding, "unorm 8", or a range, "0 to 1". */
 void layout_put_encoding(Text *out, const FieldRow *field);
 void layout_put_range(Text *out, const FieldRow *field);
 #endif

@@ -1,5 +1,4 @@
-/* Whether a layout that was read can be: its fields are possible, its slots whole, its targets
- * large enough. */
+/* Checks a layout file: possible fields, complete slots, sufficiently large targets. */
 #include "compiler/layout/layout_read.h"
 
 typedef struct {
@@ -15,7 +14,7 @@ static const char *number_text(Checker *k, double value)
     return text.at;
 }
 
-/* "shininess", or "diffuse.g" of a slot with lanes. */
+/* Formats "shininess", or "diffuse.g" for a slot with several components. */
 static const char *lane_text(Checker *k, SlotLane at)
 {
     Text text = text_new(k->session->arena);
@@ -36,7 +35,7 @@ static void check_groups(Checker *k, const FieldRow *field, Span span)
     k->fine = false;
 }
 
-/* Codes of directions are for the normal; a number with a sign needs a code that has it. */
+/* Direction encodings are for the normal only; a signed slot needs a signed encoding or range. */
 static void check_meaning(Checker *k, const FieldRow *field, Span span)
 {
     const EncodingRow *encoding = &encoding_table[field->encoding];
@@ -55,10 +54,11 @@ static void check_meaning(Checker *k, const FieldRow *field, Span span)
     k->fine &= fine;
 }
 
-/* Every lane has one place, and none of a slot is left out. */
+/* Checks that every component is stored at most once, and no component of a stored slot is
+ * missing. */
 static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
 {
-    int last[SLOT_COUNT][FIELD_LANES] = {{0}}; /* the field that stores it, from 1 */
+    int last[SLOT_COUNT][FIELD_LANES] = {{0}}; /* number of the field that stores it, from 1 */
     for (int i = 0; i < row->field_count; i++)
         for (int lane = 0; lane < row->fields[i].count; lane++) {
             const SlotLane at = row->fields[i].source[lane];
@@ -80,8 +80,8 @@ static void check_lanes(Checker *k, const CaseRow *row, Tree *const *trees)
     }
 }
 
-/* "left are 3 bits of 0.r, 32 bits of 1.g", "left are 0.a, 2.r", ...: what the fields before
- * leave. */
+/* Lists the free bits or components that the preceding fields leave: "left are 3 bits of 0.r, 32
+ * bits of 1.g", "left are 0.a, 2.r". */
 static const char *left_text(Checker *k, const Placement *placement, bool words)
 {
     Text text = text_new(k->session->arena);

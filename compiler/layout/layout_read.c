@@ -1,5 +1,5 @@
-/* Tree -> LayoutRow: the keys of a layout file, their types, the names in them. layout_check.c
- * knows what fits together. */
+/* Tree -> LayoutRow: the keys of a layout file, their types, and the names in them.
+ * layout_check.c checks their consistency. */
 #include "compiler/layout/layout_read.h"
 #include "compiler/resolve/resolve.h"
 #include <math.h>
@@ -8,7 +8,7 @@
 typedef struct {
     Session *session;
     LayoutRow *row;
-    Tree *const **trees; /* of every case: where its fields stand */
+    Tree *const **trees; /* by case: the trees of its fields */
     bool fine;
 } Reader;
 
@@ -23,7 +23,7 @@ static const char *encoding_name(const void *user, int i)
 static const char *slot_name(const void *user, int i) { return (void)user, slot_table[i].name; }
 static const char *key_name(const void *user, int i) { return ((const char *const *)user)[i]; }
 
-/* Names that a value can have, and the diagnostic for others. */
+/* The valid names of a value, and the diagnostic for others. */
 typedef struct {
     const char *(*name)(const void *user, int i);
     int count;
@@ -34,7 +34,7 @@ static const NameList format_names = {format_name, FORMAT_COUNT - 1, DIAG_unknow
 static const NameList encoding_names = {encoding_name, ENCODING_COUNT, DIAG_unknown_encoding};
 static const NameList slot_names = {slot_name, SLOT_COUNT, DIAG_unknown_slot};
 
-/* A list of a file, "cases" of "a layout", and how many items it may have. */
+/* A list of a file, such as "cases" of "a layout", and its max number of items. */
 typedef struct {
     const char *owner, *key;
     int most;
@@ -52,7 +52,7 @@ static void wrong_type(Reader *r, const Tree *tree, const char *what, const char
     fail(r);
 }
 
-/* Keys that are not in the list are told. */
+/* Reports keys that are not in the list. */
 static void check_keys(Reader *r, const Tree *object, const char *what, const char *const *keys,
                        int count)
 {
@@ -69,7 +69,7 @@ static void check_keys(Reader *r, const Tree *object, const char *what, const ch
     }
 }
 
-/* The value of a key, NULL if it is not there; then, if it must be, that is told. */
+/* Returns the value of a key, or NULL; reports a missing mandatory key. */
 static Tree *member(Reader *r, const Tree *object, const char *what, const char *key, bool must)
 {
     const Member *found = tree_find(object, key);
@@ -94,7 +94,7 @@ static const char *text_of(Reader *r, const Tree *object, const char *what, cons
     return "";
 }
 
-/* The items of a list, at least one; what is no list is told. */
+/* Returns the items of a non-empty list; reports other values. */
 static Tree **items_of(Reader *r, const Tree *object, ListKey key, int *count)
 {
     const Tree *list = member(r, object, key.owner, key.key, true);
@@ -113,7 +113,7 @@ static Tree **items_of(Reader *r, const Tree *object, ListKey key, int *count)
     return list->items;
 }
 
-/* The row of a name of the list, or -1, told. */
+/* Returns the row of a name in the list, or -1 after reporting an unknown name. */
 static int row_of(Reader *r, const Tree *tree, const char *what, const NameList *names)
 {
     if (tree->kind != TREE_scalar) {
@@ -129,7 +129,7 @@ static int row_of(Reader *r, const Tree *tree, const char *what, const NameList 
     return -1;
 }
 
-/* "diffuse", "diffuse.rg": its lanes are added to the field. */
+/* Adds the components of "diffuse" or "diffuse.rg" to the field. */
 static void read_lanes(Reader *r, const Tree *tree, FieldRow *field)
 {
     if (tree->kind != TREE_scalar) {
@@ -199,7 +199,7 @@ static void read_range(Reader *r, const Tree *object, FieldRow *field)
         wrong_type(r, tree, "range", "two numbers");
         return;
     }
-    const double least = 1e-6, most = 3.4e38; /* what floats tell apart */
+    const double least = 1e-6, most = 3.4e38; /* precision and range of floats */
     bool told = fabs(field->low) < most && fabs(field->high) < most &&
                 field->high - field->low > least * fmax(fabs(field->low), fabs(field->high));
     if (!told || !encoding_takes_range(field->encoding)) {
@@ -262,7 +262,7 @@ static CaseRow read_case(Reader *r, const Tree *object, const char *what, int nu
         .fields = fields, .field_count = count, .doc = text_of(r, object, what, "doc", false)};
 }
 
-/* Further cases stand behind all others, and mark a word. */
+/* Further cases must follow all others, and need a bit of a word target. */
 static void read_further(Reader *r, const Tree *object)
 {
     const Tree *tree = member(r, object, "a case", "further", false);
@@ -277,7 +277,7 @@ static void read_further(Reader *r, const Tree *object)
     r->row->further_count += yes;
 }
 
-/* A number for all lanes, or one a lane. */
+/* Reads a number for all components, or one per component. */
 static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
 {
     const int lanes = type_table[slot_table[fixed->slot].type].lanes;
@@ -291,7 +291,7 @@ static void read_constant(Reader *r, const Member *from, FixedRow *fixed)
         wrong_type(r, value, from->key, lanes == 1 ? "a number" : "a number or three");
 }
 
-/* Cases that are told: which slots are constants of them. */
+/* The cases whose constants are read. */
 typedef struct {
     const CaseRow *cases;
     int count;
@@ -327,7 +327,7 @@ static int read_constants(Reader *r, const Tree *from, const char *owner, Consta
     return found;
 }
 
-/* The fields of the outermost level, then those of `cases`. */
+/* Reads the top-level fields, then those of `cases`. */
 static void read_cases(Reader *r, const Tree *file)
 {
     static const char *const keys[] = {"doc", "further", "fields", "constants"};

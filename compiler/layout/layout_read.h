@@ -1,15 +1,15 @@
-/* Layouts as text: a file in YAML or JSON -> LayoutRow, and back. */
+/* Layout files in YAML or JSON: parsing to a LayoutRow, and writing. */
 #ifndef MATC_LAYOUT_READ_H
 #define MATC_LAYOUT_READ_H
 #include "compiler/layout/layout.h"
 #include "compiler/read/tree.h"
 
-/* The layout of a tree, in the arena; NULL: see the diagnostics. */
+/* Returns the layout of a tree, in the arena; NULL after reporting faults. */
 const LayoutRow *layout_read(Session *session, const Tree *tree);
-/* Whether all of its fields are possible, fit in, and make whole slots; `trees[i][k]` is where
- * field k of case i stands. */
+/* Checks that all fields are possible and fit, and that slots are complete; `trees[i][k]` is the
+ * tree of field k of case i. */
 bool layout_check(Session *session, const LayoutRow *row, const Tree *file,
                   Tree *const *const *trees);
-/* Writes the layout as a file, which reads back to an equal row. */
+/* Writes a layout as a file that parses to an equal row. */
 void layout_write(Text *out, const LayoutRow *row);
 #endif

@@ -2,7 +2,7 @@
 #include "compiler/base/json_write.h"
 #include "compiler/layout/layout_read.h"
 
-/* "diffuse", "diffuse.rg", "[emissive.b, ambient.r]" */
+/* Writes "diffuse", "diffuse.rg" or "[emissive.b, ambient.r]". */
 static void put_slots(Text *out, const FieldRow *field)
 {
     const SlotLane *source = field->source;
