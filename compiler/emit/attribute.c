@@ -1,4 +1,4 @@
-/* From names of a document to names and places of programs. */
+/* Maps mesh attributes of a document to GLSL names and locations. */
 #include "compiler/emit/attribute.h"
 #include "compiler/base/json_write.h"
 #include "compiler/emit/emit_declare.h"
@@ -12,7 +12,7 @@ int emit_input_location(Input input)
     return location;
 }
 
-/* Behind all varyings, and an instance's material. */
+/* After all varyings and the material number of an instance. */
 int emit_object_location(void) { return emit_input_location(INPUT_COUNT) + 1; }
 
 int attribute_location(int attribute) { return emit_object_location() + 1 + attribute; }

@@ -1,12 +1,12 @@
-/* Chunks by name and variant; the first that exists. Where the target has files of its own, as
- * .110: name.<choice>.110, name.110, name.<choice>, name. */
+/* Finds library chunks by name and variant. The first existing file is used; for a target with
+ * its own files such as .110 the order is name.<choice>.110, name.110, name.<choice>, name. */
 #include "compiler/emit/chunks.h"
 #include <string.h>
 
-/* A chunk and its variants, which stand together in the table. */
+/* A chunk and its variants, which are adjacent in the table. */
 typedef struct {
     const Chunk *first;
-    int count, length; /* of the name before the variants' points */
+    int count, length; /* length: of the name before the variants' suffixes */
 } Variants;
 
 static bool is_variant(const Chunk *chunk, const char *name, int length)
@@ -18,7 +18,7 @@ static bool is_variant(const Chunk *chunk, const char *name, int length)
 static Variants variants_of(const char *name, int length)
 {
     int low = 0, high = chunk_count;
-    while (low < high) { /* the first that does not come before the name */
+    while (low < high) { /* binary search for the first name that is not less */
         int middle = (low + high) / 2;
         if (strncmp(chunk_table[middle].name, name, (size_t)length) < 0)
             low = middle + 1;
@@ -45,7 +45,7 @@ static const Chunk *find(const Variants *variants, const char *choice, const cha
     return NULL;
 }
 
-/* name.<choice> of any axis, and the ending. */
+/* Finds name.<choice> of any axis, with the given ending. */
 static const Chunk *of_choice(const Variants *variants, const Job *job, const char *ending)
 {
     const Chunk *chunk = NULL;

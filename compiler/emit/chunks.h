@@ -1,4 +1,4 @@
-/* Library chunks: which are needed, in dependency order, and the uniforms they declare. */
+/* Library chunks of a program, in dependency order, and the uniforms that they declare. */
 #ifndef MATC_CHUNKS_H
 #define MATC_CHUNKS_H
 #include "compiler/base/session.h"
@@ -6,15 +6,15 @@
 #include "compiler/library/chunk.h"
 
 typedef struct {
-    const Chunk **at; /* users after what they need */
+    const Chunk **at; /* dependencies precede their users */
     size_t count, room;
 } Chunks;
 
-/* Adds one behind those that it needs. */
+/* Adds a chunk after its dependencies. */
 void chunks_add_found(Session *session, Chunks *chunks, const Chunk *chunk);
-/* Adds a chunk and all it needs, each once, in the variant for the job's target and choices. False
- * if there is none. */
+/* Adds a chunk and all its dependencies, each once, in the variant for the job's target and
+ * choices. Returns false if the chunk does not exist. */
 bool chunks_add(Session *session, Chunks *chunks, const char *name, const Job *job);
-/* One of them declares a uniform of that name. */
+/* Whether a chunk declares a uniform of that name. */
 bool chunks_declare(const Chunks *chunks, const char *name);
 #endif

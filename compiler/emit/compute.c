@@ -1,19 +1,19 @@
-/* The compute program: numbers of vertices in, out where they are displaced to, and their normals.
- * It is of no pass: what refits an acceleration structure, bakes a mesh or fills the buffer that
- * all passes draw runs it once.
+/* The compute program: reads vertices from a buffer, and writes their displaced positions and
+ * normals. It belongs to no pass: run it once to refit an acceleration structure, to bake a
+ * mesh, or to fill a vertex buffer for all passes.
  *
- * A mesh lies in one buffer of floats, interleaved or an attribute behind the other: of each
- * attribute a uvec2 says where its first number is, and how many lie from vertex to vertex. 0 of
- * these: all have the same. What is written lies in the other buffer likewise; normals of which 0
- * lie between are not written.
+ * A mesh is a buffer of floats, interleaved or with separate attributes. A uvec2 per attribute
+ * has the index of its first float, and its stride in floats; stride 0: all vertices share the
+ * value. The output buffer has the same form; normals with stride 0 are not written.
  *
  *     position, normal and texture coordinate, interleaved:  matc_at_position (0, 8),
  *                                                            matc_at_normal (3, 8),
  *                                                            matc_at_texcoord (6, 8)
  *
- * A position is displaced by attributes of displacement, as in the vertex program. The normal is
- * that of the fragment program at this corner: by the attributes that it is shaded with, and how
- * the normal changes by u and v, which fragments find by themselves and a vertex has to be told. */
+ * A position is displaced by attributes of displacement, as in the vertex program. The normal
+ * equals that of the fragment program at this vertex. It is computed from the shading attributes
+ * and from the derivatives of the normal by u and v, which fragments compute themselves and
+ * vertices need as attributes. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/compute.h"
 #include "compiler/emit/emit_declare.h"
@@ -22,8 +22,8 @@
 #include "compiler/ir/std140.h"
 #include <string.h>
 
-/* Its uniforms lie where those of other stages' own do. Vulkan counts bindings of all kinds
- * together, OpenGL each by itself, and has eight of buffers at least. */
+/* The uniform block has the binding of other stages' own blocks. Vulkan numbers bindings of all
+ * types together, OpenGL per type, with at least eight buffer bindings. */
 enum {
     VERTICES_BLOCK = 83,
     READ_BUFFER = 0,
@@ -33,7 +33,7 @@ enum {
     LOCAL_SIZE = 64
 };
 
-/* Inputs that the normal is computed from. */
+/* Inputs from which the normal is computed. */
 typedef struct {
     Input input;
     const char *attribute, *expression;
@@ -73,7 +73,8 @@ static int with(const char **list, int count, const char *declaration)
     return count + 1;
 }
 
-/* Those that are read, as "vec3 position"; how many. */
+/* Lists the declarations of the attributes that are read, such as "vec3 position". Returns their
+ * number. */
 static int list_read(const VertexMove *move, const char *list[MOST_READ])
 {
     bool moves[MOVE_ATTRIBUTES] = {0};
@@ -91,7 +92,7 @@ static int list_read(const VertexMove *move, const char *list[MOST_READ])
     return count;
 }
 
-/* The block's members: of each a declaration, in their order; how many. */
+/* Lists the declarations of the block's members in order. Returns their number. */
 static int list_members(Arena *arena, const VertexMove *move,
                         const char *list[MOST_READ + WRITTEN + 3])
 {

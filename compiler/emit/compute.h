@@ -1,4 +1,4 @@
-/* The compute program's part of the reflection. */
+/* Writes the compute program's part of the reflection. */
 #ifndef MATC_COMPUTE_H
 #define MATC_COMPUTE_H
 #include "compiler/emit/emit.h"

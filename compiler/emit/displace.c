@@ -1,5 +1,5 @@
-/* No program, but functions for stages that are written around them: where a point is displaced to,
- * and what of a volume is solid. */
+/* Functions for hand-written stages, without a main(): the displaced position of a point, and
+ * the solid ranges of a volume. */
 #include "compiler/emit/move.h"
 #include "compiler/emit/vertex.h"
 
@@ -11,8 +11,8 @@ static void put_displaced_head(Text *out, const char *name)
     text_put(out, ") {\n");
 }
 
-/* A point that is displaced by a function, whichever stage calls it: its arguments have the names
- * of the vertex program's attributes. */
+/* Writes a function that displaces a point, callable from any stage; its arguments have the
+ * names of the vertex program's attributes. */
 const char *emit_displace(Session *session, const Job *job, const Interface *interface)
 {
     const VertexMove *move = interface->move;

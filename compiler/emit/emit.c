@@ -1,4 +1,4 @@
-/* Statements: a temporary for each step worth a name, branches. */
+/* Statements: temporaries for expressions worth a name, and branches. */
 #include "compiler/emit/emit_scope.h"
 #include <string.h>
 
@@ -10,7 +10,7 @@ void emit_indent(Text *out, int depth)
         text_put(out, "    ");
 }
 
-/* Where the author has what begins here. */
+/* Writes the source position of the map whose code begins here. */
 static void put_comment(Scope *e, Text *out, const IrNode *node, int depth)
 {
     const char *note = emit_origin_note(e, node);
@@ -30,35 +30,35 @@ static int expression_size(const Scope *e, Ref ref)
     return size;
 }
 
-/* Whether a node gets a statement of its own: several uses, a branch, a map's value, too long in
- * place, or to be evaluated before a condition. */
+/* Whether a node gets its own statement: it has several uses, is a branch or a map's value, is
+ * too long to be inlined, or must be evaluated before a condition. */
 static bool needs_name(const Scope *e, Ref ref, int size)
 {
     const IrNode *node = ir_at(e->ir, ref);
     if (e->s.arm[ref] || (e->s.hoisted && e->s.hoisted[ref]))
         return true;
     if (emit_is_leaf(e->ir, ref))
-        /* of what is written in place */
+        /* a swizzle of an inlined expression */
         return node->op == OP_swizzle && e->s.uses[ref] > 1 && size > 0;
     if (e->s.uses[ref] > 1)
         return true;
     return (ir_is_head(e->ir, ref) && size > 1) || size > LARGEST_EXPRESSION;
 }
 
-/* A branch sets what is of its region, one after the other from `region` on by Schedule.mate; its
- * sides are 0 and 1. */
+/* A branch sets all selects of its region, linked by Schedule.mate from `region` on; its sides
+ * are 0 and 1. */
 static Ref side_value(const Scope *e, Ref ref, int side) { return ir_arg(e->ir, ref, 1 + side); }
 
 static void put_branch(Scope *e, Text *out, Ref region, int depth);
 
-/* It is computed in the block, for what is set there and nothing else. */
+/* True if the value is computed in the block and used only once. */
 static bool is_own(const Scope *e, Ref value, int block)
 {
     return e->s.uses[value] == 1 && e->s.block[value] == block;
 }
 
-/* A branch by which a side sets all that the region sets, and nothing else, has the targets of this
- * one: it is that; 0 is none. */
+/* Returns a nested branch that sets all values of the region's side, and nothing else, so both
+ * can share their targets; 0: none. */
 static Ref tail_of(const Scope *e, Ref region, int side)
 {
     const Ref tail = side_value(e, region, side);
@@ -74,8 +74,8 @@ static Ref tail_of(const Scope *e, Ref region, int side)
     return ref == region && within == tail ? tail : 0;
 }
 
-/* Leaves to a side the values that need no statement of their own there: the tail, or operands
- * within an assignment. */
+/* Marks the values of a side that need no statement of their own: those of the tail, and
+ * operands inlined in an assignment. */
 static void leave_to_side(Scope *e, Ref region, int side, Ref tail)
 {
     Ref ref = region;
@@ -88,7 +88,7 @@ static void leave_to_side(Scope *e, Ref region, int side, Ref tail)
     } while ((ref = e->s.mate[ref]) != region);
 }
 
-/* One side: what any of the region needs, and then a value for each. */
+/* Writes one side: shared statements first, then the value of each select of the region. */
 static void put_side(Scope *e, Text *out, Ref region, int side, int depth)
 {
     const Ref tail = tail_of(e, region, side);
@@ -109,21 +109,21 @@ static void put_side(Scope *e, Text *out, Ref region, int side, int depth)
     } while ((ref = e->s.mate[ref]) != region);
 }
 
-/* Whether a block has statements besides those of a branch. */
+/* Whether a block has statements other than those of a branch. */
 static bool has_statements(Scope *e, int block, Ref tail)
 {
     for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {
         if (e->s.arm[ref] == e->s.arm[tail] || e->done[ref])
             continue;
         int size = expression_size(e, ref);
-        e->size[ref] = (uint16_t)size; /* operands come first: the sizes above build on it */
+        e->size[ref] = (uint16_t)size; /* operands come first; sizes of users build on them */
         if (needs_name(e, ref, size))
             return true;
     }
     return false;
 }
 
-/* A side that is nothing but another branch follows its `else` at once. */
+/* Writes `else if` for a side that consists of another branch only. */
 static bool put_else_if(Scope *e, Text *out, Ref region, int depth)
 {
     const Ref tail = tail_of(e, region, 1);
@@ -134,7 +134,7 @@ static bool put_else_if(Scope *e, Text *out, Ref region, int depth)
     return true;
 }
 
-/* if (...) { ... target = a; } else { ... target = b; } */
+/* Writes if (...) { ... target = a; } else { ... target = b; } */
 static void put_branch(Scope *e, Text *out, Ref region, int depth)
 {
     text_put(out, "if (");
@@ -164,7 +164,7 @@ static const char *put_declaration(Scope *e, Text *out, Ref ref, int depth)
     return name;
 }
 
-/* The branch that sets what is of a region, and before it the declarations. */
+/* Declares the targets of a region, then writes the branch that sets them. */
 static void put_region(Scope *e, Text *out, Ref region, int depth)
 {
     Ref ref = region;
@@ -214,7 +214,7 @@ void emit_left_note(Scope *e, Text *out, Ref root, int depth)
         put_comment(e, out, ir_at(e->ir, root), depth);
 }
 
-/* Marks what a root needs of what is not written yet: of a region all. */
+/* Marks the unwritten nodes that a root needs; of a region all selects. */
 static uint8_t *needed_by(Scope *e, Ref root)
 {
     uint8_t *needed = ARENA_ARRAY(e->scratch, uint8_t, e->ir->count);

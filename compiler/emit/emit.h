@@ -1,58 +1,57 @@
-/* Ir -> GLSL. */
+/* Code generation: Ir -> GLSL. */
 #ifndef MATC_EMIT_H
 #define MATC_EMIT_H
 #include "compiler/ir/ir.h"
 #include "compiler/emit/chunks.h"
 #include "compiler/graph/graph_sky.h"
 
-/* Declarations of the fragment program; the vertex program and the reflection follow them. */
+/* Declarations of the fragment program, on which the vertex program and the reflection depend. */
 typedef struct {
     bool inputs[INPUT_COUNT];
     bool attributes[LIMIT_ATTRIBUTES]; /* of the mesh, by index in the graph */
-    /* of them: those whose changes to the next pixels are read */
+    /* Attributes whose screen-space derivatives are read. */
     bool attribute_changes[LIMIT_ATTRIBUTES];
-    const Ir *ir;                  /* it goes with */
-    bool instances;                /* of a draw of instances */
-    bool *uniforms;                /* by index in the graph */
-    bool *counts;                  /* of them: those that are ints */
-    bool *textures;                /* by index in the Ir */
-    size_t declarations;           /* bytes of them, at the beginning of the fragment program */
-    Chunks chunks;                 /* library functions, and the uniforms they declare */
-    bool members;                  /* it reads numbers from the buffer */
-    const struct VertexMove *move; /* NULL: the vertex stages move no point */
-    /* of a compute program, which has normals as well; NULL as well */
+    const Ir *ir;   /* the program's IR */
+    bool instances; /* instanced drawing */
+    bool *uniforms; /* by index in the graph */
+    bool *counts;   /* uniforms of type int */
+    bool *textures; /* by index in the Ir */
+    /* bytes of the declarations, at the beginning of the fragment program */
+    size_t declarations;
+    Chunks chunks;                 /* library functions, and the uniforms that they declare */
+    bool members;                  /* the constants' uniform block is read */
+    const struct VertexMove *move; /* NULL: no displacement in the vertex stages */
+    /* Displacement with normals for the compute program; may be NULL. */
     const struct VertexMove *compute;
-    /* of `textures`, those of the fragment program; where a vertex stage has others */
+    /* Textures of the fragment program, if the vertex stages have others. */
     const bool *fragment_textures;
-    Chunks fragment_chunks; /* the same of `chunks` */
+    Chunks fragment_chunks; /* chunks of the fragment program, likewise */
 } Interface;
 
-/* Text of the vertex stages for a material that displaces its surface, without attributes and
- * main(). */
+/* Code of the vertex stages for a material with displacement, without attributes and main(). */
 typedef struct VertexMove {
-    bool inputs[INPUT_COUNT]; /* that main() sets: those of the source `vertex` */
-    /* the function gives a vec3, along dP/du, dP/dv and the normal; else a float along the
-     * normal, */
+    bool inputs[INPUT_COUNT]; /* inputs of source `vertex` that main() sets */
+    /* The function returns a vec3 along dP/du, dP/dv and the normal; otherwise a float along the
+     * normal. */
     bool along_tangents;
-    /* or a vec4, from where to where along it a volume is solid, twice */
+    /* It returns a vec4: two ranges along the normal where a volume is solid. */
     bool volume;
-    bool turns;                      /* there is matc_displacedNormal(), */
-    bool normal_inputs[INPUT_COUNT]; /* before which main() sets these */
+    bool turns;                      /* matc_displacedNormal() exists */
+    bool normal_inputs[INPUT_COUNT]; /* inputs that main() sets before calling it */
     const char *declarations;        /* uniforms and textures, shared with the fragment program */
-    /* variables that main() sets, library functions, matc_displacement() */
+    /* Variables that main() sets, library functions, and matc_displacement(). */
     const char *text;
 } VertexMove;
 
-/* The fragment program. The interface is that of all stages together, but for inputs that are
- * varyings or system's. */
+/* Returns the fragment program. *interface describes all stages together, except inputs that are
+ * varyings or built-in variables. */
 const char *emit_fragment(Session *session, const Ir *ir, const Job *job, Interface *interface,
                           size_t *size);
-/* The vertex program that feeds it: only the varyings in use. */
+/* Returns the matching vertex program, with only the varyings in use. */
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface);
-/* No program, but the function that says where a displaced point is: for stages that are written
- * around it. */
+/* Returns functions that displace a point, without main(), for hand-written stages. */
 const char *emit_displace(Session *session, const Job *job, const Interface *interface);
-/* The programs that tessellate, in the vertex program's stead. tessellation.c */
+/* The tessellation programs, which replace the vertex program. tessellation.c */
 typedef enum {
     TESSELLATION_vertex,
     TESSELLATION_control,
@@ -61,33 +60,33 @@ typedef enum {
 } TessellationStage;
 const char *emit_tessellation(Session *session, const Job *job, const Interface *interface,
                               TessellationStage stage);
-/* The geometry program that divides triangles, and the vertex program before it. geometry.c */
+/* The geometry program that subdivides triangles, and its vertex program. geometry.c */
 typedef enum { GEOMETRY_vertex, GEOMETRY_geometry, GEOMETRY_COUNT } GeometryStage;
 const char *emit_geometry(Session *session, const Job *job, const Interface *interface,
                           GeometryStage stage);
-/* The compute program that displaces vertices of a buffer into another. compute.c */
+/* Returns the compute program, which displaces vertices from one buffer into another. compute.c */
 const char *emit_compute(Session *session, const Job *job, const Interface *interface);
-/* GLSL that reads the layout back: struct Surface, unpackTexels() of what the targets hold,
- * unpackSurface() of where. */
+/* Returns GLSL that unpacks the layout: struct Surface, unpackTexels() for texel values,
+ * unpackSurface() for a position. */
 const char *emit_unpack(Session *session, const Job *job);
-/* A program that is made, as its reflection tells of it. */
+/* A generated program, as the reflection describes it. */
 typedef struct {
     const Interface *interface;
-    const char *material, *opacity; /* its name, and the class of its opacity */
-    const char *fragment;           /* the text, for its hash */
-    const GraphSky *sky;            /* the light that it is; NULL: it is none */
-    double bound;                   /* of what its vertices move; INFINITY: it is not known */
+    const char *material, *opacity; /* the material's name, and its opacity class */
+    const char *fragment;           /* text for the hash */
+    const GraphSky *sky;            /* the sky's light; NULL: not a sky */
+    double bound;                   /* max displacement; INFINITY: unknown */
 } Reflected;
 
-/* JSON: inputs, uniforms with defaults, textures, outputs, opacity class, source files, content
- * hash. */
+/* Returns the reflection as JSON: inputs, uniforms with defaults, textures, outputs, opacity
+ * class, source files, content hash. */
 const char *emit_reflection(Session *session, const Ir *ir, const Job *job,
                             const Reflected *program);
 
-/* Names in the shader. */
+/* Returns the texture's name in the shader. */
 const char *emit_texture_name(Session *session, const Ir *ir, int texture);
-/* Location of a varying, equal in both programs. */
+/* Returns the location of a varying, equal in both programs. */
 int emit_input_location(Input input);
-/* "version" and, for ES, precisions. */
+/* Writes the #version line and, for ES, default precisions. */
 void emit_version(Text *out, Target target);
 #endif

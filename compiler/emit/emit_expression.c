@@ -1,7 +1,7 @@
-/* Expressions, by the shape of an operation and its lines in ops.def. Parentheses stand where an
- * operand binds less tightly than its place asks for:
+/* Expressions, by the shape of an operation and its lines in ops.def. An operand is put in
+ * parentheses if it binds less tightly than its position requires:
  *
- *     sub(a, sub(b, c))    a - (b - c): the right operand of - has to bind more tightly than -
+ *     sub(a, sub(b, c))    a - (b - c): the right operand of - must bind more tightly than -
  *     sub(sub(a, b), c)    a - b - c */
 #include "compiler/emit/emit_scope.h"
 #include "compiler/emit/attribute.h"
@@ -20,7 +20,7 @@ static void put_number(Text *out, Type type, double value)
         text_float(out, value);
 }
 
-/* A number or vector. */
+/* Writes a scalar or vector literal. */
 static void emit_constant(Text *out, const Ir *ir, Ref ref)
 {
     Type type = ir_type(ir, ref);
@@ -50,10 +50,10 @@ const char *emit_function_name(Session *session, const Ir *ir, int function)
     return name.at;
 }
 
-/* Functions that the WRITE lines of ops.def name; leaves first. */
+/* Functions named by the WRITE lines of ops.def; leaves first. */
 static void put_const(Scope *e, Text *out, Ref ref) { emit_constant(out, e->ir, ref); }
 
-/* A change needs what changes. */
+/* A screen-space derivative also needs its input. */
 static void put_input(Scope *e, Text *out, Ref ref)
 {
     const Input input = (Input)ir_at(e->ir, ref)->payload;
@@ -113,8 +113,8 @@ static void put_list(Scope *e, Text *out, Ref ref)
     text_char(out, ')');
 }
 
-/* GLSL lets a float stand for a vector in some operands of some functions; elsewhere it is written
- * out. */
+/* GLSL accepts a float in place of a vector in some operands of some functions; elsewhere the
+ * float is converted explicitly. */
 static bool may_be_float(const IrNode *node, int i, bool both_bounds)
 {
     switch (node->op) {
@@ -151,7 +151,7 @@ static void put_call(Scope *e, Text *out, Ref ref)
     text_char(out, ')');
 }
 
-/* vec3(a) for three equal parts; vec4(vec3(a), b) where only the first three are. */
+/* Writes vec3(a) for three equal parts; vec4(vec3(a), b) if only the first three are equal. */
 static void put_vec(Scope *e, Text *out, Ref ref)
 {
     const IrNode *node = ir_at(e->ir, ref);
@@ -171,7 +171,7 @@ static void put_vec(Scope *e, Text *out, Ref ref)
     text_char(out, ')');
 }
 
-/* mat3(column, column, column) * vector */
+/* Writes mat3(column, column, column) * vector. */
 static void put_linear(Scope *e, Text *out, Ref ref)
 {
     text_format(out, "mat%d(", ir_lanes(e->ir, ref));
@@ -249,16 +249,16 @@ static int precedence_of(const IrNode *node)
 
 static void put_infix(Scope *e, Text *out, Ref ref, int own)
 {
-    bool mixed = own == PRECEDENCE_equal; /* a < b != c < d is legal, and unreadable */
+    bool mixed = own == PRECEDENCE_equal; /* a < b != c < d is legal, but unreadable */
     emit_expression(e, out, ir_arg(e->ir, ref, 0), mixed ? PRECEDENCE_add : own);
     text_char(out, ' ');
     text_put(out, op_table[ir_at(e->ir, ref)->op].glsl);
     text_char(out, ' ');
-    /* left to right: the right operand must bind more tightly */
+    /* left-associative: the right operand must bind more tightly */
     emit_expression(e, out, ir_arg(e->ir, ref, 1), mixed ? PRECEDENCE_add : own + 1);
 }
 
-/* It is written with a minus, -0.0 too. */
+/* True for a literal written with a minus sign, including -0.0. */
 static bool is_negative(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_const) && ir_lanes(ir, ref) == 1 && signbit(ir_numbers(ir, ref)[0]);

@@ -1,21 +1,21 @@
-/* Names of temporaries, and the places in the document that comments tell.
+/* Names of temporaries, and source positions in comments.
  *
  *     // brick.yaml:19 Granite
  *     float clay_granite = granite(localPosition * 3.5);
  *     // brick.yaml:16 clay
- *     vec3 clay_1 = mix(vec3(0.1, 0.01, 0.0), vec3(0.3, 0.05, 0.02), ...);    a step on the way
+ *     vec3 clay_1 = mix(vec3(0.1, 0.01, 0.0), vec3(0.3, 0.05, 0.02), ...);    intermediate
  *     vec3 clay = mix(clay_1, vec3(0.5, 0.15, 0.05), ...);                    the map's value */
 #include "compiler/emit/emit_scope.h"
 #include <string.h>
 
-enum { LONGEST_FILE = 40 }; /* letters of a file's name in a comment */
+enum { LONGEST_FILE = 40 }; /* characters of a file's name in a comment */
 
-/* Whether it is one of what statements read: uniforms, members of the buffer, functions. */
+/* Whether a name is used by a uniform, a member of the constants' block, or a function. */
 static bool is_taken(const Scope *e, const char *name)
 {
     if (names_find(&e->ir->graph->uniform_names, name) >= 0 || names_find(&e->constants, name) >= 0)
         return true;
-    /* no function's name has one: test_tables */
+    /* function names have no underscore: test_tables */
     const int functions = strchr(name, '_') ? 0 : FUNCTION_COUNT;
     for (int i = 0; i < functions; i++) {
         const char *other = function_row(i)->name;
@@ -33,7 +33,7 @@ static const char *free_name(Scope *e, const char *wanted)
     return name;
 }
 
-/* Whatever is of one origin begins with one name. */
+/* Returns the naming of an origin; all its temporaries share a stem. */
 static Naming *naming_of(Scope *e, uint32_t origin)
 {
     Naming *naming = &e->naming[origin];
@@ -92,7 +92,7 @@ static const Lines *lines_of(Scope *e, uint32_t file)
     return lines;
 }
 
-/* From 1: the last that begins at the offset or before it. */
+/* Returns the line number, from 1: the last line that begins at or before the offset. */
 static size_t line_of(const Lines *lines, uint32_t offset)
 {
     size_t low = 0, high = lines->count;
@@ -106,8 +106,8 @@ static size_t line_of(const Lines *lines, uint32_t offset)
     return low + 1;
 }
 
-/* The file's name without its folder, as programs do not depend on where matc runs. What a comment
- * cannot have is an underscore. */
+/* Appends the file's name without its folder, so that programs do not depend on the working
+ * directory. Characters that are not allowed in a comment become underscores. */
 static void put_file(Text *note, const char *path)
 {
     const char *slash = strrchr(path, '/'), *name = slash ? slash + 1 : path;

@@ -1,10 +1,10 @@
-/* Programs: functions and main() of a stage, and around them the declarations. */
+/* Programs: functions and main() of a stage, preceded by the declarations. */
 #include "compiler/emit/emit_scope.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/attribute.h"
 #include <string.h>
 
-/* Which functions a loop sums. */
+/* Returns the functions that a kernel sums. */
 static bool *kernels(const Ir *ir, Arena *scratch)
 {
     bool *summed = ARENA_ARRAY(scratch, bool, ir->function_count + 1);
@@ -23,7 +23,7 @@ static void put_parameters(Text *out, const Ir *ir, const IrFunction *function)
     }
 }
 
-/* The sum over the neighbourhood, as a loop that a driver need not unroll. */
+/* Writes the sum over the kernel as a loop, which drivers need not unroll. */
 static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
 {
     const IrFunction *function = &ir->functions[number];
@@ -49,7 +49,7 @@ static void put_kernel(Session *session, Text *out, const Ir *ir, int number)
     text_put(out, ");\n    return sum;\n}\n\n");
 }
 
-/* The body of a function whose scope is open. */
+/* Writes the body of a function whose scope is open. */
 static void put_result(Scope *e, Text *out, Ref result)
 {
     emit_leave(e, result);
@@ -72,7 +72,7 @@ static void put_function(Scope *e, Text *out, int number)
     put_result(e, out, function->result);
 }
 
-/* Roots of the fragment program: the values that it writes. */
+/* Lists the roots of the fragment program: its output values. */
 static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
 {
     int count = 0;
@@ -82,8 +82,8 @@ static int roots_of(const Ir *ir, Ref roots[MOST_OUTPUTS])
     return count;
 }
 
-/* Nodes that the given values need, including those of the functions that they run, transitively; a
- * function's caller comes behind it. `run` marks the functions. */
+/* Finds the nodes that the roots need, including those of called functions, transitively;
+ * callees precede callers. Sets `run` for these functions. */
 static IrReach needed_by(const Ir *ir, const Ref *roots, int count, bool *run, Arena *scratch)
 {
     IrReach reach = ir_reach_new(ir, scratch);
@@ -132,7 +132,8 @@ static void put_functions(Scope *e, Text *out, const bool *run)
 static void put_output(Scope *e, Text *out, const IrOutput *output)
 {
     bool named = target_table[e->job->target].in_out;
-    if (output->kind == OUT_discard && ir_is_number(e->ir, output->value, 1)) { /* wherever it is */
+    /* always discarded */
+    if (output->kind == OUT_discard && ir_is_number(e->ir, output->value, 1)) {
         text_put(out, "    discard;\n");
         return;
     }
@@ -150,8 +151,8 @@ static void put_output(Scope *e, Text *out, const IrOutput *output)
     text_put(out, ";\n");
 }
 
-/* How inputs change over the screen is computed before any branch, as dFdx must be; functions read
- * it from globals. */
+/* Computes the derivatives of inputs before any branch, since dFdx needs uniform control flow.
+ * Functions read them from globals. */
 static void put_changes(Text *out, const Interface *interface, bool shared)
 {
     for (int i = 0; i < change_count; i++) {
@@ -192,7 +193,7 @@ static void put_main(Scope *e, Text *out)
             continue;
         const Ref root = ir->outputs[i].value;
         emit_leave(e, root);
-        if (count == 1) /* all that there is is needed */
+        if (count == 1) /* a single output needs all statements */
             emit_block(e, &body, 0, 1);
         else
             emit_needed(e, &body, root, 1);
@@ -216,13 +217,13 @@ static Interface new_interface(Session *session, const Ir *ir)
                        .textures = ARENA_ARRAY(session->arena, bool, ir->texture_count)};
 }
 
-/* Declarations of two stages together; of inputs only those that are uniforms. */
+/* Merges the declarations of two stages; of inputs only those that are uniforms. */
 static Interface joined(Session *session, const Ir *ir, const Interface *a, const Interface *b)
 {
     Interface all = new_interface(session, ir);
     const Interface *const both[] = {a, b};
     memcpy(all.inputs, a->inputs, sizeof all.inputs);
-    /* no vertex stage computes with them */
+    /* vertex stages do not compute with attributes */
     memcpy(all.attributes, a->attributes, sizeof all.attributes);
     all.instances = a->instances;
     all.members = a->members || b->members;
@@ -250,8 +251,8 @@ static void put_chunks(Text *out, const Chunks *chunks)
     }
 }
 
-/* The text of a VertexMove: its inputs are variables, since functions of filters read them too, and
- * there are two settings of them. `normal` may be 0. */
+/* Returns the text of a VertexMove. Its inputs are global variables, since functions of filters
+ * read them too, and main() sets them for both calls. `normal` may be 0. */
 static const char *move_text(Session *session, const Ir *ir, const Job *job, Interface *own,
                              Ref normal)
 {
@@ -286,7 +287,7 @@ static const char *move_text(Session *session, const Ir *ir, const Job *job, Int
     return out.at;
 }
 
-/* All but its declarations, which `own` gets. */
+/* Creates a VertexMove without its declarations, which `own` collects. */
 static VertexMove *move_new(Session *session, const Ir *ir, const Job *job, Interface *own,
                             Ref normal)
 {
@@ -312,7 +313,7 @@ static void declare_move(Session *session, const Ir *ir, const Job *job, VertexM
     move->declarations = declarations.size ? declarations.at : "";
 }
 
-/* The interface of all stages, of that of the fragment program. */
+/* Returns the interface of all stages, derived from that of the fragment program. */
 static Interface with_move(Session *session, const Ir *ir, const Job *job,
                            const Interface *fragment)
 {
@@ -323,7 +324,7 @@ static Interface with_move(Session *session, const Ir *ir, const Job *job,
     VertexMove *move = move_new(session, ir, job, &own, 0),
                *compute = normal ? move_new(session, ir, job, &computed, normal->value) : move;
     Interface all =
-        /* who computes normals computes heights */
+        /* computing normals includes displacement */
         joined(session, ir, fragment, normal ? &computed : &own);
     declare_move(session, ir, job, move, (Declared){&own, &all});
     if (normal)

@@ -1,4 +1,4 @@
-/* One scope's text: main() or a function of the program. Private to emit*.c. */
+/* Code generation of one scope: main() or a function of the program. Private to emit*.c. */
 #ifndef MATC_EMIT_SCOPE_H
 #define MATC_EMIT_SCOPE_H
 #include "compiler/emit/emit.h"
@@ -6,15 +6,16 @@
 
 /* Names of an origin's temporaries in a scope. */
 typedef struct {
-    int scope; /* in which that is known: Scope.number */
-    /* scope that computes the value, which then is called so; else the first step is */
+    int scope; /* scope for which the name is valid: Scope.number */
+    /* Scope that computes the map's value, which gets the plain name; otherwise the first step
+     * does. */
     int valued;
-    const char *name; /* numbers behind it tell steps apart */
-    int steps;        /* named so far */
-    bool given;       /* to somebody */
+    const char *name; /* stem; steps append numbers */
+    int steps;        /* number of named steps */
+    bool given;       /* the plain name is used */
 } Naming;
 
-/* Where the lines of a source begin; NULL until somebody asks. */
+/* Offsets of a source's lines; NULL until first needed. */
 typedef struct {
     uint32_t *starts;
     size_t count, room;
@@ -28,46 +29,47 @@ typedef struct {
     Arena *scratch;
     Schedule s;
     const IrFunction *function; /* NULL: main */
-    const char **names;         /* by Ref: its temporary, or NULL */
-    /* by Ref: operations in its expression, where it is written in place */
+    const char **names;         /* by Ref: the name of its temporary, or NULL */
+    /* By Ref: number of operations in its expression, if inlined. */
     uint16_t *size;
-    uint8_t *done;    /* by Ref: its statement is written, or it needs none */
-    int number;       /* of the scope, from 1 */
+    uint8_t *done;    /* by Ref: its statement is written, or not needed */
+    int number;       /* number of the scope, from 1 */
     Naming *naming;   /* by origin */
     FreshNames fresh; /* temporaries of the scope */
-    Names constants;  /* members of the buffer */
+    Names constants;  /* members of the constants' uniform block */
     Lines *lines;     /* by source */
 } Scope;
 
-/* A scope to be opened; the arrays by Ref are those of all that are, one after the other. */
+/* Creates a scope; its arrays by Ref are reused for all scopes in turn. */
 Scope emit_scope_new(Session *session, const Ir *ir, const Job *job, Interface *interface,
                      Arena *scratch);
-/* Begins a function, or main (NULL), with nothing written yet. */
+/* Opens a function, or main (NULL), with nothing written yet. */
 void emit_scope_open(Scope *e, const IrFunction *function, const Ref *roots, int count);
-/* Spaces before a statement. */
+/* Writes the indentation of a statement. */
 void emit_indent(Text *out, int depth);
-/* The statements of a block; those of the scope's own block that `root` needs and that are not
- * written yet. */
+/* Writes the statements of a block; emit_needed() those of the scope's own block that `root`
+ * needs and that are not yet written. */
 void emit_block(Scope *e, Text *out, int block, int depth);
 void emit_needed(Scope *e, Text *out, Ref root, int depth);
-/* The statements of all implicit derivatives, for a scope that discards: behind a discard they
- * are undefined. */
+/* Writes the statements of all implicit derivatives, for a scope that discards: they are
+ * undefined after a discard. */
 void emit_hoisted(Scope *e, Text *out, int depth);
-/* Before them: a root that nothing else needs has no statement of its own, it is written where it
- * goes; behind them: the comment that one would have. */
+/* emit_leave() is called before the statements: a root without other users is inlined in its
+ * output. emit_left_note() is called after them and writes the comment that the root's own
+ * statement would have. */
 void emit_leave(Scope *e, Ref root);
 void emit_left_note(Scope *e, Text *out, Ref root, int depth);
-/* emit_name.c: begins a scope, which is scheduled, with no names. */
+/* Forgets all names at the beginning of a scheduled scope. emit_name.c */
 void emit_forget_names(Scope *e);
-/* A name for the node's temporary: "clay" for a map's value, "clay_1" for a step on its way,
- * "diffuse_bits" for what is stored. */
+/* Returns a name for the node's temporary: "clay" for a map's value, "clay_1" for an
+ * intermediate step, "diffuse_bits" for a packed value. */
 const char *emit_new_name(Scope *e, const IrNode *node);
-/* "brick.yaml:8 clay", the first time that something of the map gets a statement; "" otherwise. */
+/* Returns "brick.yaml:8 clay" for the first statement of a map in a scope; otherwise "". */
 const char *emit_origin_note(Scope *e, const IrNode *node);
 
-/* The value as an expression whose operators bind more tightly than `precedence`. */
+/* Writes a value as an expression, in parentheses if it binds less tightly than `precedence`. */
 void emit_expression(Scope *e, Text *out, Ref ref, int precedence);
-/* Values that are never worth a temporary: constants, inputs, lanes of something named. */
+/* True for values that never need a temporary: constants, inputs, swizzles of named values. */
 static inline bool emit_is_leaf(const Ir *ir, Ref ref)
 {
     return op_table[ir_at(ir, ref)->op].arity == 0 || ir_is(ir, ref, OP_swizzle);

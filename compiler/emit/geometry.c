@@ -1,23 +1,22 @@
-/* The geometry program, and the vertex program that hands attributes on to it: one triangle in;
- * out, row by row, as strips, matc_rows^2 of them. What the vertex program does with attributes,
- * this does with attributes that are mixed, at each point of the rows.
+/* The geometry program, and the vertex program that passes attributes to it. It subdivides a
+ * triangle into matc_rows^2 triangles, output as one strip per row. Attributes are interpolated
+ * at each point of the rows and then processed as in the vertex program.
  *
- *     matc_rows = 2:       0            two strips: 2 0 1 of the first row, whose upper points are
- *                         / \           0 alone; then the second row's points and the first's in
- *                        *---*          turn.
+ *     matc_rows = 2:       0            two strips: 2 0 1 of the first row, whose upper
+ *                         / \           point is 0 alone; then alternating points of
+ *                        *---*          the second row and the first.
  *                       / \ / \
  *                      2---*---1
  *
- * A driver writes 1024 numbers of a triangle that it was given, or a few more: matc_rowsMost is how
- * many rows are within that. For finer triangles the one that is given counts as matc_parts^2, in
- * rows as well, and an instance of the draw makes rows of each. Points of an edge are mixed by
- * whole numbers over their sum, and so agree with the neighbour's. */
+ * Drivers guarantee only 1024 output components per input triangle: matc_rowsMost is the max
+ * number of rows within this limit. Finer subdivision first divides the triangle into
+ * matc_parts^2 parts, again by rows; each draw instance subdivides one part. Points of an edge
+ * are weighted by integers over their sum, so they equal those of the adjacent triangle. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/emit_declare.h"
 
-/* Where its uniforms lie: in the last binding that every driver has, as the levels of tessellation
- * do, which are of other programs; what every driver writes at least, of one triangle that it is
- * given. */
+/* ROWS_BLOCK: the last binding that every driver supports, shared with the tessellation levels
+ * of other programs. Others: guaranteed output limits per input triangle. */
 enum { ROWS_BLOCK = 83, COMPONENTS = 1024, VERTICES = 256, POSITION_COMPONENTS = 4 };
 
 static int vertices_most(const Interface *interface)
@@ -32,7 +31,7 @@ static int vertices_most(const Interface *interface)
     return COMPONENTS / components < VERTICES ? COMPONENTS / components : VERTICES;
 }
 
-/* n rows have n^2 + 2 n vertices. */
+/* A strip set of n rows has n^2 + 2 n vertices. */
 static int rows_most(int vertices)
 {
     int rows = 1;
@@ -68,7 +67,7 @@ static void put_uniforms(Text *out, const Job *job)
         text_put(out, "uniform int matc_rows;\nuniform int matc_parts;\n");
 }
 
-/* matc_point(): a point by weights of the corners, which are whole numbers. */
+/* Writes matc_point(): a point by integer weights of the corners. */
 static void put_point(Text *out, const Job *job, const Interface *interface,
                       const VertexAttribute *list, int count)
 {

@@ -15,7 +15,8 @@ void emit_version(Text *out, Target target)
                     row->precision, row->precision, row->precision);
 }
 
-/* 1 to 15, then 18 and on. Fragment and vertex program share the blocks' two between. */
+/* Bindings 1 to 15, then from 18 on. The two between are the blocks that fragment and vertex
+ * program share. */
 int emit_texture_binding(int index)
 {
     const int below = DRAW_BLOCK - FIRST_TEXTURE_BINDING;
@@ -61,8 +62,8 @@ static void put_members(Text *out, const Ir *ir, const char *prefix)
                     ir->constants[i].name);
 }
 
-/* The numbers of all materials that share the program; which is an instance's own, its vertices
- * say. */
+/* Declares the constants of all materials that share the program; each vertex has the index of
+ * its instance's material. */
 static void put_numbers(Text *out, const Ir *ir)
 {
     text_put(out, "struct Numbers {\n");
@@ -72,8 +73,8 @@ static void put_numbers(Text *out, const Ir *ir)
     text_put(out, "    Numbers matc_numbers[];\n};\n");
 }
 
-/* The numbers of a material: a block, where GLSL has blocks. Once written, it is declared whole:
- * its offsets are promised. */
+/* Declares a material's constants, as a block where GLSL has blocks. A block in use is declared
+ * completely, since its offsets are guaranteed. */
 static void put_constants(Text *out, const Ir *ir, const Job *job)
 {
     bool block = target_table[job->target].blocks;
@@ -99,8 +100,8 @@ bool emit_is_uniform(const Interface *interface, Input input)
            (source == SOURCE_draw || (source == SOURCE_object && !interface->instances));
 }
 
-/* All plain uniforms: draw inputs, params, those of chunks. `prefix` stands before each. Returns
- * how many. */
+/* Declares all plain uniforms: draw inputs, params, and those of chunks, each preceded by
+ * `prefix`. Returns their number. */
 static int put_uniforms(Text *out, const Ir *ir, const Interface *interface, const char *prefix)
 {
     int count = 0;
@@ -143,7 +144,7 @@ static bool has_chunk(const Chunks *chunks, const Chunk *chunk)
     return false;
 }
 
-/* A texture's number is that among all stages'. */
+/* Textures are numbered over all stages. */
 static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
 {
     int index = 0;
@@ -162,7 +163,7 @@ static void put_samplers(Session *session, Text *out, const Ir *ir, const Job *j
         }
 }
 
-/* A block is declared whole, by every stage that has it. */
+/* Every stage that uses the block declares all of it. */
 static void put_plain(Session *session, Text *out, const Ir *ir, const Job *job, Declared d)
 {
     Text uniforms = text_new(session->arena);

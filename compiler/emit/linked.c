@@ -1,4 +1,4 @@
-/* A set of keys that threads share. */
+/* A thread-safe set of keys. */
 #include "compiler/emit/linked.h"
 #include "compiler/base/sets.h"
 #include <pthread.h>

@@ -1,10 +1,10 @@
-/* Interfaces between vertex and fragment programs that were linked already. */
+/* Cache of vertex/fragment interfaces that were already linked successfully. */
 #ifndef MATC_LINKED_H
 #define MATC_LINKED_H
 #include "compiler/base/hash.h"
 #include "compiler/matc.h"
 
-/* From any thread. NULL knows nothing, and keeps nothing. */
+/* Thread-safe. A NULL cache is always empty. */
 bool linked_before(MatcLinked *linked, Key interface);
 void linked_add(MatcLinked *linked, Key interface);
 #endif

@@ -1,13 +1,13 @@
-/* Displacement in stages other than the fragment's: from attributes to matc_worldPosition, around
- * matc_displacement(). */
+/* Displacement in stages other than the fragment program: from attributes to matc_worldPosition,
+ * by matc_displacement(). */
 #include "compiler/emit/move.h"
 
-/* A vertex before it is displaced, by attributes of its own. They are equal for all vertices at one
- * position, even where shading attributes differ: at hard edges, at seams of texture coordinates.
- * */
+/* Inputs of a vertex before displacement, from dedicated attributes. These are equal for all
+ * vertices at one position, even where shading attributes differ (hard edges, texture seams), so
+ * that the displaced mesh has no cracks. */
 typedef struct {
     Input input;
-    int attribute; /* of move_attributes; -1: the position */
+    int attribute; /* index in move_attributes; -1: the position */
     const char *expression;
 } MoveFeed;
 const char *const move_attributes[MOVE_ATTRIBUTES] = {

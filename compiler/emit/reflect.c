@@ -16,7 +16,7 @@ static const char *const sources[] = {"varying", "system", "draw", "change", "ve
 
 typedef struct {
     Text *out;
-    bool first; /* no member of the list is written yet */
+    bool first; /* the list is still empty */
 } List;
 
 static List open_list(Text *out, const char *name)
@@ -33,7 +33,7 @@ static void next(List *list)
     list->first = false;
 }
 
-/* An object's beginning. */
+/* Begins an object with its name and type. */
 static void put_typed(Text *out, const char *name, const char *type)
 {
     text_put(out, "{");
@@ -41,7 +41,7 @@ static void put_typed(Text *out, const char *name, const char *type)
     json_next(out, "type", type);
 }
 
-/* A member of the outermost object, on its own line. */
+/* Writes a top-level member on its own line. */
 static void put_line(Text *out, const char *key, const char *value)
 {
     text_put(out, ",\n  ");
@@ -50,14 +50,14 @@ static void put_line(Text *out, const char *key, const char *value)
 
 static void close_list(List *list) { text_put(list->out, list->first ? "]" : "\n  ]"); }
 
-/* Where a plain uniform lies in the block, for targets that have one. */
+/* Writes a plain uniform's offset in the block, for targets that have one. */
 static void put_offset(Text *out, const Job *job, const char *type, int *size)
 {
     if (target_table[job->target].locations)
         text_format(out, ", \"offset\": %d", std140_offset(type, size));
 }
 
-/* `size` is that of the uniform block so far. */
+/* *size: size of the uniform block so far. */
 static void put_inputs(Text *out, const Ir *ir, const Job *job, const Interface *interface,
                        int *size)
 {
@@ -125,8 +125,8 @@ static void put_uniforms(Text *out, const Ir *ir, const Job *job, const Interfac
                     MATERIAL_BLOCK, std140_size(*size_of_block));
 }
 
-/* The numbers from a buffer: members of a block of its own. The manifest of a batch has every
- * material's numbers; a program's reflection does not change with them. */
+/* Describes the constants: members of their own block. The manifest of a batch lists every
+ * material's values; a program's reflection does not depend on them. */
 static void put_constants(Text *out, const Ir *ir, const Job *job)
 {
     if (!ir->constant_count)
@@ -147,7 +147,7 @@ static void put_constants(Text *out, const Ir *ir, const Job *job)
     text_put(out, "}");
 }
 
-/* A vertex stage samples it, and the fragment program does not. */
+/* True if a vertex stage samples the texture and the fragment program does not. */
 static bool is_of_vertices(const Interface *interface, const MatcTexture *texture, int made_by)
 {
     if (!interface->fragment_textures)
@@ -156,7 +156,7 @@ static bool is_of_vertices(const Interface *interface, const MatcTexture *textur
                         : !chunks_declare(&interface->fragment_chunks, texture->name);
 }
 
-/* Down to one texel. */
+/* Number of mipmap levels down to one texel. */
 static int level_count(const MatcTexture *t)
 {
     int count = 1;
@@ -234,7 +234,7 @@ static void put_vector(Text *out, const char *name, const double v[3])
     text_char(out, ']');
 }
 
-/* Data that a renderer needs to light a scene with a SunSkyLight. */
+/* Writes the data by which a renderer lights a scene with a SunSkyLight. */
 static void put_sky(Text *out, const GraphSky *sky)
 {
     text_format(out, ",\n  \"sky\": {\"disableLight\": %s, \"disableSun\": %s",

@@ -1,29 +1,30 @@
-/* Placement by one sweep from users to operands: a node's block is the nearest common one of its
- * uses.
+/* Scheduling in one sweep from users to operands: a node's block is the nearest common ancestor
+ * of the blocks that use it.
  *
  *     a = noise(p); b = sin(a); c = a * 2; v = select(t, b, c), written as a branch
- *     v lies in main's block, b in the first arm and c in the second, a in main: the nearest that
- *         holds both of its uses
+ *     v is in main's block, b in the first arm and c in the second; a is in main, the nearest
+ *         block that contains both of its uses
  *
- * Branches by one condition in one block are joined to a region, so that what several of them need,
- * and nothing else, is in an arm, too:
+ * Branches on one condition in one block are merged into a region, so that values needed only by
+ * several of them are in an arm, too:
  *
  *     a = noise(p); b = sin(a); v = select(t, b, 0); w = select(t, a, 1)
  *     if (t) { a = ..; v = sin(a); w = a; } else { v = 0; w = 1; }
  *
- * One that another is made of, by way of what stands outside, cannot be in its region. So regions
- * have stages, from the end of the scope: a node's is the greatest of its users', and one more
- * where that is of a region. A branch joins a region of no smaller stage than its own; what is
- * written by falling stages, of each the regions first, has operands before users. */
+ * A branch cannot be in the region of another branch on which it depends through nodes outside
+ * the region. Regions therefore have stages, counted from the end of the scope: a node's stage
+ * is the max of its users', plus one for a user in a region. A branch joins a region only if the
+ * region's stage is not less than its own. Writing nodes by decreasing stage, regions first
+ * within a stage, puts operands before users. */
 #include "compiler/emit/schedule.h"
 
-enum { BRANCH_COST = 40 }; /* scalar operations in an arm from which on a branch pays */
+enum { BRANCH_COST = 40 }; /* min cost of an arm, in scalar operations, for which a branch pays */
 
 /* All branches on one condition. */
 typedef struct Condition {
     uint32_t branches;
-    uint32_t stage; /* the greatest that one of them has to have */
-    Ref open;       /* the greatest of the region that others may join; 0: none */
+    uint32_t stage; /* min stage of a region that can contain all of them */
+    Ref open;       /* first select of the region that others may join; 0: none */
 } Condition;
 
 static int common_block(const Schedule *s, int a, int b)
@@ -56,7 +57,7 @@ static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
     return &s->conditions[ir_arg(ir, branch, 0)];
 }
 
-/* Whether a branch, all users of which were met, may be of the region that is open. */
+/* Whether a branch, all of whose users were visited, may join the open region. */
 static bool joins(const Schedule *s, const Condition *condition, Ref ref)
 {
     return condition->open && s->block[condition->open] == s->block[ref] &&
@@ -72,8 +73,8 @@ static void join(Schedule *s, Ref ref, Ref open)
     s->regions = true;
 }
 
-/* Uses of a select's operands: the arms in blocks of their own, the condition where the select is,
- * once a region. */
+/* Marks uses of a select's operands: the arms in blocks of their own; the condition in the
+ * select's block, once per region. */
 static void use_arms(const Ir *ir, Schedule *s, Ref ref)
 {
     Condition *condition = condition_of(ir, s, ref);
@@ -115,8 +116,8 @@ static void clear(Schedule *s)
     }
 }
 
-/* Counts the branches of each condition, and finds a stage for all of them: that of the first by
- * all that is known before any is joined. */
+/* Counts the branches of each condition, and finds a common stage: that of the first branch,
+ * before any are merged. */
 static void find_conditions(const Ir *ir, Schedule *s)
 {
     bool several = false;
@@ -141,7 +142,7 @@ static void find_conditions(const Ir *ir, Schedule *s)
         s->stage[s->nodes.at[i]] = 0;
 }
 
-/* A branch that would lie too deep in others is none. */
+/* Demotes a branch that is nested too deeply to an expression. */
 static void bound_depth(Schedule *s, Ref ref)
 {
     if (s->blocks[s->block[ref]].depth >= LIMIT_BRANCHES)
@@ -181,7 +182,7 @@ static bool is_computed_in(const Ir *ir, const Schedule *s, Ref value, int block
     return s->block[value] == block && ir_at(ir, value)->count;
 }
 
-/* It is of a region in which nothing is computed for it. */
+/* True for a select in a region whose arms compute nothing for it. */
 static bool has_empty_arms(const Ir *ir, const Schedule *s, Ref ref)
 {
     const int arm = s->arm[ref];
@@ -189,7 +190,8 @@ static bool has_empty_arms(const Ir *ir, const Schedule *s, Ref ref)
            !is_computed_in(ir, s, ir_arg(ir, ref, 2), arm + 1);
 }
 
-/* Keeps as branches the selects with an arm that is worth skipping. */
+/* Keeps only selects with an arm that is worth skipping as branches. Returns whether any was
+ * demoted. */
 static bool demote(const Ir *ir, Schedule *s)
 {
     bool demoted = false;
@@ -209,8 +211,8 @@ static bool demote(const Ir *ir, Schedule *s)
     return demoted;
 }
 
-/* Brings the nodes, which fall by number, in an order in which regions are whole. Of a region its
- * greatest stands for all. */
+/* Sorts the nodes, which are in decreasing order, such that regions are contiguous. The greatest
+ * select of a region represents the region. */
 static void order(Schedule *s)
 {
     uint32_t stages = 0;
@@ -244,17 +246,18 @@ static void link_blocks(Schedule *s)
     }
 }
 
-/* Operand i is evaluated only where the first one says so: an arm of a select, the right side of
- * && and ||. */
+/* True if operand i is evaluated only depending on the first: an arm of a select, the right side
+ * of && and ||. */
 static bool is_conditional(const Ir *ir, Ref ref, int i)
 {
     return i > 0 && (ir_is(ir, ref, OP_select) || ir_is(ir, ref, OP_and) || ir_is(ir, ref, OP_or));
 }
 
-/* Finds the implicit derivatives that would be written in place within a condition. They lie in
- * block 0, but a node of one use has no statement there by itself:
+/* Finds implicit derivatives that would be inlined within a condition. Their block is 0, but a
+ * node with a single use has no statement there:
  *
- *     v = select(t, texture(s, uv).x, 0)    t ? texture(s, uv).x : 0.0 is undefined at some pixels
+ *     v = select(t, texture(s, uv).x, 0)    t ? texture(s, uv).x : 0.0 is undefined in some
+ *     pixels
  *     a = texture(s, uv); v = t ? a.x : 0.0 */
 static void hoist(const Ir *ir, Schedule *s)
 {
@@ -284,7 +287,7 @@ Schedule schedule_new(const Ir *ir, Arena *arena)
                       .branch = ARENA_ARRAY(arena, uint8_t, ir->count)};
 }
 
-/* It may be a branch: there is something to skip in an arm. */
+/* True for a select with an arm that has something to skip. */
 static bool has_arms(const Ir *ir, Ref ref)
 {
     return ir_is(ir, ref, OP_select) &&

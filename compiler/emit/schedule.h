@@ -1,7 +1,7 @@
-/* Where each node of a scope (main or one function) is computed: in the scope itself, or in one arm
- * of a select that is written as if/else because its arms are costly. A node lies in the innermost
- * block that holds all of its uses, so nothing is set in one branch and read in another. Selects by
- * one condition are a region: one if/else that sets all of them. */
+/* Schedules the nodes of a scope (main or one function). A node is computed in the scope itself,
+ * or in an arm of a select that is written as if/else because its arms are costly. Its block is
+ * the innermost that contains all of its uses, so no value is set in one branch and read in
+ * another. Selects on one condition form a region: one if/else that sets all of them. */
 #ifndef MATC_SCHEDULE_H
 #define MATC_SCHEDULE_H
 #include "compiler/ir/ir.h"
@@ -9,36 +9,38 @@
 typedef struct {
     int parent, depth; /* block 0 is the scope itself */
     Ref first;         /* its nodes in order, linked by Schedule.next */
-    double cost;       /* of its nodes and the blocks in it; where there is more than one block */
+    /* cost of its nodes and nested blocks; only set if there are several blocks */
+    double cost;
 } Block;
 
-/* The arrays by Ref serve one scope after the other. */
+/* The arrays by Ref are reused for all scopes in turn. */
 typedef struct {
     Arena *arena;
-    IrReach nodes; /* of the scope, users before operands; of a region one behind the other */
+    IrReach nodes; /* nodes of the scope, users before operands; regions contiguous */
     Block *blocks;
     size_t block_count, block_room;
-    bool regions; /* there are some */
+    bool regions; /* the scope has regions */
     bool derives; /* the program has implicit derivatives */
-    /* by Ref: an implicit derivative that gets a statement, or it would stand in a condition; NULL:
-     * there is none */
+    /* By Ref: an implicit derivative that gets its own statement, since it would otherwise be
+     * inlined in a condition. NULL: none. */
     uint8_t *hoisted;
-    int *block;     /* by Ref: where it lies */
+    int *block;     /* by Ref: the node's block */
     Ref *next;      /* by Ref */
-    uint32_t *uses; /* by Ref: in this scope */
-    /* by Ref of a select written as if/else: its block for true; the one for false is the next;
-     * else 0 */
+    uint32_t *uses; /* by Ref: number of uses in this scope */
+    /* By Ref of a select written as if/else: its block for true, followed by that for false;
+     * otherwise 0. */
     int *arm;
-    /* by Ref: of a region the next greater, of its greatest the least; itself where it is in
-     * none */
+    /* By Ref: circular list of a region's selects, in increasing order; the node itself outside
+     * regions. */
     Ref *mate;
     uint8_t *branch; /* by Ref: a select that is written as if/else */
-    /* by Ref: how many regions there are at most behind it, one after the other; schedule.c */
+    /* By Ref: max number of successive regions after the node; schedule.c. */
     uint32_t *stage;
     struct Condition *conditions; /* by Ref of a condition; schedule.c */
 } Schedule;
 
 Schedule schedule_new(const Ir *ir, Arena *arena);
-/* Gives a block to what `roots` need. Without `branches` every select is an expression. */
+/* Assigns a block to every node that `roots` need. Without `branches` every select is an
+ * expression. */
 void schedule(Schedule *s, const Ir *ir, const Ref *roots, int count, bool branches);
 #endif

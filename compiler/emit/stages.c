@@ -1,4 +1,4 @@
-/* The programs of more stages, which are made and linked together. */
+/* Programs of additional stages, which are generated and linked together. */
 #include "compiler/emit/stages.h"
 #include "compiler/emit/emit.h"
 #include "compiler/emit/validate.h"

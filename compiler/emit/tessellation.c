@@ -1,14 +1,15 @@
-/* The programs that tessellate: triangles in, and between their corners as many points as their
- * edges are long in the picture. What the vertex program does with attributes, the last of them
- * does with attributes that are mixed.
+/* The tessellation programs: subdivide triangles in proportion to the screen-space length of
+ * their edges. The evaluation program interpolates attributes and then processes them as the
+ * vertex program does.
  *
- * No crack: the level of an edge goes by its two ends alone, in a formula that is the same from
- * either side; and a point of an edge is the sum of two products, whose order does not matter, and
- * of a third that is 0 there. `precise` keeps a compiler from fusing either. */
+ * Cracks are avoided in two ways. The level of an edge depends only on its two ends, by a
+ * formula that is equal for both adjacent triangles. A point of an edge is the sum of two
+ * products, whose order does not matter, and of a third that is 0 there; `precise` keeps
+ * compilers from contracting either. */
 #include "compiler/emit/vertex.h"
 #include "compiler/emit/emit_declare.h"
 
-/* Where its uniforms lie: behind all bindings of textures. */
+/* Binding of the levels' uniforms, after all textures. */
 enum { LEVEL_BLOCK = 83 };
 
 static void put_vertex(Text *out, const Job *job, const VertexAttribute *list, int count)
@@ -24,7 +25,7 @@ static void put_vertex(Text *out, const Job *job, const VertexAttribute *list, i
     text_put(out, "}\n");
 }
 
-/* matc_levels is how many parts an edge is made of that is as long as it is far away. */
+/* matc_levels: number of segments of an edge whose length equals its distance from the eye. */
 static void put_control(Text *out, const Job *job, const VertexAttribute *list, int count)
 {
     text_put(out, "layout(vertices = 3) out;\n");

@@ -1,4 +1,4 @@
-/* Textures: pictures as they are, reliefs baked, GroIMP's noise tables. */
+/* Textures of a program: images, baked reliefs, GroIMP's noise tables. */
 #include "compiler/emit/texture.h"
 #include "compiler/library/carpenter.h"
 #include "compiler/library/srgb.h"
@@ -7,8 +7,8 @@
 
 static const double GREATEST_HALF = 65504;
 enum { TABLE_PERMUTATION = -1, TABLE_RANDOM = -2, TABLE_XOR = -3, SIDE = 256, RANDOM_COUNT = 512 };
-/* The anisotropy that OpenGL 4.6 guarantees; a driver takes no more samples than a footprint is
- * long. */
+/* The anisotropy that OpenGL 4.6 guarantees; drivers take no more samples than a footprint
+ * needs. */
 enum { SAMPLER_ANISOTROPY = 16 };
 
 typedef struct {
@@ -23,8 +23,8 @@ static const Table tables[] = {
     {"matc_xor", TABLE_XOR, SIDE, SIDE, 1, TEXELS_R8},
 };
 
-/* Those whose mean over the pixel is asked for, which comes out of mipmaps (but for GLSL 1.10,
- * which takes samples). */
+/* Returns the textures that are filtered over the pixel, which needs mipmaps (except in GLSL
+ * 1.10, which takes samples). */
 static bool *averaged_textures(Session *session, const Ir *ir, const Interface *interface)
 {
     bool from_mipmaps = false, *averaged = ARENA_ARRAY(session->arena, bool, ir->texture_count + 1);
@@ -36,7 +36,7 @@ static bool *averaged_textures(Session *session, const Ir *ir, const Interface *
     return averaged;
 }
 
-/* By an Address, in the order of words.def. */
+/* Returns the name of an Address, in the order of words.def. */
 static const char *wrap_name(Word wrap)
 {
     static const char *const names[] = {"repeat", "mirrored_repeat", "clamp_to_edge",
@@ -127,7 +127,7 @@ static const unsigned char *xor_table(Session *session)
     return texels;
 }
 
-/* A lane as the texture holds it: decoded, where the texture does not do so. */
+/* Returns a component as the texture stores it; sRGB is decoded unless the sampler decodes it. */
 static double texel_lane(const IrTexture *texture, size_t number)
 {
     const Image *image = texture->image;
@@ -146,7 +146,7 @@ static const unsigned short *decoded_words(Session *session, const IrTexture *te
     return words;
 }
 
-/* Clamps texels to the greatest half float. */
+/* Clamps texels to the range of half floats. */
 static const float *decoded_floats(Session *session, const IrTexture *texture)
 {
     const double most = texture->texels == TEXELS_RGBA16F ? GREATEST_HALF : INFINITY;
@@ -157,7 +157,7 @@ static const float *decoded_floats(Session *session, const IrTexture *texture)
     return floats;
 }
 
-/* Where the pictures were read. */
+/* Fills in the texels if the image was read. */
 static void fill_picture(Session *session, const IrTexture *picture, MatcTexture *texture)
 {
     if (picture->image->texels && texels_table[picture->texels].bits == 16)

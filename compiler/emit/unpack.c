@@ -1,11 +1,12 @@
-/* The other side of a layout: GLSL that reads the render targets back into a Surface. Made from the
- * layout's rows. */
+/* Unpacking of a layout: GLSL that reads the render targets back into a Surface, generated from
+ * the layout's rows. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/unpack_shared.h"
 #include "compiler/layout/layout.h"
 #include <string.h>
 
-/* The slot is in what comes back: of the layout, or of a case that is taken. */
+/* Whether unpacking yields the slot: constant in the layout, or stored or constant in a case
+ * that is read. */
 static bool comes_back(const Job *job, Slot slot)
 {
     if (layout_fixed(job->layout, slot))
@@ -17,7 +18,7 @@ static bool comes_back(const Job *job, Slot slot)
     return false;
 }
 
-/* The last of the cases that occur; it needs no comparison. */
+/* The last case that is read; it needs no comparison. */
 static int last_taken(const Job *job)
 {
     int last = job->layout->case_count - 1;
@@ -34,8 +35,8 @@ static int first_taken(const Job *job)
     return first;
 }
 
-/* A function of the library; its comments only where all cases are read, as that text stands for
- * the layout and is read by people. */
+/* Writes a library function. Its comments are kept only when all cases are read: that text
+ * documents the layout for readers. */
 static void put_chunk(Text *out, const Job *job, const char *body)
 {
     for (size_t size; *body; body += size) {
@@ -47,7 +48,7 @@ static void put_chunk(Text *out, const Job *job, const char *body)
     text_char(out, '\n');
 }
 
-/* The chunks that decode the layout's fields, each once. */
+/* Writes the chunks that decode the layout's fields, each once. */
 static void put_chunks(Session *session, Text *out, const Job *job)
 {
     Chunks chunks = {0};
@@ -66,7 +67,7 @@ static const char *in_space(const Job *job)
     return job->normals == NORMALS_world ? "in the world" : "in eye space";
 }
 
-/* Declares what a light pass can query: SURFACE_HAS_<slot> for each member, SURFACE_NORMALS_<space>
+/* Declares macros for light passes: SURFACE_HAS_<slot> for each member, SURFACE_NORMALS_<space>
  * for the space of normals. */
 static void put_struct(Text *out, const Job *job)
 {
@@ -105,7 +106,7 @@ static void put_code(Text *out, const LayoutRow *layout, const Piece *piece)
         text_format(out, " & %luu", (1ul << piece->size) - 1);
 }
 
-/* The numbers of a piece; of a range, from where it begins: "0.2 + unormFromBits(...) * 0.5". */
+/* Writes the decoded value of a piece, with its range: "0.2 + unormFromBits(...) * 0.5". */
 static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
 {
     const FieldRow *field = piece->field;
@@ -126,7 +127,7 @@ static void put_value(Text *out, const LayoutRow *layout, const Piece *piece)
     }
 }
 
-/* surface.slot, and the lane if the slot has more than one. */
+/* Writes surface.slot, and the component if the slot has several. */
 static void put_destination(Text *out, SlotLane to)
 {
     text_format(out, "surface.%s", slot_table[to.slot].name);
@@ -135,7 +136,8 @@ static void put_destination(Text *out, SlotLane to)
     text_put(out, " = ");
 }
 
-/* The number of a piece whose lanes belong to several slots is kept, then dealt out. */
+/* Decodes a piece whose components belong to several slots into a variable, then assigns the
+ * components. */
 static void put_dealt(Text *out, const LayoutRow *layout, const Piece *piece, const char *indent,
                       int index)
 {
@@ -172,7 +174,7 @@ static void put_piece(Text *out, const LayoutRow *layout, const Piece *piece, co
     text_put(out, piece->field->gray ? ");\n" : ";\n");
 }
 
-/* How many of these pieces are the lanes of one slot, one after the other; 0: no slot's. */
+/* Returns the number of leading pieces that are the components of one slot in order; 0: none. */
 static int vector_of(const Piece *pieces, int count)
 {
     const SlotLane *first = &pieces->field->source[pieces->first];
@@ -188,7 +190,7 @@ static int vector_of(const Piece *pieces, int count)
     return lanes;
 }
 
-/* surface.diffuse = vec3(...); */
+/* Writes surface.diffuse = vec3(...); */
 static void put_vector(Text *out, const LayoutRow *layout, const Piece *pieces, const char *indent)
 {
     const SlotRow *slot = &slot_table[pieces->field->source[pieces->first].slot];
@@ -200,7 +202,7 @@ static void put_vector(Text *out, const LayoutRow *layout, const Piece *pieces, 
     text_put(out, ");\n");
 }
 
-/* The pieces of a case, but for those that cases share; NULL: there are none. */
+/* Writes the pieces of a case, except those that cases share; NULL: none are shared. */
 static void put_pieces(Text *out, const Job *job, const Placement *placement,
                        const UnpackShared *shared)
 {
@@ -219,7 +221,8 @@ static void put_pieces(Text *out, const Job *job, const Placement *placement,
     }
 }
 
-/* A slot that is not stored: the same for all of the case or the layout, or as absent ones are. */
+/* Assigns a slot that is not stored: its constant in the case or the layout, or the value of
+ * absent slots. */
 static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slot slot,
                       const char *indent)
 {
@@ -235,8 +238,8 @@ static void put_known(Text *out, const LayoutRow *layout, const CaseRow *of, Slo
     text_put(out, single ? ";\n" : ");\n");
 }
 
-/* In ESSL a fragment program has no precision of its own for float, and a sampler's is lowp: 8 bits
- * of a half float. */
+/* ESSL fragment programs have no default precision for float, and samplers default to lowp,
+ * which keeps only 8 bits of a half float. */
 static void put_samplers(Text *out, const Job *job)
 {
     const TargetRow *target = &target_table[job->target];
@@ -251,7 +254,7 @@ static void put_samplers(Text *out, const Job *job)
     text_char(out, '\n');
 }
 
-/* "uvec4 target0, vec4 target1" */
+/* Writes "uvec4 target0, vec4 target1". */
 static void put_parameters(Text *out, const Job *job)
 {
     for (int i = 0; i < layout_targets(job->layout); i++)
@@ -259,7 +262,7 @@ static void put_parameters(Text *out, const Job *job)
                     format_table[job->layout->formats[i]].words ? "uvec4" : "vec4", i);
 }
 
-/* From where the targets lie. */
+/* Writes unpackSurface(), which fetches the texels. */
 static void put_fetching(Text *out, const Job *job)
 {
     const bool fetches = target_table[job->target].words;
@@ -278,18 +281,19 @@ static bool leaves_out(const Job *job, int number, Slot slot)
     return comes_back(job, slot) && !layout_case_has_slot(&job->layout->cases[number], slot);
 }
 
-/* The pieces of a case, then the slots that it leaves out. */
+/* Writes the pieces of a case, then the slots that it omits. */
 static void put_case(Text *out, const Job *job, int number)
 {
     Placement placement;
-    layout_allocate(job->layout, number, &placement); /* lowering has told what does not fit */
+    /* lowering has reported fields that do not fit */
+    layout_allocate(job->layout, number, &placement);
     put_pieces(out, job, &placement, NULL);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         if (leaves_out(job, number, (Slot)slot))
             put_known(out, job->layout, &job->layout->cases[number], (Slot)slot, "    ");
 }
 
-/* One of several cases: what is not said before the branch. */
+/* Writes one of several cases: everything not written before the branch. */
 static void put_case_of(Text *out, const Job *job, int number, const UnpackShared *shared)
 {
     const CaseRow *row = &job->layout->cases[number];
@@ -302,8 +306,8 @@ static void put_case_of(Text *out, const Job *job, int number, const UnpackShare
             put_known(out, job->layout, row, (Slot)slot, "        ");
 }
 
-/* Slots that most cases share, and those that some leave out: once, before it is known which
- * case it is. */
+/* Writes, before the branch on the case, slots that most cases share, and defaults of slots that
+ * some cases omit. */
 static void put_before_cases(Text *out, const Job *job, const UnpackShared *shared)
 {
     static const CaseRow none = {0};
@@ -320,7 +324,7 @@ static void put_before_cases(Text *out, const Job *job, const UnpackShared *shar
             }
 }
 
-/* Which case it is. */
+/* Decodes the case number. */
 static void put_number(Text *out, const LayoutRow *layout)
 {
     const int bits = layout_case_bits(layout), last = layout_targets(layout) - 1;

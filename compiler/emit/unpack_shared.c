@@ -1,4 +1,4 @@
-/* Counts, for each lane of a slot, in how many cases its piece is the same. */
+/* Finds, for each component of a slot, the piece that most cases share. */
 #include "compiler/emit/unpack_shared.h"
 #include "compiler/base/session.h"
 
@@ -16,8 +16,8 @@ static bool same_piece(const Piece *a, const Piece *b)
            a->shift == b->shift && a->count == b->count && same_field(a->field, b->field);
 }
 
-/* A lane of a slot, or a slot; a gray field is all lanes of one number, and others deal lanes to
- * several slots. */
+/* True for one component of a slot, or a whole slot. A gray field is one number for all
+ * components, and other pieces distribute components to several slots. */
 static bool may_be_shared(const Piece *piece)
 {
     return !piece->field->gray && (piece->count == 1 || piece_is_slot(piece));
@@ -25,7 +25,7 @@ static bool may_be_shared(const Piece *piece)
 
 static SlotLane lane_of(const Piece *piece) { return piece->field->source[piece->first]; }
 
-/* The piece of a lane in a case; NULL: it has none. */
+/* Returns the piece of a component in a case, or NULL. */
 static const Piece *piece_of(const Placement *placement, SlotLane lane)
 {
     for (int i = 0; i < placement->count; i++) {
@@ -41,7 +41,7 @@ typedef struct {
     int count;
 } Placements;
 
-/* The piece that most cases have of a lane, and how many do. */
+/* Returns the piece that most cases have for a component, and their number. */
 static int most_common(const Placements *placements, SlotLane lane, Piece *common)
 {
     int most = 0;
@@ -59,7 +59,7 @@ static int most_common(const Placements *placements, SlotLane lane, Piece *commo
     return most;
 }
 
-/* Cases without the slot, which have to say so where it is shared. */
+/* Counts the cases without the slot, which must reset it if it is shared. */
 static int lacking(const Job *job, Slot slot)
 {
     int count = 0;

@@ -1,7 +1,7 @@
-/* Fields that many of the cases read back have in one place, such as the normal: they stand
- * once, before it is known which case it is.
+/* Fields that several cases store in the same place, such as the normal: they are decoded once,
+ * before the branch on the case.
  *
- *     case 0: normal in bits 2 to 25    case 1: normal there, too    case 2: normal in bits 6 to 29
+ *     case 0: normal in bits 2 to 25    case 1: the same    case 2: normal in bits 6 to 29
  *     surface.normal = ...(target0.x >> 2 & ...);
  *     if (number == 2u) surface.normal = ...(target0.x >> 6 & ...); */
 #ifndef MATC_UNPACK_SHARED_H
@@ -10,16 +10,17 @@
 #include "compiler/layout/layout.h"
 
 typedef struct {
-    Piece pieces[SLOT_COUNT][FIELD_LANES]; /* by slot and lane, or as the first one all lanes */
+    /* by slot and component; the first may hold all components */
+    Piece pieces[SLOT_COUNT][FIELD_LANES];
     bool has[SLOT_COUNT][FIELD_LANES];
 } UnpackShared;
 
-/* Applies to the cases that the job takes; nothing is shared where that is one alone. */
+/* Finds the shared pieces of the cases that the job reads; a single case shares nothing. */
 UnpackShared unpack_shared(const Job *job);
-/* Some of the slot is shared, so that a case without it has to say what it is. */
+/* True if some of the slot is shared, so that a case without the slot must reset it. */
 bool unpack_shares(const UnpackShared *shared, Slot slot);
-/* The piece is what the cases share of its slot. */
+/* True if the piece is the shared one of its slot. */
 bool unpack_is_shared(const UnpackShared *shared, const Piece *piece);
-/* The case is read back. */
+/* True if the case is read back. */
 bool unpack_takes(const Job *job, int number);
 #endif

@@ -1,5 +1,6 @@
-/* glslang's C interface. It is initialised once for the process, by whichever thread comes first,
- * and never torn down: its built-in symbol tables are most of the cost of a first compilation. */
+/* Validates programs by glslang's C interface. glslang is initialized once per process, by the
+ * first thread, and never finalized: its built-in symbol tables are the main cost of a first
+ * compilation. */
 #include "compiler/emit/validate.h"
 #include "compiler/base/bytes.h"
 #include "compiler/emit/linked.h"
@@ -19,7 +20,7 @@ typedef struct {
     glslang_shader_t *shaders[4];
     int shader_count;
     glslang_program_t *program;
-    const char *log; /* of what failed */
+    const char *log; /* log of the failed shader or program */
 } Validation;
 
 static glslang_input_t input_for(Target target, glslang_stage_t stage, const char *code)
@@ -44,15 +45,14 @@ static glslang_input_t input_for(Target target, glslang_stage_t stage, const cha
     return input;
 }
 
-/* Keeps glslang's log, which ends with its shader or program. */
+/* Copies glslang's log, which is freed with its shader or program. */
 static bool fail(Validation *v, const char *log)
 {
     v->log = arena_string(v->session->arena, log ? log : "", log ? strlen(log) : 0);
     return false;
 }
 
-/* The text without what follows `//`: glslang reads every letter, and the lines keep their
- * numbers. */
+/* Returns the text without // comments, to save parsing time; line numbers are unchanged. */
 static const char *without_comments(Session *session, const char *code)
 {
     char *bare = arena_alloc(session->arena, strlen(code) + 1), *to = bare;
@@ -100,8 +100,8 @@ static void close_validation(Validation *v)
         glslang_shader_delete(v->shaders[i]);
 }
 
-/* All that a fragment program and its vertex program can disagree about: the one's declarations,
- * and the other. */
+/* Key of the interface between a vertex and a fragment program: the vertex program, and the
+ * declarations of the fragment program. */
 static Key interface_key(Target target, const ProgramTexts *texts)
 {
     Bytes bytes = {0};
@@ -154,8 +154,8 @@ bool validate_stages(Session *session, Target target, const ValidateStages *stag
     return fine;
 }
 
-/* The words of one stage more, in bytes. glslang 12 and before put them behind those of earlier
- * stages, of which `all` is what there was. */
+/* Takes the SPIR-V words of the next stage. glslang up to version 12 appends them to those of
+ * earlier stages, whose total size is *all. */
 static void take_words(Validation *v, int stage, ValidateWords *words, size_t *all)
 {
     glslang_spv_options_t options = {.disable_optimizer = true, .validate = false};

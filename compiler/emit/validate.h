@@ -1,17 +1,18 @@
-/* glslang: parse and link, and SPIR-V. */
+/* Validation by glslang: parsing, linking, and SPIR-V generation. */
 #ifndef MATC_VALIDATE_H
 #define MATC_VALIDATE_H
 #include "compiler/base/session.h"
 #include "grammar/tables.h"
 
-/* The programs that are drawn together; NULL: there is none. */
+/* The programs of a draw call; NULL: absent. */
 typedef struct {
     const char *vertex, *fragment;
-    size_t declarations; /* bytes of them, at the beginning of the fragment program */
+    size_t declarations; /* bytes of the declarations, at the beginning of the fragment program */
 } ProgramTexts;
 
-/* Parses both programs and links them. Where MatcLinked knows the declarations beside this vertex
- * program, the fragment program is parsed and linked alone. False: *log tells why. */
+/* Parses and links both programs. If MatcLinked knows the fragment program's declarations
+ * together with this vertex program, only the fragment program is parsed and linked. Returns
+ * false and *log on failure. */
 bool validate(Session *session, Target target, const ProgramTexts *texts, const char **log);
 /* Validates programs of any stages. */
 typedef enum {
@@ -24,11 +25,12 @@ typedef enum {
     VALIDATE_STAGES
 } ValidateStage;
 typedef struct {
-    const char *text[VALIDATE_STAGES]; /* NULL: there is none */
+    const char *text[VALIDATE_STAGES]; /* NULL: absent */
 } ValidateStages;
 bool validate_stages(Session *session, Target target, const ValidateStages *stages,
                      const char **log);
-/* Links them by Vulkan's rules, and gives each as SPIR-V, in the arena. False: *log tells why. */
+/* Links the programs by Vulkan's rules and returns each as SPIR-V, in the arena. Returns false
+ * and *log on failure. */
 typedef struct {
     const char *at[VALIDATE_STAGES];
     size_t size[VALIDATE_STAGES]; /* in bytes */

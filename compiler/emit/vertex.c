@@ -1,5 +1,4 @@
-/* The vertex program that goes with a fragment program: it computes the varyings in use and nothing
- * else. */
+/* The vertex program that matches a fragment program: it computes only the varyings in use. */
 #include "compiler/emit/emit.h"
 #include "compiler/emit/emit_declare.h"
 #include "compiler/emit/vertex.h"
@@ -9,10 +8,10 @@
 #include "compiler/ir/std140.h"
 #include <string.h>
 
-/* How a varying comes about: attributes and uniforms it reads, and its expression. */
+/* Source of a varying: the attribute and uniform that it reads, and its expression. */
 typedef struct {
     Input input;
-    const char *attribute; /* declaration, NULL for none */
+    const char *attribute; /* declaration, or NULL */
     const char *uniform;
     const char *expression;
 } Feed;
@@ -34,7 +33,7 @@ static const Feed feeds[] = {
 };
 enum { FEED_COUNT = sizeof feeds / sizeof *feeds };
 
-/* Attribute of a mesh that was displaced before: maps read the position before displacement. */
+/* Attribute of an already displaced mesh: maps read the position before displacement. */
 static const char base_attribute[] = "vec3 basePosition";
 enum { BASE_LOCATION = ATTRIBUTE_FIRST_LOCATION - 1 };
 static const Feed base_feeds[] = {
@@ -51,7 +50,7 @@ static const Feed *feed_of(const Job *job, int i)
     return &feeds[i];
 }
 
-/* Attribute locations are fixed: an engine binds a mesh once for all programs. */
+/* Attribute locations are fixed, so that an engine binds a mesh once for all programs. */
 static const char *const attributes[] = {"vec3 position", "vec3 normal", "vec2 texcoord",
                                          "vec3 tangentU", "vec3 tangentV"};
 static const char *const uniforms[] = {"mat4 matc_worldFromLocal", "mat4 matc_clipFromWorld",
@@ -100,7 +99,7 @@ static void mark(const char *const *list, int count, const char *name, bool *use
         used[i] |= !strcmp(list[i], name);
 }
 
-/* Which attributes and uniforms the varyings in use read; the position is always one. */
+/* Marks the attributes and uniforms that the varyings in use read; the position is always read. */
 static void mark_used(const Interface *interface, bool *attribute, bool *uniform)
 {
     attribute[0] = uniform[0] = uniform[1] = true;
@@ -113,7 +112,7 @@ static void mark_used(const Interface *interface, bool *attribute, bool *uniform
     }
 }
 
-/* An instance has its place in a buffer; what all instances share, a view, is a block. */
+/* Declares the instance buffer, and the block of view matrices that all instances share. */
 static void put_instances(Text *out, bool random)
 {
     text_format(out, "layout(location = %d) in uint matc_instance;\n", ATTRIBUTE_COUNT);
@@ -133,7 +132,8 @@ static void put_instances(Text *out, bool random)
                     input_table[INPUT_object].glsl);
 }
 
-/* No buffer has what depends on an object and on the view. */
+/* Returns a varying's expression. With instancing eye-space normals need two matrices, since no
+ * buffer depends on both object and view. */
 static const char *expression_of(const Feed *feed, const Job *job)
 {
     return job->instances && feed->input == INPUT_eyeN
@@ -141,7 +141,7 @@ static const char *expression_of(const Feed *feed, const Job *job)
                : feed->expression;
 }
 
-/* Under the names that uniforms have elsewhere. */
+/* Declares locals for an instance's matrices, under the names of the uniforms of other programs. */
 static void put_own(Text *out, const bool *used, bool random)
 {
     text_put(out, "    mat4 matc_worldFromLocal = matc_instances[matc_instance].worldFromLocal;\n");
@@ -244,9 +244,9 @@ static void rasterised(Text *out, const Job *job, const Interface *interface)
     emit_vertex_body(out, job, interface);
 }
 
-/* One triangle that covers the screen. The ray is the direction in which clip space's z changes at
- * a corner, times what makes it linear over the screen even where the near plane is oblique; it
- * leads away from the eye whichever way z runs. */
+/* Writes a triangle that covers the screen. The ray is the direction in which clip-space z
+ * changes at a corner, scaled to be linear over the screen even with an oblique near plane; it
+ * points away from the eye for either direction of z. */
 static void full_screen(Text *out, const Job *job, const Interface *interface)
 {
     const char *index = target_table[job->target].index;
@@ -271,7 +271,7 @@ static void full_screen(Text *out, const Job *job, const Interface *interface)
     text_put(out, "    gl_Position = vec4(corner, 0.0, 1.0);\n}\n");
 }
 
-/* Drawn over all pixels by one triangle. */
+/* True for passes that draw a full-screen triangle. */
 static bool is_screen(const Job *job) { return job->pass == PASS_plane || job->pass == PASS_sky; }
 
 const char *emit_vertex(Session *session, const Job *job, const Interface *interface)
@@ -287,7 +287,7 @@ const char *emit_vertex(Session *session, const Job *job, const Interface *inter
     return out.at;
 }
 
-/* "vec3 position" as {"name": "position", "type": "vec3", key: value}. */
+/* Writes "vec3 position" as {"name": "position", "type": "vec3", key: value}. */
 void emit_describe_part(Text *out, const char *declaration, const char *key, int value)
 {
     int type = (int)strcspn(declaration, " ");
@@ -302,8 +302,8 @@ void emit_describe_part(Text *out, const char *declaration, const char *key, int
     text_char(out, '}');
 }
 
-/* The mesh's own, what moves its points, where a point was before, and those that the document
- * names. */
+/* Describes the attributes: the mesh's own, those of displacement, the base position, and those
+ * that the document names. */
 static void describe_attributes(Text *out, const Job *job, const Interface *interface,
                                 const bool attribute[ATTRIBUTE_COUNT])
 {
@@ -332,12 +332,12 @@ static void describe_attributes(Text *out, const Job *job, const Interface *inte
             text_put(out, ", ");
             emit_describe_part(out, attribute_declaration(interface->ir, i), "location",
                                in_out ? ATTRIBUTE_FIRST_LOCATION + i : -1);
-            out->at[--out->size] = 0; /* its bracket */
+            out->at[--out->size] = 0; /* reopens the object */
             attribute_describe(out, interface->ir->graph->attributes[i]);
         }
 }
 
-/* The bytes that the block of those holds. */
+/* Describes the uniforms. Returns the size of their block in bytes. */
 static int describe_uniforms(Text *out, const Job *job, const bool uniform[UNIFORM_COUNT])
 {
     const bool screen = is_screen(job), offsets = target_table[job->target].locations;

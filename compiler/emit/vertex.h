@@ -1,6 +1,5 @@
-/* The vertex program's parts. The programs that tessellate are made of them, too. So are the
- * geometry program and the compute program. Private to vertex.c, tessellation.c, geometry.c,
- * compute.c and displace.c. */
+/* Parts of the vertex program, also used for the tessellation, geometry and compute programs.
+ * Private to vertex.c, tessellation.c, geometry.c, compute.c and displace.c. */
 #ifndef MATC_VERTEX_H
 #define MATC_VERTEX_H
 #include "compiler/emit/emit.h"
@@ -10,22 +9,22 @@ typedef struct {
     int location;
 } VertexAttribute;
 enum { VERTEX_ATTRIBUTES = 10 + LIMIT_ATTRIBUTES };
-/* Attributes that it reads from the mesh. Returns how many. */
+/* Lists the attributes that are read from the mesh. Returns their number. */
 int emit_vertex_attributes(const Job *job, const Interface *interface,
                            VertexAttribute list[VERTEX_ATTRIBUTES]);
-/* "vec3 position": position. */
+/* Returns the name in a declaration: "vec3 position" -> "position". */
 const char *emit_vertex_name(const VertexAttribute *attribute);
-/* On its way from one stage to the next, as number `number` of them: "out %.*s matc_vertex_%s;\n"
- * gets its type and its name. */
+/* Declares an attribute with index `number` passed between two stages: "out %.*s matc_vertex_%s;
+ * " gets its type and its name. */
 void emit_vertex_between(Text *out, const Job *job, int number, const VertexAttribute *attribute,
                          const char *form);
-/* Uniforms, varyings, and the functions that displace, ended by an empty line. */
+/* Writes uniforms, varyings, and the functions of displacement, ended by an empty line. */
 void emit_vertex_declarations(Text *out, const Job *job, const Interface *interface);
-/* The body of main() for attributes of these names, and its end. */
+/* Writes the body and the end of main(), for attributes with these names. */
 void emit_vertex_body(Text *out, const Job *job, const Interface *interface);
-/* Matrices from the object's space to the world: of points, and of normals. */
+/* Declares the matrices from object to world space: of points, and of normals. */
 void emit_place_uniforms(Text *out, Target target, bool normal);
-/* "vec3 position" as {"name": "position", "type": "vec3", key: value}; without the key, where the
- * value is below 0. */
+/* Writes "vec3 position" as {"name": "position", "type": "vec3", key: value}; without the key if
+ * the value is negative. */
 void emit_describe_part(Text *out, const char *declaration, const char *key, int value);
 #endif

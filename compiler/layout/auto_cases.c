@@ -27,7 +27,7 @@ typedef struct {
 
 /* State of partitioning the sets into a given number of cases of a given number of words. */
 typedef struct {
-    const FieldRow *fields; /* by falling size */
+    const FieldRow *fields; /* by decreasing size */
     int field_count;
     /* Sets of which none contains another, by decreasing number of bits. */
     unsigned sets[MATC_SETS + 1];
@@ -153,7 +153,7 @@ static int by_slots(const void *a, const void *b)
     return difference ? difference : x < y ? -1 : x > y;
 }
 
-/* The first case that has the slots, as lower_layout_case takes it. */
+/* Counts a material for the first case with its slots, as lower_layout_case selects the case. */
 static void count_materials(Division *division, unsigned stored, const MatcSlotSet *set)
 {
     int number = 0;
