@@ -1,4 +1,4 @@
-/* The list of optimiser passes. */
+/* Runs the optimizer passes in order. */
 #include "compiler/opt/opt.h"
 
 enum { MOST_ROUNDS = 8 };
@@ -23,8 +23,8 @@ static bool run(Session *session, Ir *ir, const OptPass *pass, bool *progress)
     return !fault;
 }
 
-/* Until nothing changes: where all passes of a round left everything as it is, another round would,
- * too. */
+/* Runs rounds until a fixed point: a round in which no pass changes anything would repeat
+ * itself. */
 static bool run_rounds(Session *session, Ir *ir)
 {
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
@@ -45,10 +45,10 @@ static bool run_rounds(Session *session, Ir *ir)
     return true;
 }
 
-/* The builder has applied the local rules to every node as it was made; what they gain from knowing
- * uses and ranges is left, and each gain may make room for another. What is needed once more than a
- * guard's branch is known when all else is done, and so are values beside gradients whose arguments
- * came to be the same only then. */
+/* The builder has already applied the local rules to every new node. The passes add rules that
+ * depend on uses and ranges, where each change may enable another. Two passes run at the end.
+ * Guards can be judged only when it is final which nodes have users outside the branch. Values
+ * and gradients may get equal arguments only by the other passes. */
 bool opt_run(Session *session, Ir *ir)
 {
     static const OptPass merge = {"merge", opt_merge}, centre = {"centre", opt_centre},

@@ -1,42 +1,41 @@
-/* The optimiser: each pass is one file and one function that says whether it changed anything. */
+/* The optimizer: each pass is a file with a function that returns whether it changed anything. */
 #ifndef MATC_OPT_H
 #define MATC_OPT_H
 #include "compiler/ir/build.h"
 
-/* All passes until none changes anything. False: the IR is broken after a pass (a fault of matc;
- * reported). */
+/* Runs all passes until none changes anything. Returns false after reporting that a pass broke
+ * the IR, a bug of matc. */
 bool opt_run(Session *session, Ir *ir);
 
-bool opt_fold(Ir *ir);    /* constant operands -> constant */
+bool opt_fold(Ir *ir);    /* constant folding */
 bool opt_algebra(Ir *ir); /* grammar/rules.def */
-bool opt_swizzle(Ir *ir); /* lanes of lanes, lanes of vectors; narrow early */
-bool opt_select(Ir *ir);  /* decided conditions, equal arms, work on constant arms */
-bool opt_power(Ir *ir);   /* whole exponents -> products */
-bool opt_range(Ir *ir);   /* bounds that cannot be reached, comparisons that are decided */
-/* functions that do not use their arguments, or not all; unread lanes of results */
+bool opt_swizzle(Ir *ir); /* swizzles of swizzles and vectors; narrows operations early */
+bool opt_select(Ir *ir);  /* known conditions, equal arms, operations on constant arms */
+bool opt_power(Ir *ir);   /* integer exponents -> products */
+bool opt_range(Ir *ir);   /* clamps without effect, comparisons with a known result */
+/* Unused arguments of functions, functions without arguments, and unread components of results. */
 bool opt_function(Ir *ir);
-bool opt_merge(Ir *ir);        /* a value whose gradient is computed anyhow -> a lane of that */
-bool opt_centre(Ir *ir);       /* half a texel that is taken and added -> neither */
-bool opt_group(Ir *ir);        /* constants of a sum, or of a product, together */
-bool opt_trigonometry(Ir *ir); /* sines and arcs -> functions of a bounded error */
-/* guards that spare nothing -> the value; the others are selects from then on */
+bool opt_merge(Ir *ir);        /* a value whose gradient is also computed -> its fourth component */
+bool opt_centre(Ir *ir);       /* half a texel that is subtracted and added -> neither */
+bool opt_group(Ir *ir);        /* constants of a sum or of a product are combined */
+bool opt_trigonometry(Ir *ir); /* trigonometric functions -> functions with bounded error */
+/* Guards that save nothing -> their value; the others are selects from then on. */
 bool opt_guard(Ir *ir);
-bool opt_polish(Ir *ir); /* the local rules together, with what is known of uses */
-/* The local rules of fold, algebra, swizzle, select and power, until none applies: for nodes as
- * they are made. */
+bool opt_polish(Ir *ir); /* the local rules together, using the uses of nodes */
+/* Applies the local rules of fold, algebra, swizzle, select and power to a new node, until none
+ * applies. */
 Ref opt_simplify(Ir *ir, Ref ref);
-bool opt_dead(Ir *ir); /* drops what the outputs do not reach */
+bool opt_dead(Ir *ir); /* dead code elimination */
 
-/* The local rules: what stands for a node, or the node itself. `user` of swizzle and group is a
- * Uses. */
+/* The local rules: return the replacement of a node, or the node itself. `user` of swizzle and
+ * group is a Uses. */
 Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_algebra(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_swizzle(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_select(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_power(Ir *ir, Ref ref, const void *user);
 Ref opt_rewrite_group(Ir *ir, Ref ref, const void *user);
-/* Which nodes they may change, as far as a glance tells: most nodes most rules have nothing to say
- * of. */
+/* Cheap tests whether a rule may change a node; most rules do not apply to most nodes. */
 static inline bool opt_may_fold(const Ir *ir, Ref ref)
 {
     return ir_at(ir, ref)->count && ir_is(ir, ir_arg(ir, ref, 0), OP_const);
@@ -68,12 +67,11 @@ static inline bool opt_may_group(const Ir *ir, Ref ref)
 
 typedef struct {
     const uint32_t *uses;
-    Ref count; /* of nodes when the uses were counted */
-    /* the last that opt_group made since, which one node uses, as what it stands for; NULL: nobody
-     * asks */
+    Ref count; /* number of nodes when the uses were counted */
+    /* By Ref: the last node that opt_group created since with a single user, and its
+     * replacement; NULL: not needed. */
     Ref *grouped;
 } Uses;
-/* How often each node is used by live nodes, outputs and functions; from then on ir_live_kept knows
- * which are live. */
+/* Counts the uses of each node by live nodes, outputs and functions, and updates ir_live_kept(). */
 Uses opt_uses(Ir *ir, Arena *arena);
 #endif

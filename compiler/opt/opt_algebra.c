@@ -1,10 +1,10 @@
-/* Applies the rules of grammar/rules.def. */
+/* Applies the algebraic rules of grammar/rules.def. */
 #include "compiler/opt/opt.h"
 #include "compiler/ir/build_words.h"
 #include <math.h>
 
-/* Constants go last; of the rest the younger goes first, so that a long sum grows to the left as
- * one writes it. */
+/* Canonical operand order: constants last; otherwise the newer node first, so that a long sum
+ * grows to the left, as one writes it. */
 static bool ordered_wrongly(const Ir *ir, Ref a, Ref b)
 {
     bool a_number = ir_is(ir, a, OP_const), b_number = ir_is(ir, b, OP_const);
@@ -35,7 +35,7 @@ static Ref inverse_of(Ir *ir, Ref ref)
     return ir_const(ir, ir_type(ir, ref), lanes);
 }
 
-/* The only lane that is not 0, or -1. */
+/* Returns the only nonzero component of a constant, or -1. */
 static int only_lane(const Ir *ir, Ref ref)
 {
     int found = -1;

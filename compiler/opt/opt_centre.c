@@ -1,10 +1,11 @@
-/* Half a texel that is taken from a coordinate for imageSampled, which adds it:
+/* Cancels half a texel that is subtracted from the coordinate of imageSampled, which adds it
+ * again:
  *
- *     imageSampled(s, uv - vec2(0.5) / size, size)    a picture of `texels: centre`
- *     becomes imageCentred(s, uv), a plain texture(s, uv): nobody asks for the size */
+ *     imageSampled(s, uv - vec2(0.5) / size, size)    an image with `texels: centre`
+ *     becomes imageCentred(s, uv), a plain texture(s, uv) that does not need the size */
 #include "compiler/opt/opt.h"
 
-/* Half a texel: vec2(0.5) / size, or that number where the size is one. */
+/* True for half a texel: vec2(0.5) / size, or its value if the size is constant. */
 static bool is_half_texel(const Ir *ir, Ref shift, Ref size)
 {
     if (ir_is(ir, shift, OP_div))

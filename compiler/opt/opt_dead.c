@@ -1,5 +1,5 @@
-/* Drops the nodes that the outputs do not reach, the functions that nothing calls and the textures
- * that nothing samples, and numbers the rest anew. */
+/* Dead code elimination: drops nodes that the outputs do not reach, functions that are not
+ * called and textures that are not sampled, and renumbers the rest. */
 #include "compiler/opt/opt.h"
 #include <string.h>
 
@@ -15,7 +15,7 @@ static void keep_function(Ir *ir, size_t from, size_t to, const Ref *moved)
     ir->functions[to] = function;
 }
 
-/* New numbers of the functions that are called, -1 for the others. */
+/* Returns the new numbers of called functions, -1 for the others. */
 static int *renumber_functions(const Ir *ir, const uint8_t *live, Arena *scratch)
 {
     int *number = ARENA_ARRAY(scratch, int, ir->function_count + 1), next = 0;
@@ -32,7 +32,7 @@ static int *renumber_functions(const Ir *ir, const uint8_t *live, Arena *scratch
     return number;
 }
 
-/* Moves the textures that are sampled down; their new numbers. */
+/* Compacts the list of sampled textures. Returns their new numbers. */
 static uint32_t *compact_textures(Ir *ir, const uint8_t *live, Ref count, Arena *scratch)
 {
     uint32_t *number = ARENA_ARRAY(scratch, uint32_t, ir->texture_count + 1);
@@ -56,10 +56,11 @@ typedef struct {
     const Ref *node;
     const int *function;
     const uint32_t *texture;
-    size_t texture_count; /* before; an IR that was read as text names textures that it has not */
+    /* before compaction; IR that was parsed from text may refer to missing textures */
+    size_t texture_count;
 } Numbers;
 
-/* The node with its parts in the compacted arrays; they only move down. */
+/* Moves a node's parts to the compacted arrays, in which they only move down. */
 static void compact_node(Ir *ir, IrNode node, const Numbers *numbers)
 {
     const Payload kind = (Payload)op_payload[node.op];
@@ -110,5 +111,5 @@ bool opt_dead(Ir *ir)
             ir->outputs[i].value = moved[ir->outputs[i].value];
         ir_rehash(ir);
     }
-    return false; /* what is dropped makes no other pass find more */
+    return false; /* dropping nodes enables no other pass */
 }

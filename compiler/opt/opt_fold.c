@@ -1,4 +1,4 @@
-/* Constant operands -> constant, in double precision, library functions by their C reference. */
+/* Constant folding in double precision; library functions by their C reference. */
 #include "compiler/opt/opt.h"
 
 Ref opt_rewrite_fold(Ir *ir, Ref ref, const void *user)

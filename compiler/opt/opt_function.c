@@ -1,17 +1,17 @@
-/* Functions that do not depend on their arguments become their bodies; arguments and lanes that are
- * not read are dropped.
+/* Inlines functions that do not depend on their arguments; drops unused arguments and unread
+ * components of results.
  *
  *     f(p, st) = noise(p)    the calls f(a, b) become g(a), g(p) = noise(p)
- *     f(p).x, f(q).x         of a vec3 f, which no other lanes are read of, become h(p), h(q), h(p)
- *                            = f(p).x
- *     f(p, st) = 0.5         the calls become 0.5, and a kernel's sum of it 27 times that */
+ *     f(p).x, f(q).x         of a vec3 f without reads of other components: become h(p), h(q)
+ *                            with h(p) = f(p).x
+ *     f(p, st) = 0.5         the calls become 0.5, and a kernel's sum 27 times that */
 #include "compiler/opt/opt.h"
 
-/* arguments of a program; of any further one every function is taken to read it */
+/* Max arguments of a program that are tracked; every function is assumed to read any further
+ * ones. */
 enum { MOST_TOLD_APART = 64 };
 
-/* Which arguments of the program every value reads: a bit each, by their order. One sweep finds
- * them for all functions. */
+/* Returns the arguments that every node depends on, a bit each. One sweep serves all functions. */
 static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
 {
     uint64_t *read = ARENA_ARRAY(scratch, uint64_t, ir->count);
@@ -28,7 +28,7 @@ static uint64_t *values_read(const Ir *ir, uint32_t *number, Arena *scratch)
     return read;
 }
 
-/* Which arguments of each function its body reads: a bit each. */
+/* Returns the arguments that each function's result depends on, a bit each. */
 static uint32_t *arguments_read(const Ir *ir, Arena *scratch)
 {
     uint32_t *read = ARENA_ARRAY(scratch, uint32_t, ir->function_count + 1),
@@ -45,7 +45,7 @@ static uint32_t *arguments_read(const Ir *ir, Arena *scratch)
     return read;
 }
 
-/* The function with only the arguments it reads. */
+/* Creates a function with only the arguments that are read. */
 static int trimmed(Ir *ir, int f, uint32_t read)
 {
     IrFunction function = ir->functions[f];
@@ -62,7 +62,8 @@ static int trimmed(Ir *ir, int f, uint32_t read)
 
 enum { ALL_LANES = 15 };
 
-/* Lanes of a call that its user reads: a bit each. A lane that is read twice is not told apart. */
+/* Returns the components of a call that a user reads, a bit each. A component that is read twice
+ * counts as a read of all. */
 static uint32_t lanes_of_use(const Ir *ir, Ref user)
 {
     uint32_t lanes = 0;
@@ -81,7 +82,7 @@ static void read_lanes(const Ir *ir, Ref value, uint32_t lanes, uint32_t *read)
         read[ir_at(ir, value)->payload] |= lanes;
 }
 
-/* Which lanes of each function's result are read of any of its calls. */
+/* Returns the components of each function's result that any call reads. */
 static uint32_t *lanes_read(Ir *ir, Arena *scratch)
 {
     const uint8_t *live = ir_live_kept(ir);
@@ -99,11 +100,11 @@ static uint32_t *lanes_read(Ir *ir, Arena *scratch)
 
 typedef struct {
     const uint32_t *read, *lanes;
-    int *trimmed, *narrowed; /* function that replaces one, from 1; 0 for none */
+    int *trimmed, *narrowed; /* replacement of each function, from 1; 0: none */
     size_t count;
 } Plan;
 
-/* The lanes of a mask, in order, as a swizzle has them. */
+/* Converts a bit mask of components to a swizzle. */
 static uint32_t swizzle_of(uint32_t mask, int *count)
 {
     uint32_t lanes = 0;
@@ -114,7 +115,7 @@ static uint32_t swizzle_of(uint32_t mask, int *count)
     return lanes;
 }
 
-/* The function with only the lanes of its result that are read. */
+/* Creates a function with only the components of the result that are read. */
 static int narrowed(Ir *ir, int f, uint32_t mask)
 {
     int count;
@@ -125,7 +126,7 @@ static int narrowed(Ir *ir, int f, uint32_t mask)
     return (int)ir->function_count - 1;
 }
 
-/* f(p).z, if of f's lanes only y and z are read: h(p).y. */
+/* Rewrites f(p).z to h(p).y if only y and z of f are read. */
 static Ref simplify_lanes(Ir *ir, Ref swizzle, const Plan *plan)
 {
     const Ref call = ir_arg(ir, swizzle, 0);
@@ -173,7 +174,7 @@ static Ref simplify(Ir *ir, Ref ref, const void *user)
     Ref args[32];
     node.count = 0;
     for (int i = 0; i < ir_at(ir, ref)->count; i++)
-        if (plan->read[f] >> i & 1 || i == ir->functions[f].count) /* a kernel's size stays */
+        if (plan->read[f] >> i & 1 || i == ir->functions[f].count) /* a kernel keeps its size */
             args[node.count++] = ir_arg(ir, ref, i);
     node.payload = (uint32_t)plan->trimmed[f] - 1;
     return ir_make(ir, node, args);

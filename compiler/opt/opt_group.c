@@ -1,26 +1,26 @@
-/* Constants of a sum, or of a product, together: each drops a rounding, and an operation.
+/* Combines the constants of a sum or of a product, which saves a rounding and an operation.
  *
  *     (x + 0.45) - 0.5         x + -0.05, which is x - 0.05
  *     0.5 - (0.25 - x)         x + 0.25
  *     x * 20 * 4 * 0.04        x * 3.2
  *     (x * 6) / 0.1            x * 60
  *
- * Not where something else uses the inner value: it is computed then as before, and what was equal
- * to it would be so no longer. */
+ * An inner value with other users is not regrouped: it would still be computed, and values that
+ * were equal before might differ. */
 #include "compiler/opt/opt.h"
 #include <float.h>
 #include <math.h>
 
-/* Numbers up to there are grouped: neither their sums nor their products with a few others leave a
- * float's range. */
+/* Limits of constants to combine: neither sums nor products of a few constants within them leave
+ * a float's range. */
 #define LARGEST_GROUPED  1e15
 #define SMALLEST_GROUPED 1e-15
 
 typedef struct {
     Ref x, constant;
-    /* a sum: constant - x, else x + constant; a product: constant / x, else x * constant */
+    /* sum: constant - x, otherwise x + constant; product: constant / x, otherwise x * constant */
     bool inverted;
-    bool opposite; /* a sum: x - constant; a product: x / constant */
+    bool opposite; /* sum: x - constant; product: x / constant */
 } Term;
 
 static bool is_float(Type type)
@@ -39,8 +39,8 @@ static bool is_moderate(const Ir *ir, Ref ref, double least)
     return true;
 }
 
-/* A node of `straight` or `opposite` with one constant: add and sub of a sum, mul and div of a
- * product. */
+/* Matches a node of `straight` or `opposite` with one constant: add and sub for a sum, mul and
+ * div for a product. */
 static bool find_term(const Ir *ir, Ref ref, Op straight, Op opposite, Term *term)
 {
     if (!ir_is(ir, ref, straight) && !ir_is(ir, ref, opposite))
@@ -51,12 +51,12 @@ static bool find_term(const Ir *ir, Ref ref, Op straight, Op opposite, Term *ter
     term->opposite = ir_is(ir, ref, opposite) && !term->inverted;
     term->x = term->inverted ? b : a;
     term->constant = term->inverted ? a : b;
-    if (term->inverted && ir_is(ir, ref, straight)) /* -O0's order */
+    if (term->inverted && ir_is(ir, ref, straight)) /* operand order at -O0 */
         term->inverted = false;
     return is_moderate(ir, term->constant, least) && !ir_is(ir, term->x, OP_const);
 }
 
-/* 0 where two constants cancel but for their rounding. */
+/* Returns exactly 0 if two constants cancel up to rounding. */
 static Ref without_rounding(Ir *ir, Ref sum, Ref a, Ref b)
 {
     double lanes[4] = {0};
@@ -74,13 +74,13 @@ static Ref without_rounding(Ir *ir, Ref sum, Ref a, Ref b)
     return cancels ? ir_const(ir, ir_type(ir, sum), lanes) : sum;
 }
 
-/* outer(inner(x)) as one sum: signs of x and of the constants multiply. */
+/* Combines outer(inner(x)) to one sum: the signs of x and of the constants multiply. */
 static Ref sum_of(Ir *ir, const Term *outer, const Term *inner)
 {
     const bool minus_x = outer->inverted != inner->inverted,
                minus_inner = inner->opposite != outer->inverted;
     const Ref a = outer->constant, b = inner->constant;
-    Ref sum; /* the constants' */
+    Ref sum; /* of the constants */
     if (outer->opposite)
         sum = minus_inner ? build_neg(ir, build_add(ir, a, b)) : build_sub(ir, b, a);
     else
@@ -89,7 +89,7 @@ static Ref sum_of(Ir *ir, const Term *outer, const Term *inner)
     return minus_x ? build_sub(ir, sum, inner->x) : build_add(ir, inner->x, sum);
 }
 
-/* outer(inner(x)) as one product. Of the four with a division by x none is grouped. */
+/* Combines outer(inner(x)) to one product. None of the four forms that divide by x is combined. */
 static Ref product_of(Ir *ir, const Term *outer, const Term *inner)
 {
     const Ref a = outer->constant, b = inner->constant;

@@ -1,21 +1,22 @@
-/* Guards of what is computed anyhow go. Those by one condition are one branch (emit/schedule.c),
- * which pays where nothing but they need what is costly below them:
+/* Removes guards of values that are computed in any case. Guards on one condition form one
+ * branch (emit/schedule.c), which pays if costly operands have no users outside the guards:
  *
- *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two conditions, so each
- *                                                         branch would hold nothing: g and h become
- *                                                         a
- *     a = granite(p); s = sqrt(a); g = guard(c, s)        s and a are g's alone: g stays, and is
- *                                                         written as a branch
- *     a = granite(p); g = guard(c, a); h = guard(c, 2 a)  a is theirs alone: both stay, as one
- *                                                         branch
+ *     a = granite(p); g = guard(c, a); h = guard(d, a)    a is needed by two conditions, so the
+ *                                                         branches would be empty: g and h
+ *                                                         become a
+ *     a = granite(p); s = sqrt(a); g = guard(c, s)        only g needs s and a: g stays, and
+ *                                                         is written as a branch
+ *     a = granite(p); g = guard(c, a); h = guard(c, 2 a)  only g and h need a: both stay, as
+ *                                                         one branch
  *
- * All that is theirs alone is found from their values downward: an operand is, once as many of its
- * users are as it has. What takes differences between pixels is nobody's: no branch may hold it. */
+ * Exclusive nodes are found from the guarded values downward: an operand is exclusive once all
+ * of its users are. Nodes with screen-space derivatives are never exclusive, since no branch may
+ * contain them. */
 #include "compiler/opt/opt.h"
 
 enum {
     WORTH_A_BRANCH = 40, /* scalar operations */
-    /* payload of a dead guard; its hash is not updated: no more guards are created */
+    /* Payload of a dead guard; its hash is not updated, since no more guards are created. */
     MOOT = 2,
 };
 
@@ -23,11 +24,11 @@ typedef struct {
     const uint32_t *uses; /* by Ref */
     Ref *first;           /* by condition: its guards, linked by `next` */
     Ref *next;            /* by guard */
-    /* by Ref: of the uses, those by what is the guards' alone; 0 again in between */
+    /* By Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;
-    Ref *met; /* nodes whose `own` is set */
+    Ref *met; /* nodes with nonzero `own` */
     size_t met_count, met_room;
-    Ref *alone; /* what is the guards' alone */
+    Ref *alone; /* exclusive nodes of the guards */
     size_t alone_count, alone_room;
 } Guards;
 
@@ -41,11 +42,11 @@ static void note_use(Ir *ir, Guards *g, Ref value)
         ARENA_PUSH(&ir->scratch, g->alone, g->alone_count, g->alone_room, value);
 }
 
-/* nodes that are looked at for one condition, beside the values of its guards */
+/* max nodes examined per condition, in addition to the guarded values */
 enum { ROOM = 256 };
 
-/* Collects the nodes that only the guards need, until they are worth a branch or none is left.
- * False: they are not worth one. Swizzles and vectors cost nothing. */
+/* Collects exclusive nodes until they are worth a branch or none is left. Returns false if they
+ * are not worth one. Swizzles and vectors cost nothing. */
 static bool pays(Ir *ir, Guards *g, Ref first)
 {
     size_t i = 0, values = 0;
@@ -63,7 +64,8 @@ static bool pays(Ir *ir, Guards *g, Ref first)
     return cost >= WORTH_A_BRANCH;
 }
 
-/* Removes guards of a condition that save nothing: all, or those whose value others need, too. */
+/* Marks as dead the guards of a condition that save nothing: all, or those whose value has other
+ * users. */
 static void judge(Ir *ir, Guards *g, Ref first)
 {
     const bool paid = pays(ir, g, first);

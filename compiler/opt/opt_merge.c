@@ -1,13 +1,13 @@
-/* A value whose gradient is computed too comes out of that: the gradient's function has it in its
- * fourth lane.
+/* Replaces a value whose gradient is also computed by the fourth component of the gradient's
+ * function.
  *
- *     turbulence(p, 4, 2, 0.5) beside turbulenceGradient(p, none, 4, 2, 0.5, 0), as slopes.def says
- *         by "0r123w"
- *     becomes .w of the latter: one loop over the octaves where there were two */
+ *     turbulence(p, 4, 2, 0.5) and turbulenceGradient(p, none, 4, 2, 0.5, 0), related by
+ *         "0r123w" of slopes.def
+ *     the value becomes .w of the gradient: one loop over the octaves instead of two */
 #include "compiler/base/hash_index.h"
 #include "compiler/opt/opt.h"
 
-/* Whether a call of a gradient has the arguments that slopes.def makes of the value's. */
+/* Whether a gradient call has the arguments that slopes.def derives from the value's. */
 static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
 {
     const SlopeRow *row = slope_row((int)ir_at(ir, value)->payload);
@@ -24,9 +24,9 @@ static bool is_gradient_of(const Ir *ir, Ref gradient, Ref value)
     return true;
 }
 
-/* Hash of the parts that value and gradient share: the row, and the arguments that it names by
- * digits. They come in that order in a call of the gradient (`shared` of it), and at the digits'
- * places in a call of the value. */
+/* Hashes the parts that value and gradient share: the row, and the arguments that the row names
+ * by digits. In a gradient call they are at the positions of the digits; in a value call at the
+ * positions that the digits name. */
 static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_value)
 {
     uint32_t hash = (uint32_t)row->by;
@@ -39,8 +39,7 @@ static uint32_t hash_of(const Ir *ir, const SlopeRow *row, Ref call, bool of_val
     return hash;
 }
 
-/* `user` has the gradients that the outputs reach, by the arguments that they share with their
- * value. */
+/* `user` indexes the live gradients by the arguments that they share with their value. */
 static Ref merge(Ir *ir, Ref ref, const void *user)
 {
     const SlopeRow *row = ir_is(ir, ref, OP_call) ? slope_row((int)ir_at(ir, ref)->payload) : NULL;
@@ -52,7 +51,7 @@ static Ref merge(Ir *ir, Ref ref, const void *user)
     return ref;
 }
 
-/* Under every row that it may be a gradient by. */
+/* Adds a gradient under every row that may refer to it. */
 static void keep(Ir *ir, HashIndex *gradients, Ref ref)
 {
     for (int function = 0; function < FUNCTION_COUNT; function++) {

@@ -1,6 +1,6 @@
-/* All local rules at once: what one of them makes, another may simplify further. The builder
- * applies them to every node that it makes, so that lowering leaves little behind; the sweep
- * applies them again when more is known. */
+/* Applies all local rules together, since the result of one may be simplified by another. The
+ * builder applies them to every new node, so lowering leaves little to do; the sweep repeats
+ * them when uses are known. */
 #include "compiler/opt/opt.h"
 
 enum { MOST_REWRITES = 16 };
@@ -10,7 +10,7 @@ static IrRewrite *const rules[RULE_COUNT] = {opt_rewrite_fold, opt_rewrite_algeb
                                              opt_rewrite_swizzle, opt_rewrite_select,
                                              opt_rewrite_power};
 
-/* A bit for each rule that may change the node. */
+/* Returns a bit for each rule that may change the node. */
 static unsigned rules_for(const Ir *ir, Ref ref)
 {
     return (unsigned)opt_may_fold(ir, ref) << FOLD | 1u << ALGEBRA |
@@ -18,18 +18,18 @@ static unsigned rules_for(const Ir *ir, Ref ref)
            (unsigned)opt_may_select(ir, ref) << SELECT | (unsigned)opt_may_power(ir, ref) << POWER;
 }
 
-/* No rule was found to change it. Rules of swizzles and groups alone are told of uses: any other
- * node stays as simple as it was when it was made. */
+/* Called when no rule applies to the node. Only swizzle and group rules depend on uses, so every
+ * other node stays final. */
 static void settle(Ir *ir, Ref ref)
 {
     const bool by_uses = ir_is(ir, ref, OP_swizzle) || opt_may_group(ir, ref);
     ir->nodes[ref].flags |= by_uses ? NODE_simple : NODE_simple | NODE_final;
 }
 
-/* In turns, until none of them changes what the others left. */
+/* Applies the rules in turn until none changes the result. */
 static Ref apply_rules(Ir *ir, Ref ref, const void *user)
 {
-    unsigned left = rules_for(ir, ref); /* to be asked of the node */
+    unsigned left = rules_for(ir, ref); /* rules still to be tried */
     int rule = 0;
     for (int run = 0; left && run < MOST_REWRITES * RULE_COUNT;
          run++, rule = rule + 1 < RULE_COUNT ? rule + 1 : 0) {
@@ -55,7 +55,7 @@ Ref opt_simplify(Ir *ir, Ref ref)
     return ir_at(ir, ref)->flags & NODE_final ? ref : apply_rules(ir, ref, &unknown);
 }
 
-/* Tries the rule that depends on uses first, on a simple node that is not final. */
+/* First tries the rule that depends on uses, for a node that is simple but not final. */
 static Ref polish(Ir *ir, Ref ref, const void *user)
 {
     const Ref grouped = opt_may_group(ir, ref) ? opt_rewrite_group(ir, ref, user) : ref;

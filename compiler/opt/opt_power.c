@@ -1,5 +1,5 @@
-/* pow with a whole exponent -> products by repeated squaring: more accurate than pow and cheaper
- * (numerics.md 6.2). x^5 = x^4 x: two squares and a product. */
+/* pow with an integer exponent -> products by repeated squaring: cheaper and more accurate than
+ * pow (numerics.md 6.2). x^5 = x^4 x: two squares and a product. */
 #include "compiler/opt/opt.h"
 #include <math.h>
 
@@ -15,7 +15,7 @@ static Ref power(Ir *ir, Ref x, int n)
     return result;
 }
 
-/* (x^a)^b -> x^(a b): of compensated powers, and of pow, whose base is not negative. */
+/* (x^a)^b -> x^(a b), for compensated powers, and for pow, whose base is not negative. */
 static Ref composed(Ir *ir, Ref ref)
 {
     Ref inner = ir_arg(ir, ref, 0), b = ir_arg(ir, ref, 1);

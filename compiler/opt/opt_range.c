@@ -1,9 +1,8 @@
-/* The BOUND rows of rules.def: a clamp that cannot bite is dropped, a comparison that is always the
- * same is decided. And a value that can be one number alone is that number. The intervals hold in
- * floats: where an operation rounds, a bound is only believed with a little to spare. They are
- * those of the lanes, one by one:
- *     mix(vec4(a, 1), vec4(b, 1), t)    the last lane is 1 whatever t is
- *     max(vec2(fract(x), 7), 0.5)       stays, since its first lane may be below 0.5 */
+/* The BOUND rows of rules.def: drops clamps without effect, and decides comparisons with a known
+ * result. A value with a single possible number becomes a constant. The intervals hold for float
+ * arithmetic: an operation that rounds needs a margin. Intervals are per component:
+ *     mix(vec4(a, 1), vec4(b, 1), t)    the last component is 1 for any t
+ *     max(vec2(fract(x), 7), 0.5)       stays, since its first component may be below 0.5 */
 #include "compiler/opt/opt.h"
 #include "compiler/ir/range.h"
 #include <math.h>
@@ -14,8 +13,8 @@ enum { MOST_LANES = 4 };
 typedef struct {
     const Ranges *ranges;
     const bool **
-        /* by Ref: a floor, ceil or sign is in it, which a rounding beyond an end may take a whole
-         * step further; NULL: nobody asked */
+        /* By Ref: the value depends on floor, ceil or sign, which rounding at an interval's end
+         * may move by a whole step; NULL: not computed yet. */
         steps;
 } Known;
 
@@ -30,8 +29,8 @@ static Interval range_at(const Site *s, Ref ref)
     return range_of(s->ranges, s->ir, ref, s->lane);
 }
 
-/* Whether a value surely lies in [low, high]; where it came by arithmetic, a rounding's worth
- * inside. */
+/* Whether a value is certainly in [low, high]; for a rounded value with a margin for rounding
+ * errors. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
 {
     const double slack = 1e-5;
@@ -46,7 +45,7 @@ static bool lies_within(const Site *s, Ref ref, double low, double high)
 #define truth(x)               build_truth(ir, x)
 #define spread(x)              build_splat(ir, x, (Type)node.type)
 
-/* The most components of a node and its operands. */
+/* Max number of components of a node and its operands. */
 static int lanes_at(const Ir *ir, Ref ref)
 {
     int lanes = ir_lanes(ir, ref);
@@ -56,7 +55,7 @@ static int lanes_at(const Ir *ir, Ref ref)
     return lanes;
 }
 
-/* Results of functions come before their users, too. */
+/* A function's result also precedes its calls. */
 static bool has_step(const Ir *ir, Ref ref, const bool *steps)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -78,7 +77,7 @@ static const bool *find_steps(Ir *ir, Ref count)
     return steps;
 }
 
-/* A value whose every lane can be one number alone is a constant. Few are. */
+/* Returns a constant if every component has a single possible value, which is rare. */
 static Ref only_value(Ir *ir, Ref ref, const Known *known)
 {
     const Type type = ir_type(ir, ref);
@@ -102,7 +101,7 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
     Site site = {ir, known->ranges, 0};
-    bool holds; /* of all lanes */
+    bool holds; /* for all components */
     int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;

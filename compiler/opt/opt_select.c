@@ -1,5 +1,5 @@
-/* Selects whose condition is known, whose arms are equal, or that choose between constants: work on
- * those is done twice here instead of once for every pixel. */
+/* Selects with a known condition or equal arms, and operations on selects between constants,
+ * which are folded in both arms. */
 #include "compiler/opt/opt.h"
 
 static Ref simplify_select(Ir *ir, Ref ref)
@@ -29,8 +29,8 @@ static bool folds_through(Op op)
     return op_table[op].rule != RULE_given || op == OP_swizzle || op == OP_vec || op == OP_call;
 }
 
-/* op(select(c, 1, 2), 3) -> select(c, op(1, 3), op(2, 3)), all operands but one condition's selects
- * being constant. */
+/* op(select(c, 1, 2), 3) -> select(c, op(1, 3), op(2, 3)), if all operands are constants or
+ * selects on one condition. */
 static Ref through_select(Ir *ir, Ref ref)
 {
     const IrNode node = *ir_at(ir, ref);

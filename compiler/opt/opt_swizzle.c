@@ -1,16 +1,16 @@
-/* Lanes of lanes, lanes of vectors, vectors of lanes; and an operation of which few lanes are used
- * is made on those alone. */
+/* Swizzles of swizzles, of vectors, and vectors of swizzles; narrows operations of which few
+ * components are used. */
 #include "compiler/opt/opt.h"
 #include <string.h>
 
 enum {
-    KNOWN_DEPTH = 4, /* operations that are looked through for a lane that is known */
-    PUSH_DEPTH = 64  /* operations below each other that a swizzle goes through at once */
+    KNOWN_DEPTH = 4, /* max operations to search for a known component */
+    PUSH_DEPTH = 64  /* max nested operations through which a swizzle is moved at once */
 };
 
 static uint32_t lane_at(uint32_t lanes, int i) { return lanes >> 2 * i & 3; }
 
-/* The operand of a vec that holds a lane, and which lane of it that is. */
+/* Returns the operand of a vec that holds a component, and the component's index in it. */
 static Ref part_of(const Ir *ir, Ref vec, uint32_t lane, uint32_t *inner)
 {
     for (int i = 0; i < ir_at(ir, vec)->count; i++) {
@@ -46,7 +46,7 @@ static bool by_lane(Op op) { return op_table[op].rule == RULE_widest || op == OP
 
 static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth);
 
-/* Lanes of an operation's operand, and of what stands below it. */
+/* Swizzles an operation's operand, and continues below it. */
 static Ref lanes_below(Ir *ir, Ref operand, Ref swizzle, const Uses *uses, int depth)
 {
     const IrNode *node = ir_at(ir, swizzle);
@@ -56,8 +56,8 @@ static Ref lanes_below(Ir *ir, Ref operand, Ref swizzle, const Uses *uses, int d
     return ir_is(ir, lanes, OP_swizzle) ? push_down(ir, lanes, uses, depth - 1) : lanes;
 }
 
-/* The swizzle goes below an operation that works by lane, when the other lanes are used by nobody,
- * and on from there: (a + (b + c)).x is a.x + (b.x + c.x). */
+/* Moves a swizzle below a per-component operation whose other components are unused, and further
+ * down: (a + (b + c)).x becomes a.x + (b.x + c.x). */
 static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth)
 {
     const Ref operation = ir_arg(ir, swizzle, 0);
@@ -77,7 +77,7 @@ static Ref push_down(Ir *ir, Ref swizzle, const Uses *uses, int depth)
 
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value);
 
-/* Two are mixed, or one of them is chosen: the lane is the same number in both. */
+/* Two values are mixed or selected: the component is known if it is the same number in both. */
 static bool known_alike(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
 {
     const Op op = (Op)ir_at(ir, ref)->op;
@@ -88,8 +88,8 @@ static bool known_alike(const Ir *ir, Ref ref, uint32_t lane, int depth, double 
            known_lane(ir, ir_arg(ir, ref, first + 1), lane, depth, &other) && *value == other;
 }
 
-/* Whether a lane of a vector is a known number, whatever the others are: a product with a 0 in that
- * lane, say. */
+/* Whether a component of a vector is a known number whatever the other components are, for
+ * instance a product with 0. */
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -148,7 +148,7 @@ static Ref simplify_swizzle(Ir *ir, Ref ref, const Uses *uses)
     return push_down(ir, ref, uses, PUSH_DEPTH);
 }
 
-/* vec(v.x, v.y) -> v.xy; vec(v.xy, v.z) -> v.xyz, which is v of three lanes */
+/* vec(v.x, v.y) -> v.xy; vec(v.xy, v.z) -> v.xyz, which is v itself for a vec3 */
 static Ref gather_lanes(Ir *ir, Ref ref)
 {
     int count = 0;

@@ -1,5 +1,5 @@
 /* Trigonometric functions -> library functions with a bounded error, for --trigonometry=bounded.
- * GLSL promises none of its own. */
+ * GLSL gives no error bounds for its own. */
 #include "compiler/opt/opt.h"
 
 static int bounded_function(Op op)
@@ -14,8 +14,8 @@ static int bounded_function(Op op)
     }
 }
 
-/* The functions take numbers: of a vector each lane by itself, beside which a number goes with
- * every lane. */
+/* The functions are scalar: vectors are processed per component, and a scalar operand is used
+ * for each component. */
 static Ref bound(Ir *ir, Ref ref, const void *user)
 {
     (void)user;

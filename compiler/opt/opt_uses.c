@@ -1,13 +1,12 @@
-/* How often nodes are used: what a rule may cost more than it gains. Users come after operands, and
- * a function's result before its calls: one sweep down finds who is live, since some live one uses
- * it, and counts. */
+/* Counts the uses of nodes, for rules that would duplicate work. Operands precede users, and a
+ * function's result precedes its calls: one downward sweep finds live nodes and counts. */
 #include "compiler/opt/opt.h"
 
 Uses opt_uses(Ir *ir, Arena *arena)
 {
     uint8_t *live = ARENA_ARRAY(&ir->kept, uint8_t, ir->count);
     uint32_t *uses = ARENA_ARRAY(arena, uint32_t, ir->count);
-    /* those that others have replaced use nothing */
+    /* replaced functions use nothing */
     bool *applied = ARENA_ARRAY(arena, bool, ir->function_count + 1);
     for (int i = 0; i < ir->output_count; i++)
         uses[ir->outputs[i].value]++;
