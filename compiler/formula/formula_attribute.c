@@ -1,12 +1,13 @@
-/* attribute("wetness", float, 0): what the mesh has at its vertices. Its words are no values, so
- * that it is read here and not as other calls are.
+/* Parses attribute("wetness", float, 0), a vertex attribute of the mesh. Its arguments are not
+ * values, so it needs its own parser.
  *
- *     attribute("name", type [, default])    type: float, vec2, vec3, vec4; default: a number, a
- *                                            list of numbers, a colour; without one 0 */
+ *     attribute("name", type [, default])    type: float, vec2, vec3, vec4; default: a
+ *                                            number, a list of numbers, a color; 0 if
+ *                                            omitted */
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-enum { LONGEST_NAME = LIMIT_NAME - 16 }; /* in a shader it has a word in front, and one behind it */
+enum { LONGEST_NAME = LIMIT_NAME - 16 }; /* the shader's name has a prefix and a suffix */
 
 static void say(FormulaReader *r, const char *what)
 {
@@ -15,7 +16,7 @@ static void say(FormulaReader *r, const char *what)
              formula_token_text(r->s, r->token));
 }
 
-/* Takes a symbol, or says that it is missing. */
+/* Takes a symbol, or reports that it is missing. */
 static bool take(FormulaReader *r, const char *symbol, const char *what)
 {
     const bool is = formula_is(r, symbol);
@@ -26,7 +27,7 @@ static bool take(FormulaReader *r, const char *symbol, const char *what)
     return is;
 }
 
-/* A letter, then letters, digits and single '_': what GLSL has as a part of a name. */
+/* True for a letter followed by letters, digits and single '_', valid inside a GLSL identifier. */
 static bool is_name(const char *name, size_t size)
 {
     bool fine = size > 0 && size <= LONGEST_NAME && text_is_letter(*name) && name[size - 1] != '_';
@@ -81,7 +82,7 @@ static bool read_number(FormulaReader *r, double *number)
     return true;
 }
 
-/* [1, 0, -2], behind its bracket; how many, 0 for a fault. */
+/* Parses [1, 0, -2] after its bracket. Returns the number of components, 0 for a fault. */
 static int read_list(FormulaReader *r, double lanes[FORMULA_MOST_LANES])
 {
     int count = 0;
@@ -112,7 +113,7 @@ static int read_lanes(FormulaReader *r, double lanes[FORMULA_MOST_LANES])
     return read_number(r, lanes) ? 1 : 0;
 }
 
-/* One number is in all lanes; a colour without alpha is opaque. */
+/* A single number is copied to all components; a color without alpha is opaque. */
 static bool read_default(FormulaReader *r, FormulaAttribute *made)
 {
     const int lanes = type_table[made->type].lanes;
@@ -135,7 +136,7 @@ static bool read_default(FormulaReader *r, FormulaAttribute *made)
 
 static bool read_whole(FormulaReader *r, FormulaAttribute *made)
 {
-    formula_next(r); /* the bracket, which is there */
+    formula_next(r); /* the bracket, already checked */
     if (!read_name(r, made) || !take(r, ",", "a ',' and a type") || !read_type(r, &made->type))
         return false;
     if (formula_is(r, ",")) {
@@ -146,7 +147,7 @@ static bool read_whole(FormulaReader *r, FormulaAttribute *made)
     return take(r, ")", "a ')'");
 }
 
-/* To behind the bracket that would end it. */
+/* Skips to the token after the closing bracket. */
 static void skip(FormulaReader *r)
 {
     while (r->token.kind != TOKEN_end && !formula_is(r, ")") && !formula_is(r, ";"))

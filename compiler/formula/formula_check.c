@@ -1,5 +1,5 @@
-/* Steps -> steps with names and widths. Operands come before their users, so one walk does. What is
- * faulty has no width, and what is made of it is not said again. */
+/* Resolves names and widths of the steps in one walk, since operands precede users. Faulty steps
+ * have an unknown width, and their users are not reported. */
 #include "compiler/formula/formula_lex.h"
 #include <math.h>
 #include <string.h>
@@ -11,7 +11,7 @@ typedef struct {
     Session *session;
     Formula *f;
     const Names *locals;
-    bool *varies; /* by step: it goes by the point or by an input */
+    bool *varies; /* by step: depends on the point or an input */
     bool failed;
 } Check;
 
@@ -32,7 +32,7 @@ static const char *width_text(int width)
     return width < 0 ? "something" : words[width];
 }
 
-/* Name of a value with that many components. */
+/* Describes a value with that many components. */
 static const char *holder_text(int width)
 {
     static const char *const words[] = {"a condition", "a number", "a value of two lanes",
@@ -71,7 +71,7 @@ static const char *value_suggested(const Check *c, const char *name)
                         QUANTITY_COUNT + (int)c->locals->count + c->s->names.count);
 }
 
-/* A built-in value that is an attribute of the mesh. */
+/* Resolves a built-in value that is an attribute of the mesh. */
 static int find_attribute(Check *c, FormulaStep *step, const QuantityRow *row)
 {
     const double all = row->number;
@@ -131,7 +131,7 @@ static const char *count_text(const Check *c, const TermRow *row)
     return text.at;
 }
 
-/* A number, or one with a minus, that stands there itself. */
+/* Reads a literal integer with an optional minus sign. */
 static bool whole_of(const Check *c, const FormulaStep *step, double *number)
 {
     const bool minus = step->kind == FORMULA_term && step->row == TERM_negate;
@@ -151,7 +151,7 @@ static bool check_whole(Check *c, const FormulaStep *step, const TermRow *row,
     return false;
 }
 
-/* How an argument of another width is made to fit. */
+/* Returns a hint how to convert an argument to the wanted width. */
 static const char *width_mend(int wanted, int width)
 {
     if (wanted == 3 && width == 2)
@@ -163,7 +163,8 @@ static const char *width_mend(int wanted, int width)
                                       : "";
 }
 
-/* One argument against its letter. *widest: of those of any width. */
+/* Checks an argument against its letter of the signature. *widest: max width of the arguments of
+ * any width. */
 static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *widest)
 {
     const TermRow *row = &term_table[step->row];
@@ -191,7 +192,7 @@ static bool check_argument(Check *c, const FormulaStep *step, uint32_t i, int *w
     return false;
 }
 
-/* a ^ 3: a product. */
+/* Converts a ^ 3 to a product. */
 static void make_power(Check *c, FormulaStep *step)
 {
     double number;
@@ -222,7 +223,7 @@ static int check_term(Check *c, FormulaStep *step)
     return step->width;
 }
 
-/* -- Lanes and lists */
+/* -- Swizzles and lists */
 
 static int check_lanes(Check *c, const FormulaStep *step)
 {
@@ -264,7 +265,7 @@ static int check_list(Check *c, const FormulaStep *step)
     return fail(c);
 }
 
-/* Whether all of its arguments have a width: they are no faults. */
+/* True if all arguments have a known width, so none is faulty. */
 static bool are_known(const Check *c, const FormulaStep *step)
 {
     for (uint32_t i = 0; i < step->count; i++)
@@ -293,7 +294,7 @@ static int width_of(Check *c, FormulaStep *step)
     }
 }
 
-/* A power is steep at 0 where its exponent is below 1. */
+/* A power with an exponent below 1 is infinitely steep at 0. */
 static bool jumps(const Formula *f, const FormulaStep *step)
 {
     if (step->kind != FORMULA_term || !term_table[step->row].jumps)
@@ -303,7 +304,7 @@ static bool jumps(const Formula *f, const FormulaStep *step)
     return !exponent || exponent->kind != FORMULA_number || exponent->number < 1;
 }
 
-/* Propagates along the steps whether a value varies, jumps, or reads the mesh. */
+/* Propagates whether a value varies, jumps, or reads the mesh. */
 static void measure(Check *c, uint32_t number)
 {
     const FormulaStep *step = &c->f->steps[number];

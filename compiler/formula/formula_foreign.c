@@ -1,4 +1,4 @@
-/* Names of other languages in formulas, and their names here: rows of foreign.def, and colors. */
+/* Hints for names of other languages in formulas: rows of foreign.def, and colors. */
 #include "compiler/base/diag.h"
 #include "compiler/base/text.h"
 #include "compiler/formula/formula_lex.h"

@@ -15,8 +15,8 @@ static uint32_t digits_end(const FormulaSource *s, uint32_t at)
     return at;
 }
 
-/* digits [ "." digits ] [ e [ sign ] digits ]; a point alone is none. A point that letters follow
- * is that of lanes. */
+/* digits [ "." digits ] [ e [ sign ] digits ]; a lone point is no number. A point followed by
+ * letters starts a swizzle. */
 static uint32_t number_end(const FormulaSource *s, uint32_t at)
 {
     uint32_t end = digits_end(s, at);
@@ -42,7 +42,7 @@ static void read_number(const FormulaSource *s, Token *token)
                       : TOKEN_other;
 }
 
-/* '#' and three, six or eight digits. */
+/* True for '#' and three, six or eight hexadecimal digits. */
 static bool is_color(const FormulaSource *s, const Token *token)
 {
     const uint32_t size = formula_token_size(*token) - 1;
@@ -68,14 +68,15 @@ int formula_color(const FormulaSource *s, const Token *token, double color[4])
     return lanes;
 }
 
-/* No operator begins with it. */
+/* True for structural characters, which begin no operator. */
 static bool is_structure(char c)
 {
     return c == '(' || c == ')' || c == ',' || c == '[' || c == ']' || c == ';' || c == '.' ||
            c == '?' || c == ':';
 }
 
-/* "**", which other languages have for "^", and "//" are one, so that they are told as one. */
+/* Returns the end of a symbol. "**", which other languages use for "^", and "//" are single
+ * tokens, so that each is reported once. */
 static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
 {
     const char c = s->text[at];
@@ -89,7 +90,7 @@ static uint32_t symbol_end(const FormulaSource *s, uint32_t at, int *symbol)
     return c == '=' ? at + 1 : at;
 }
 
-/* Behind the quote that ends the text; `at`: nothing ends it. */
+/* Returns the end after the closing quote; `at` if there is none. */
 static uint32_t text_end(const FormulaSource *s, uint32_t at)
 {
     const char *end = memchr(s->text + at + 1, s->text[at], s->size - at - 1);

@@ -1,4 +1,4 @@
-/* Where a value is wanted: numbers, colours, names, calls, lists, brackets, signs in front. */
+/* Parses operands: numbers, colors, names, calls, lists, brackets, prefix operators. */
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
@@ -33,7 +33,7 @@ static void open_call(FormulaReader *r, Token name)
     formula_wait(r, wait);
 }
 
-/* A local's own step, or what the check finds. */
+/* Pushes a local's step, or a name for the check to resolve. */
 static void read_name(FormulaReader *r, Token name)
 {
     const int local = r->locals.count ? names_find(&r->locals, formula_word(r, name)) : -1;
@@ -70,7 +70,7 @@ static bool prefix(FormulaReader *r)
     return false;
 }
 
-/* False: a value is still wanted. */
+/* Parses an operand. Returns false if an operand is still expected. */
 bool formula_operand(FormulaReader *r)
 {
     const Token token = r->token;
@@ -120,7 +120,7 @@ bool formula_operand(FormulaReader *r)
         }
         formula_pass_other(r);
         return false;
-    default: /* it is left to whoever takes what is behind a value */
+    default: /* the token is left to the operator parser */
         r->faults++;
         diag_add(r->session, formula_token_span(r), DIAG_formula_wants,
                  formula_token_text(r->s, r->token));

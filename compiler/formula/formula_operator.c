@@ -1,8 +1,8 @@
-/* Behind a value: operators, lanes, the ends of brackets, choices. */
+/* Parses what follows an operand: infix operators, swizzles, closing brackets, conditionals. */
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-/* By the set that all letters are of: w is the third behind a u or a v, else the fourth. */
+/* Index of a component by the set that contains all letters: w is index 2 in uvw, otherwise 3. */
 static int lane_of(const char *letters, char letter)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
@@ -12,7 +12,7 @@ static int lane_of(const char *letters, char letter)
     return -1;
 }
 
-/* One to four letters of one set. */
+/* True for one to four letters of one set. */
 static bool is_swizzle(const char *letters)
 {
     static const char *const sets[] = {"xyzw", "rgba", "uvw"};
@@ -22,7 +22,7 @@ static bool is_swizzle(const char *letters)
     return false;
 }
 
-/* "." letters; the check looks whether there are such lanes. */
+/* Parses "." letters; the check verifies that the components exist. */
 static void read_lanes(FormulaReader *r)
 {
     const uint32_t start = r->token.start;
@@ -45,7 +45,7 @@ static void read_lanes(FormulaReader *r)
     formula_apply(r, step, 1);
 }
 
-/* "[" digit "]" */
+/* Parses "[" digit "]". */
 static void read_index(FormulaReader *r)
 {
     FormulaStep step = {.kind = FORMULA_lanes, .start = r->token.start, .width = 1};
@@ -76,7 +76,7 @@ void formula_say(FormulaReader *r, DiagKind kind)
     formula_next(r);
 }
 
-/* Arguments that were left out, and may be. */
+/* Pushes the defaults of omitted optional arguments. */
 static void push_defaults(FormulaReader *r, const TermRow *row, int given)
 {
     for (int i = given; row->least && i >= row->least && i < row->count; i++)
@@ -84,7 +84,7 @@ static void push_defaults(FormulaReader *r, const TermRow *row, int given)
             r, (FormulaStep){.kind = FORMULA_number, .number = row->initial[i - row->least]});
 }
 
-/* ")" or "]": what it closes is applied. */
+/* Handles ")" or "]": applies the construct that it closes. */
 static void close_open(FormulaReader *r, bool bracket)
 {
     formula_reduce_to(r, level_none, true);
@@ -113,7 +113,7 @@ static void close_open(FormulaReader *r, bool bracket)
     formula_apply(r, step, r->operand_count - wait.base);
 }
 
-/* "," False: nothing is open that has parts. */
+/* Handles ",". Returns false if no open construct has parts. */
 static bool read_comma(FormulaReader *r)
 {
     formula_reduce_to(r, level_none, true);
@@ -124,11 +124,11 @@ static bool read_comma(FormulaReader *r)
     }
     if (!formula_say_decimal(r))
         formula_say(r, DIAG_formula_comma);
-    r->operand_count--; /* the one behind it stands for both */
+    r->operand_count--; /* the operand after the comma replaces both */
     return false;
 }
 
-/* ":" */
+/* Handles ":". */
 static void read_colon(FormulaReader *r)
 {
     for (FormulaWait *wait = formula_top(r);
@@ -153,8 +153,8 @@ static const SymbolRow *infix_of(const FormulaReader *r)
     return NULL;
 }
 
-/* A value of a local is followed by what begins the next part: a name and its '=', or a value on a
- * line of its own, with no bracket open. */
+/* True if a local's value is followed by the start of the next part without ';': a name and its
+ * '=', or a value on a new line, with no bracket open. */
 static bool lacks_semicolon(const FormulaReader *r)
 {
     bool line = false;
@@ -167,13 +167,13 @@ static bool lacks_semicolon(const FormulaReader *r)
     return r->in_local && (line || (r->token.kind == TOKEN_name && formula_token_is(&next, "=")));
 }
 
-/* "**" */
+/* Detects "**". */
 static bool is_power_of_others(const FormulaReader *r)
 {
     return r->token.kind == TOKEN_other && formula_begins(r->s, r->token.start, "**");
 }
 
-/* Reports a token that stands where an operator should. */
+/* Reports a token in the place of an operator. */
 static void say_no_operator(FormulaReader *r)
 {
     const char *word = r->token.kind == TOKEN_name ? formula_word(r, r->token) : "", *hint = "";
@@ -192,7 +192,7 @@ static void say_no_operator(FormulaReader *r)
     }
 }
 
-/* A ';' within a bracket that has parts and is closed behind it: it stands where a ',' should. */
+/* True for a ';' within a closed bracket that has parts: a ',' is meant. */
 static bool divides_arguments(const FormulaReader *r)
 {
     size_t open = r->wait_count;
@@ -211,7 +211,8 @@ static bool divides_arguments(const FormulaReader *r)
     return depth == 0;
 }
 
-/* False: a value is wanted next. *ended: the value is whole. */
+/* Parses what follows an operand. Returns false if an operand is expected next. *ended: the
+ * value is complete. */
 bool formula_operator(FormulaReader *r, bool *ended)
 {
     const SymbolRow *infix = infix_of(r);

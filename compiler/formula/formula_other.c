@@ -1,21 +1,22 @@
-/* Constructs of other languages that formulas lack: each is reported once, with the text to write
- * instead, and skipped as a whole. */
+/* Constructs of other languages that formulas lack: each is reported once, with its equivalent,
+ * and skipped as a whole. */
 #include "compiler/formula/formula_reader.h"
 #include "compiler/base/text.h"
 #include <string.h>
 
-enum { LONGEST_CHOICE = 120 }; /* bytes of a choice that is written out */
+enum { LONGEST_CHOICE = 120 }; /* max bytes of a conditional that is quoted */
 
-/* Bytes of the text; an end of 0: there is no such part. */
+/* A byte range of the text; end 0: the part is missing. */
 typedef struct {
     uint32_t start, end;
 } Part;
 
-/* if CONDITION then YES else NO, and what stands behind it. */
+/* if CONDITION then YES else NO, and the token after it. */
 typedef struct {
     Part condition, yes, no;
     Token behind;
-    bool bracketed, nested; /* the condition begins with a bracket; a part has an `if` of its own */
+    /* bracketed: the condition begins with a bracket; nested: a part contains an `if` */
+    bool bracketed, nested;
 } IfParts;
 
 static bool is_called(const FormulaReader *r, const Token *token, const char *word)
@@ -30,7 +31,7 @@ static bool begins_value(const Token *token)
            formula_token_is(token, "(");
 }
 
-/* Up to what ends the part of the formula in which it stands. */
+/* Finds the parts, up to the end of the enclosing part of the formula. */
 static IfParts find_parts(const FormulaReader *r)
 {
     IfParts c = {.behind = formula_token(r->s, r->token.end)};
@@ -59,7 +60,7 @@ static IfParts find_parts(const FormulaReader *r)
     }
 }
 
-/* The construct in the syntax of formulas. */
+/* Returns the construct in the syntax of formulas. */
 static const char *choice_text(const FormulaReader *r, const IfParts *c)
 {
     const uint32_t start = c->condition.start;
@@ -82,7 +83,7 @@ bool formula_read_if(FormulaReader *r)
     if (!is_called(r, &r->token, "if"))
         return false;
     const IfParts c = find_parts(r);
-    if (c.bracketed && !c.yes.end && !c.no.end) /* if(a, b, c), which is told as a function is */
+    if (c.bracketed && !c.yes.end && !c.no.end) /* if(a, b, c) is reported as an unknown function */
         return false;
     r->faults++;
     diag_add(r->session, formula_token_span(r), DIAG_formula_if, choice_text(r, &c));
@@ -146,7 +147,7 @@ static bool is_suffix_of_c(const char *letters)
     return false;
 }
 
-/* The number that ends directly before the token, or NULL. */
+/* Returns the number that ends directly before the token, or NULL. */
 static const FormulaStep *number_before(const FormulaReader *r)
 {
     const FormulaStep *step =
@@ -157,7 +158,7 @@ static const FormulaStep *number_before(const FormulaReader *r)
                : NULL;
 }
 
-/* Advice on what to write instead of "2u", "45deg", "0.5f", "0x1F". */
+/* Returns advice for "2u", "45deg", "0.5f", "0x1F". */
 static const char *without_suffix(const FormulaReader *r, const FormulaStep *number,
                                   const char *letters)
 {

@@ -1,22 +1,23 @@
-/* Text -> steps, by precedence, with two stacks of its own, so that no nesting needs the caller's.
+/* Operator-precedence parser: text -> steps, with explicit stacks, so that nesting does not use
+ * the call stack.
  *
  *     1 + 2 * u ^ 2      operands 1           operators +
- *                        operands 1 2 u 2     operators + * ^: each binds tighter than the one
- *                                             before, so it waits on it
+ *                        operands 1 2 u 2     operators + * ^: each binds tighter than the
+ *                                             one before, so it is stacked
  *                        at the end ^, * and + are applied, the last one first
  *
- * Behind a fault reading goes on as well as it can, so that one run tells several. */
+ * Parsing continues after a fault if possible, so that one run reports several. */
 #include "compiler/formula/formula_reader.h"
 #include <string.h>
 
-/* Up to ';' or the end; its step. */
+/* Parses a value up to ';' or the end. Returns its step. */
 static uint32_t read_value(FormulaReader *r)
 {
     bool behind = false, ended = false;
     r->operand_count = r->wait_count = 0;
     while (!ended && r->faults < FORMULA_MOST_FAULTS)
         behind = behind ? formula_operator(r, &ended) : formula_operand(r);
-    if (!ended) /* after so many faults what waits may lack its operands */
+    if (!ended) /* after too many faults stacked operators may lack operands */
         return 0;
     for (formula_reduce_to(r, level_none, true); r->wait_count;
          formula_reduce_to(r, level_none, true)) {
@@ -30,7 +31,7 @@ static uint32_t read_value(FormulaReader *r)
     return r->operand_count ? r->operands[0] : 0;
 }
 
-/* name "=" stands next. */
+/* True if the next tokens are name "=". */
 static bool is_local(const FormulaReader *r)
 {
     if (r->token.kind != TOKEN_name)
@@ -64,7 +65,7 @@ static void read_local(FormulaReader *r)
     }
 }
 
-/* `float d = ...`, as GLSL has it: the type is reported, and passed over. */
+/* Reports and skips the type in a declaration such as `float d = ...`. */
 static void pass_type(FormulaReader *r)
 {
     formula_pass_return(r);

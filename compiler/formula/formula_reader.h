@@ -1,5 +1,4 @@
-/* State that the parts of the parser of formulas share: operands, and operators that wait for them.
- * */
+/* Parser state shared by the parts of the formula parser: the operand and operator stacks. */
 #ifndef MATC_FORMULA_READER_H
 #define MATC_FORMULA_READER_H
 #include "compiler/formula/formula_lex.h"
@@ -19,8 +18,8 @@ typedef enum {
 typedef struct {
     FormulaWaitKind kind;
     OperatorLevel level;
-    int row;     /* a Term; of WAIT_list so many lanes, 0 as there are */
-    size_t base; /* operands before it */
+    int row;     /* a Term; for WAIT_list the width, 0 for that of the parts */
+    size_t base; /* number of operands before it */
     uint32_t start, end;
 } FormulaWait;
 
@@ -28,7 +27,7 @@ typedef struct {
     const FormulaSource *s;
     Session *session;
     Formula *f;
-    Token token; /* the next one */
+    Token token; /* the next token */
     uint32_t *operands;
     size_t operand_count, operand_room;
     FormulaWait *waits;
@@ -37,7 +36,7 @@ typedef struct {
     uint32_t *local_steps; /* by number of a local */
     size_t local_count, local_room;
     int faults;
-    bool in_local; /* what is read is a local's value, which ends with ';' */
+    bool in_local; /* parsing a local's value, which ends with ';' */
 } FormulaReader;
 
 static inline Span formula_span(const FormulaReader *r, uint32_t start, uint32_t end)
@@ -57,27 +56,27 @@ static inline const char *formula_word(const FormulaReader *r, Token token)
 {
     return arena_string(r->session->arena, r->s->text + token.start, formula_token_size(token));
 }
-/* Says a fault of the token. */
+/* Reports a fault at the current token. */
 void formula_say(FormulaReader *r, DiagKind kind);
-/* Reports a character that no formula has, or a number that no float holds. formula_other.c */
+/* Reports a character that no formula has, or a number outside a float's range. formula_other.c */
 void formula_say_other(FormulaReader *r);
 static inline bool formula_is_large(const FormulaReader *r)
 {
     const char c = r->s->text[r->token.start];
     return r->token.kind == TOKEN_other && (text_is_digit(c) || c == '.');
 }
-/* Reports and skips letters that directly follow a number, as in 0.5f, 2u, 45deg. Returns false if
- * there are none. */
+/* Reports and skips letters that directly follow a number, as in 0.5f, 2u, 45deg. Returns false
+ * if there are none. */
 bool formula_read_suffix(FormulaReader *r);
-/* Reports and skips the next token if it is a decimal comma, as in 0,5. Returns false for another
- * comma. */
+/* Reports and skips the next token if it is a decimal comma, as in 0,5. Returns false for
+ * another comma. */
 bool formula_say_decimal(FormulaReader *r);
 /* Reports and skips `return` at the beginning of a part. */
 void formula_pass_return(FormulaReader *r);
-/* Goes on behind it; behind a comment of another language, at the next line. */
+/* Skips an invalid token; a comment of another language is skipped to the end of its line. */
 void formula_pass_other(FormulaReader *r);
-/* Says that there is no `if c then a else b`, and stands for all of it. False: no such thing stands
- * here. */
+/* Reports `if c then a else b` and replaces it by a faulty operand. Returns false if the token
+ * starts no such construct. */
 bool formula_read_if(FormulaReader *r);
 
 void formula_push(FormulaReader *r, uint32_t step);
@@ -89,18 +88,18 @@ static inline FormulaWait *formula_top(const FormulaReader *r)
     return r->wait_count ? &r->waits[r->wait_count - 1] : NULL;
 }
 static inline bool formula_is_open(const FormulaWait *wait) { return wait->kind >= WAIT_group; }
-/* The last `count` operands become a step's arguments. */
+/* Pops `count` operands as the arguments of a step, and pushes the step. */
 void formula_apply(FormulaReader *r, FormulaStep step, size_t count);
-/* The operator on top is applied. */
+/* Applies the operator on top of the stack. */
 void formula_reduce(FormulaReader *r);
-/* Applies stacked operators that bind tighter than the level; with `from_left` also those that bind
- * equally. */
+/* Applies stacked operators that bind tighter than the level; with `from_left` also those that
+ * bind equally. */
 void formula_reduce_to(FormulaReader *r, OperatorLevel level, bool from_left);
-/* Reads where a value is wanted. False: one is still. formula_operand.c */
+/* Parses an operand. Returns false if an operand is still expected. formula_operand.c */
 bool formula_operand(FormulaReader *r);
-/* attribute(...), from its bracket on. formula_attribute.c */
+/* Parses attribute(...) from its bracket on. formula_attribute.c */
 void formula_read_attribute(FormulaReader *r, Token name);
-/* Reads behind a value. False: another one is wanted next. *ended: it is whole.
- * formula_operator.c */
+/* Parses what follows an operand. Returns false if an operand is expected next. *ended: the
+ * value is complete. formula_operator.c */
 bool formula_operator(FormulaReader *r, bool *ended);
 #endif

@@ -1,4 +1,4 @@
-/* The operands of a formula that is being read, and the operators that wait for theirs. */
+/* The operand and operator stacks of the formula parser. */
 #include "compiler/formula/formula_reader.h"
 
 uint32_t formula_add(Session *session, Formula *f, FormulaStep step, const uint32_t *arguments,
@@ -47,7 +47,8 @@ void formula_reduce(FormulaReader *r)
     const FormulaStep step = {
         .kind = FORMULA_term, .row = wait.row, .start = wait.start, .end = wait.end};
     if (wait.kind == WAIT_question) {
-        /* to find a place takes as long as what stands before it */
+        /* Computing a span takes time proportional to its offset, so faults above the limit get
+         * none. */
         if (r->faults++ < FORMULA_MOST_FAULTS)
             diag_add(r->session, formula_span(r, wait.start, wait.end), DIAG_formula_choice, "':'");
         formula_push_fault(r);

@@ -1,6 +1,6 @@
-/* Formulas in double precision: the VALUE lines of expression.def, which are written from the
- * mathematics and share nothing with the IR that lowering makes. A condition is 1 or 0. A number
- * goes with every lane: values of one lane are kept in all four. */
+/* Evaluates formulas in double precision by the VALUE lines of expression.def. These are written
+ * from the mathematics and are independent of the lowering to IR. A condition is 1 or 0. Scalars
+ * are replicated to all four components. */
 #include "compiler/formula/formula.h"
 #include "compiler/library/reference.h"
 #include "compiler/library/references.h"
@@ -12,7 +12,7 @@ static const double LEAST_DIVISOR = 1e-30, LEAST_BASE = 1e-37, GREATEST_POWER = 
 /* Arguments of a term that does not work per component. */
 typedef struct {
     const double *a, *b, *c, *d;
-    int lanes; /* of the widest of the arguments of any width */
+    int lanes; /* max width of the arguments of any width */
     const void *noise;
 } Whole;
 
@@ -99,8 +99,8 @@ static void turned_by(const Whole *w, double *result)
     result[1] = s * w->a[0] + c * w->a[1];
 }
 
-/* RGB of a hue in turns: red is 1 within a sixth of 0, and 0 beyond a third; green and blue are
- * shifted by a third and two thirds. */
+/* RGB of a hue in turns: red is 1 within a sixth of hue 0, and 0 from a third on; green and blue
+ * are shifted by a third and two thirds. */
 static void rgb_of(const Whole *w, double *result)
 {
     for (int i = 0; i < 3; i++) {
@@ -129,7 +129,7 @@ static void odd_of(const Whole *w, double *result)
     *result = fmod(fabs(fmod(floor(w->a[0]), 2) + fmod(floor(w->a[1]), 2)), 2);
 }
 
-/* A function of octaves of a position. */
+/* Evaluates a function of octaves at a position. */
 static void octaves(const Whole *w, Function function, const double *after, double *result)
 {
     const double args[6] = {
@@ -151,7 +151,7 @@ static void octaves_at(const Whole *w, double *result)
     octaves(w, FN_turbulence, (const double[]){w->b[0], w->c[0], w->d[0]}, result);
 }
 
-/* An octave at a time, each folded at 0. */
+/* Sums octaves of noise, each folded at 0. */
 static void folded_at(const Whole *w, double *result)
 {
     const double finer = clamp(*w->c, -16, 16), weaker = clamp(*w->d, -16, 16);
@@ -211,7 +211,7 @@ static bool whole_value(Term term, const Whole *w, double *result)
     }
 }
 
-/* A lane of a term that works lane by lane, from its arguments' lanes. */
+/* Evaluates one component of a term that works per component, from its arguments' components. */
 static double lane_value(Term term, const double *x)
 {
     const double a = x[0], b = x[1], c = x[2], d = x[3], e = x[4];
@@ -225,7 +225,7 @@ static double lane_value(Term term, const double *x)
     }
 }
 
-/* Power with a whole exponent, by squaring; 0 to the power 0 is 1. */
+/* Power with an integer exponent, by squaring; 0 to the power 0 is 1. */
 static double whole_power(double a, int n)
 {
     double product = 1, square = a;
@@ -234,7 +234,7 @@ static double whole_power(double a, int n)
     return n < 0 ? quotient(1, product) : product;
 }
 
-/* A number is found once, and kept in all lanes. */
+/* A scalar is computed once and copied to all components. */
 static int lanes_of(const FormulaStep *step) { return step->width <= 1 ? 1 : 4; }
 
 static void term_value(const Formula *f, const FormulaStep *step, const FormulaPoint *point,
