@@ -1,4 +1,4 @@
-/* Rows of the tables as text. */
+/* Formats rows of the tables as text. */
 #include "compiler/describe/describe.h"
 #include "compiler/base/memory.h"
 #include "grammar/unit_table.h"
@@ -67,7 +67,7 @@ void describe_range(Text *out, const ParamRow *param)
         text_format(out, " %s", unit->name);
 }
 
-/* Something to begin with, where a parameter has no default. NULL: better left out. */
+/* Returns an example value for a parameter without a default; NULL: omit the parameter. */
 static const char *sample_value(const ParamRow *param)
 {
     switch (param->type) {
@@ -92,7 +92,7 @@ static const char *sample_value(const ParamRow *param)
     }
 }
 
-/* A material's example is flat: its shape is no part of it. */
+/* Examples of materials omit displacement. */
 static bool is_in_example(const ParamRow *param, bool material)
 {
     static const char moves[] = "displacement";
@@ -166,7 +166,7 @@ void describe_allocation(Text *out, const LayoutRow *layout, const Piece *piece)
         text_format(out, "%d.%c %d", piece->target, *letter, last);
 }
 
-/* To a figure that is easily read: three digits. */
+/* Rounds to three significant digits. */
 static void put_rounded(Text *out, double value) { text_rounded(out, value, 3); }
 
 void describe_error(Text *out, const FieldRow *field)
@@ -186,7 +186,7 @@ void describe_error(Text *out, const FieldRow *field)
     }
 }
 
-/* A "%s" right behind a word or a closing quote is a hint that is mostly empty. */
+/* True for a "%s" directly after a word or a closing quote: a hint, usually empty. */
 static bool is_hint(const char *format, const char *at)
 {
     if (at == format || strchr(" \n", at[-1]))

@@ -1,5 +1,5 @@
-/* matc --explain NAME: the page of a name; several pages where several things have it. Case does
- * not count where no name fits exactly. */
+/* matc --explain NAME: writes the page of a name, or several pages if the name is ambiguous.
+ * Case is ignored if no name matches exactly. */
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include "grammar/expression_tables.h"
@@ -14,7 +14,7 @@ typedef struct {
     int (*compare)(const char *, const char *); /* strcmp or strcasecmp */
 } Query;
 
-/* Does a row have the name that is asked for? If so, a new page begins. */
+/* Begins a new page if a row has the queried name. */
 static bool begins(const Query *q, const char *name)
 {
     if (q->compare(q->name, name) != 0)

@@ -1,4 +1,4 @@
-/* Formulas as text: the words of expression.def, for --list=functions, --explain and the schema. */
+/* Formats formulas for --list=functions, --explain and the schema, from expression.def. */
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "grammar/expression_tables.h"
@@ -6,7 +6,7 @@
 
 enum { NAME_WIDTH = 24 };
 
-/* "mix(a, b, c)", "a + b", "-a", "a ? b : c"; what may be left out stands in brackets. */
+/* Writes "mix(a, b, c)", "a + b", "-a", "a ? b : c"; optional arguments are in brackets. */
 static void put_form(Text *out, Term term)
 {
     const TermRow *row = &term_table[term];
@@ -90,7 +90,7 @@ void describe_function(Text *out, int term)
                 row->example);
 }
 
-/* The part of an example before " = ". */
+/* Writes the part of an example before " = ". */
 static void put_example(Text *out, const char *example)
 {
     const char *end = example, *next = strstr(example, " = ");

@@ -1,11 +1,11 @@
-/* matc --schema=manifest and so on: JSON Schema (2020-12) of the files of files.def. */
+/* matc --schema=manifest and similar: JSON Schemas (2020-12) of the file types of files.def. */
 #include "compiler/base/session.h"
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include "compiler/matc.h"
 #include <string.h>
 
-/* A name of a list of them: comma, then the name. */
+/* Appends a name to a JSON list. */
 static void put_name(Text *out, const char *name, size_t size, bool first)
 {
     text_put(out, first ? "" : ", ");
@@ -16,7 +16,7 @@ static const char *target_name(int i) { return target_table[i].name; }
 static const char *pass_name(int i) { return pass_table[i].name; }
 static const char *slot_name(int i) { return slot_table[i].name; }
 static const char *normals_name(int i) { return normals_table[i].name; }
-static const char *format_name(int i) { return format_table[i + 1].name; } /* but for none */
+static const char *format_name(int i) { return format_table[i + 1].name; } /* without `none` */
 static const char *encoding_name(int i) { return encoding_table[i].name; }
 
 /* Tables whose names are choices. */
@@ -31,7 +31,7 @@ static const struct {
 };
 enum { TABLE_COUNT = sizeof tables / sizeof *tables };
 
-/* "enum": [...] of a table's names, or of those in `of` itself. */
+/* Writes "enum": [...] with a table's names, or with the names in `of` itself. */
 static void put_choice(Text *out, const char *of)
 {
     int table = 0;
@@ -50,7 +50,7 @@ static void put_choice(Text *out, const char *of)
     text_put(out, "]");
 }
 
-/* An object with a choice for every axis of variants.def. */
+/* Writes an object with a choice for every axis of variants.def. */
 static void put_choices(Text *out)
 {
     text_put(out, "\"type\": \"object\", \"additionalProperties\": false, \"properties\": {");
@@ -68,7 +68,7 @@ static void put_choices(Text *out)
     text_put(out, "\n        }");
 }
 
-/* "diffuse", "diffuse.rg", and lists of them: one alternative of a pattern a slot. */
+/* Writes the schema of "diffuse", "diffuse.rg", and lists of them: one alternative per slot. */
 static void put_slots_definition(Text *out)
 {
     text_put(out, "    \"slot\": {\n      \"type\": \"string\",\n      \"pattern\": \"^(");
@@ -101,7 +101,7 @@ static void put_slot_constants(Text *out)
     text_put(out, "\n        }");
 }
 
-/* The schema of a value, as members of a JSON object. */
+/* Writes the schema of a value as members of a JSON object. */
 static void put_type(Text *out, const FileRow *row)
 {
     static const char *const plain[] = {
@@ -159,7 +159,7 @@ static void put_type(Text *out, const FileRow *row)
     }
 }
 
-/* The bits that each encoding takes. */
+/* Writes the range of bits of each encoding. */
 static void put_encodings(Text *out)
 {
     text_put(out, ",\n      \"allOf\": [");
@@ -176,7 +176,8 @@ static void put_encodings(Text *out)
     text_put(out, "\n      ]");
 }
 
-/* A member; people write layout files, in which a member without a value is as good as none. */
+/* Writes a member. In layout files, which are hand-written, a null value equals an absent
+ * member. */
 static void put_member(Text *out, const FileRow *row, bool written_by_people)
 {
     text_format(out, "\n        \"%s\": {\"description\": ", row->name);
@@ -192,7 +193,7 @@ static void put_member(Text *out, const FileRow *row, bool written_by_people)
     }
 }
 
-/* The object at a row, and the members behind it; returns the row behind those. */
+/* Writes the object at a row with its members. Returns the row after them. */
 static int put_object(Text *out, int at, bool written_by_people)
 {
     int first = at + 1, end = first;

@@ -1,5 +1,5 @@
-/* Names that are none of the tables' own: those of other tools, and those that files of the library
- * define. */
+/* Describes names that are not in matc's own tables: names of other tools, and definitions of
+ * the library. */
 #include "compiler/describe/describe.h"
 #include "grammar/foreign_table.h"
 #include "grammar/library_table.h"

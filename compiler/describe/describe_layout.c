@@ -1,5 +1,5 @@
-/* A layout as a page: its targets, then every field of every case with its place, bits, range and
- * error. */
+/* Writes a layout as a page: its targets, then every field of every case with its place, bits,
+ * range and error. */
 #include "compiler/describe/describe.h"
 
 static void put_constants(Text *out, const FixedRow *fixed, int count)
@@ -17,7 +17,7 @@ static void put_constants(Text *out, const FixedRow *fixed, int count)
 static void put_pieces(Text *out, const LayoutRow *layout, int number)
 {
     Placement placement;
-    layout_allocate(layout, number, &placement); /* it was checked: every row fits */
+    layout_allocate(layout, number, &placement); /* checked before: every row fits */
     if (number)
         text_format(out, "\nCase %d: %s\n", number, layout->cases[number].doc);
     text_format(out, "  %-9s  %-42s  %-18s  %-18s  %s\n", "place", "slot", "encoding", "stored",

@@ -1,4 +1,4 @@
-/* matc --list: every name of the language with a line on it. */
+/* matc --list: every name of the language with a one-line description. */
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
 #include <string.h>
@@ -57,7 +57,7 @@ static void list_colors(Text *out)
     }
 }
 
-/* Tables whose rows have a name and a doc. */
+/* Lists tables whose rows have a name and a doc. */
 #define LIST(function, title, table, count)                                                        \
     static void function(Text *out)                                                                \
     {                                                                                              \
@@ -144,12 +144,12 @@ char *matc_list(void)
     Arena arena = {0};
     Text out = text_new(&arena);
     for (int i = 0; i < LISTS; i++)
-        if (lists[i].put != describe_foreign_list) /* all others are names of ours */
+        if (lists[i].put != describe_foreign_list) /* all other lists have names of matc */
             lists[i].put(&out);
     return describe_finish(&out);
 }
 
-/* The list of that kind, or the choices of that axis. */
+/* Returns the list of that kind, or the choices of that axis. */
 char *matc_list_of(const char *kind)
 {
     Arena arena = {0};

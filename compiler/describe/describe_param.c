@@ -1,5 +1,5 @@
-/* Pages of parameters by their names: of which maps, materials and parts of scenes they are, and
- * the words that they may be. Rows that say the same are one paragraph. */
+/* Pages of parameters by name, with the maps, materials and scene parts that have them, and
+ * their keywords. Equal descriptions are merged into a paragraph. */
 #include "compiler/describe/describe.h"
 #include <string.h>
 
@@ -47,7 +47,7 @@ static void put_choices(Text *out, const ParamRow *row)
             text_format(out, "  %-*s  %s\n", WORD_WIDTH, word_table[i].name, word_table[i].doc);
 }
 
-/* One paragraph: all owners of parameters that say what the i-th does. */
+/* Writes a paragraph for all owners of parameters that are described like the i-th. */
 static void put_paragraph(Text *out, int i, bool done[PARAMS])
 {
     const ParamRow *row = row_of(i);
@@ -77,7 +77,7 @@ void describe_params(Text *out, const char *name, DescribeCompare *same)
     }
 }
 
-/* The name of a parameter that may be a word of that list. */
+/* Returns the name of a parameter whose value is a keyword of that list. */
 static const char *param_with(ParamKind list)
 {
     for (int i = 0; i < PARAMS; i++)

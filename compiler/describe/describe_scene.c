@@ -1,4 +1,4 @@
-/* Describes scenes in every form: lists, pages, definitions of the schema of documents. */
+/* Describes scenes: lists, pages, and schema definitions. */
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
 #include <string.h>
@@ -13,7 +13,7 @@ const char *describe_scene_type(const SceneParamRow *row)
     return row->value == SCENE_VALUE_plain ? describe_type(&row->param) : names[row->value];
 }
 
-/* "1", "[0, 0, 1]", "40 degrees" */
+/* Formats a default with its unit: "1", "[0, 0, 1]", "40 degrees". */
 static const char *default_text(Arena *arena, const SceneParamRow *row)
 {
     Text text = text_new(arena);
@@ -65,7 +65,8 @@ static void put_preset_value(Text *out, const ScenePresetRow *row)
         text_plain(out, row->value);
 }
 
-/* A line for each word that sets parameters: "quality: draft  rays: 4, resolution: half". */
+/* Writes a line for each keyword that sets other parameters: "quality: draft  rays: 4,
+ * resolution: half". */
 static void put_presets(Text *out, SceneKind kind)
 {
     enum { WIDTH = 24 };
@@ -107,7 +108,7 @@ void describe_scene_sort(Text *out, SceneSort sort)
                         scene_kind_table[kind].doc);
 }
 
-/* The schema of a value, without the braces around it. */
+/* Writes the schema of a value without the enclosing braces. */
 static void put_value(Text *out, const SceneParamRow *row)
 {
     const char *sort = scene_sort_table[row->of].name;

@@ -1,6 +1,6 @@
 /* matc --schema: JSON Schema (2020-12) of documents, from the tables. Editors complete and check
- * documents with it; what it refuses, matc refuses too. describe_files.c has the schemas of other
- * files. */
+ * documents with it; a document that it rejects is also rejected by matc. describe_files.c has
+ * the schemas of other files. */
 #include "compiler/base/session.h"
 #include "compiler/describe/describe.h"
 #include "compiler/base/json_write.h"
@@ -11,7 +11,7 @@
     "{\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": \"number\"}, {\"type\": "          \
     "\"number\"}"
 
-/* Definitions with parameters, which no table speaks of; nor of those below. */
+/* Definitions with parameters; neither these nor the definitions below are in a table. */
 static const char parameter_definitions[] =
     "    \"parameter\": {\n"
     "      \"description\": \"A definition's parameter: its default, or what is known of it.\",\n"
@@ -39,20 +39,20 @@ static const char definition_properties[] =
     "      }\n"
     "    },\n";
 
-/* A use of any definition, whatever a document has. */
+/* A use of any definition, without knowledge of the document's definitions. */
 static const char any_ref[] = "      \"type\": \"object\", \"required\": [\"ref\"],\n"
                               "      \"properties\": {\"ref\": {\"type\": \"string\"}},\n"
                               "      \"additionalProperties\": {\"description\": \"An argument for "
                               "a parameter of the definition.\"}\n"
                               "    },\n";
 
-/* Members that may accompany a material at the outermost level. */
+/* Members allowed next to a material at the top level. */
 #define BESIDE                                                                                     \
     "        \"defs\": {\"$ref\": \"#/$defs/defs\"},\n"                                            \
     "        \"include\": {\"$ref\": \"#/$defs/include\"},\n"                                      \
     "        \"colors\": {\"$ref\": \"#/$defs/colors\"}"
 
-/* A document that is one use of a definition, at the outermost level. */
+/* A document whose top level is a use of a definition. */
 static const char any_ref_document[] =
     "{\n"
     "      \"description\": \"A material of `defs:`, the document's own or of a file that it "
@@ -64,7 +64,7 @@ static const char any_ref_document[] =
     "definition.\"}\n"
     "    }";
 
-/* Definitions that no table speaks of. */
+/* Definitions that are not in a table. */
 static const char fixed_definitions[] =
     "      \"type\": \"object\", \"required\": [\"param\", \"default\"], \"additionalProperties\": "
     "false,\n"
@@ -165,7 +165,7 @@ static const char fixed_definitions[] =
     "      ]\n"
     "    },\n";
 
-/* A member of a list of names: comma, then the name. */
+/* Appends a name to a JSON list. */
 static void put_name(Text *out, const char *name, int *count)
 {
     text_put(out, (*count)++ ? ", " : "");
@@ -190,7 +190,7 @@ static void put_color(Text *out)
     text_put(out, ")\\\\)$\"}\n      ]\n    },\n");
 }
 
-/* "wordChannel": { all names of the list, or null } */
+/* Writes "wordChannel": { all keywords of the list, or null } */
 static void put_words(Text *out)
 {
     for (int i = 0; i < WORD_COUNT; i++) {
@@ -204,7 +204,7 @@ static void put_words(Text *out)
     }
 }
 
-/* One alternative a name, as only so a name can have its own description. */
+/* Writes an alternative per name, since only then can each name have a description. */
 static void put_waves(Text *out)
 {
     text_put(out, "    \"waveName\": {\n      \"oneOf\": [\n");
@@ -226,7 +226,7 @@ static bool has_preset(Kind kind)
     return false;
 }
 
-/* "map": { all names of the kind } */
+/* Writes "map": { all names of the kind } */
 static void put_kind_names(Text *out, Kind kind)
 {
     int count = 0;
@@ -278,7 +278,7 @@ static void put_kind(Text *out, Kind kind)
     text_put(out, "\n      }\n    },\n");
 }
 
-/* A material as the outermost level: its parameters, and what stands beside them there. */
+/* Writes a material at the top level: its parameters, and the other top-level keys. */
 static void put_document(Text *out, Kind kind)
 {
     const KindRow *row = &kind_table[kind];
@@ -289,7 +289,7 @@ static void put_document(Text *out, Kind kind)
     text_put(out, ",\n" BESIDE "\n      }\n    },\n");
 }
 
-/* "name": any of the kinds of one sort, or a reference to one; `more` are further alternatives. */
+/* Writes "name": any of the kinds of one group, or a reference; `more` are further alternatives. */
 static void put_choice(Text *out, const char *name, bool material, const char *more)
 {
     text_format(out,

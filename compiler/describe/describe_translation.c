@@ -1,4 +1,4 @@
-/* Rows of translations.def as lines. */
+/* Formats rows of translations.def, one per line. */
 #include "compiler/describe/describe.h"
 #include "grammar/translation_tables.h"
 

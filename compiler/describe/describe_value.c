@@ -1,4 +1,4 @@
-/* The schema of parameters' values in documents. */
+/* Writes the schema of parameters' values in documents. */
 #include "compiler/base/json_write.h"
 #include "compiler/describe/describe.h"
 #include <math.h>
