@@ -1,4 +1,4 @@
-/* Writes the words of documents and of the IR's text as a dictionary for libFuzzer and AFL++:
+/* Writes the keywords of documents and of the IR's text as a dictionary for libFuzzer and AFL++:
  * dictionary FILE. */
 #include "compiler/ir/ir.h"
 #include "grammar/scene_tables.h"

@@ -1,6 +1,6 @@
-/* Host program: the tables and the examples -> reference.md, diagnostics.md and functions.yaml.
- * docs OUTPUT_FOLDER EXAMPLES_FOLDER Pictures are referred to as pictures/<stem of the
- * example>.png; matview makes them. */
+/* Host program that generates reference.md, diagnostics.md and functions.yaml from the tables
+ * and the examples. docs OUTPUT_FOLDER EXAMPLES_FOLDER. Pictures are referred to as
+ * pictures/<stem of the example>.png; matview renders them. */
 #include "docs_formulas.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
@@ -19,7 +19,7 @@ static void fail(const char *what, const char *why)
     exit(1);
 }
 
-/* A file as text, or NULL. */
+/* Returns a file's text, or NULL. */
 static char *read_file_text(const char *path)
 {
     FILE *file = fopen(path, "rb");
@@ -54,8 +54,8 @@ static void camel(const char *name, char *out)
 
 static bool is_material(Kind kind) { return kind_table[kind].lowering == LOWERING_MATERIAL; }
 
-/* The example of a kind or preset and its text; a name without a file is tried without its last
- * word: sunSky. */
+/* Finds the example of a kind or preset and reads its text. If the file is missing, the name is
+ * tried without its last word: sunSky. */
 static char *find_example(Kind kind, const char *name, char *stem, char *path)
 {
     if (is_material(kind) || strcmp(name, kind_table[kind].name) != 0)
@@ -75,7 +75,7 @@ static char *find_example(Kind kind, const char *name, char *stem, char *path)
     return NULL;
 }
 
-/* The function main() of the program that an example makes. */
+/* Writes the function main() of the example's program. */
 static void put_main(Text *out, Kind kind, const char *path, const char *text)
 {
     MatcOptions options;
@@ -109,7 +109,7 @@ static void put_example(Text *out, Kind kind, const char *name)
     free(text);
 }
 
-/* Text in a cell of a table. */
+/* Writes text in a cell of a table. */
 static void put_cell(Text *out, const char *text)
 {
     text_put(out, " ");
@@ -218,7 +218,7 @@ static void put_waves(Text *out)
     text_char(out, '\n');
 }
 
-/* Tables whose rows have a name and a doc. */
+/* Writes tables whose rows have a name and a doc. */
 #define LIST(out, title, what, table, count)                                                       \
     do {                                                                                           \
         text_format(out, "\n## %s\n\n| %s | |\n| --- | --- |\n", title, what);                     \

@@ -1,6 +1,6 @@
-/* Functions and values of formulas, and the definitions that come with matc, for the reference
- * pages. A function's picture shows it on a sphere: a goes from -4 at the seam to 4 around it, b
- * from -2 at the bottom to 2 at the top, what else there is are numbers. */
+/* Reference of the functions and values of formulas, and of the library's definitions. A
+ * function's picture shows a sphere: a goes from -4 at the seam to 4 around it, b from -2 at the
+ * bottom to 2 at the top; other arguments are constants. */
 #include "docs_formulas.h"
 #include "compiler/describe/describe.h"
 #include "compiler/matc.h"
@@ -12,7 +12,7 @@
 
 enum { LONGEST = 512 };
 
-/* The i-th argument by its letter of the signature. */
+/* Returns an expression for the i-th argument by its letter of the signature. */
 static const char *argument(char letter, int i)
 {
     static const char *const numbers[TERM_MOST_ARGUMENTS] = {"(8 * u - 4)", "(4 * v - 2)", ".5",
@@ -33,7 +33,7 @@ static const char *argument(char letter, int i)
     }
 }
 
-/* As a colour: 0 is grey, 2 white. */
+/* Writes the function as a color: 0 is gray, 2 is white. */
 static void put_shown(Text *out, const TermRow *row)
 {
     const char result = term_result(row);
@@ -80,7 +80,7 @@ void docs_functions(Text *out)
         text_format(out, "| `%s` | %s |\n", quantity_table[i].name, quantity_table[i].doc);
 }
 
-/* A definition's page is what --explain says of it in a document that includes its file. */
+/* Writes a definition's page, the --explain text of a document that includes its file. */
 static void put_definition(Text *out, const char *name)
 {
     char text[2 * LONGEST];

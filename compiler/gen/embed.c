@@ -1,9 +1,8 @@
-/* Host program: text files -> C. embed OUTPUT SYMBOL FILE...
- * With SYMBOL "chunk_table": library chunks as link.h has them; "library_table": files by their
- * names, as grammar/library_table.h has them. Otherwise one string a file, `const char
- * SYMBOL_<name>[]`, and beside OUTPUT a header that declares all of them. A layout file
- * pool.layout.def becomes the header pool_layout.h for C; in GLSL it replaces the line #include
- * "pool.layout.def". */
+/* Host program that embeds text files in C: embed OUTPUT SYMBOL FILE... The SYMBOL "chunk_table"
+ * writes library chunks for link.h; "library_table" files by name for grammar/library_table.h.
+ * Any other symbol writes a string per file, `const char SYMBOL_<name>[]`, and next to OUTPUT a
+ * header that declares all of them. A layout file pool.layout.def becomes the header
+ * pool_layout.h for C; in GLSL it replaces the line #include "pool.layout.def". */
 #include "compiler/gen/layout_text.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -29,7 +28,7 @@ static char *read_all(const char *path)
     return text;
 }
 
-/* "a/b/wood.glsl" -> "wood", which is all up to the last dot */
+/* "a/b/wood.glsl" -> "wood": everything up to the last dot */
 static char *chunk_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path;
@@ -64,8 +63,8 @@ static const char *line_end(const char *line)
     return end ? end + 1 : line + strlen(line);
 }
 
-/* Lines that declare uniforms: "uniform highp sampler2D name;" as {"highp sampler2D", "name",
- * true}. */
+/* Writes the uniforms that a text declares: "uniform highp sampler2D name;" as {"highp
+ * sampler2D", "name", true}. */
 static void put_uniforms(FILE *out, const char *text)
 {
     fputs("(const ChunkUniform[]){", out);
@@ -82,7 +81,7 @@ static void put_uniforms(FILE *out, const char *text)
     fputs("{0}}", out);
 }
 
-/* All other lines. */
+/* Returns all other lines. */
 static char *without_uniforms(const char *text)
 {
     char *rest = calloc(1, strlen(text) + 1), *to = rest;
@@ -127,8 +126,8 @@ static int put_chunks(FILE *out, const File *files, int count)
     return fine;
 }
 
-/* "    doc: A wall." or "    doc: \"A wall.\"": the sentence; tests/compiler/front/test_shipped.c
- * compares it with what YAML reads. */
+/* Writes the sentence of "    doc: A wall." or "    doc: \"A wall.\"".
+ * tests/compiler/front/test_shipped.c compares it with the YAML parser's result. */
 static void put_doc(FILE *out, const char *line)
 {
     static const char key[] = "    doc: ";
@@ -144,7 +143,7 @@ static void put_doc(FILE *out, const char *line)
     put_string(out, start, (size_t)(end - start));
 }
 
-/* The keys under `defs:`, which stand two columns in. */
+/* Writes the keys under `defs:`, indented by two columns. */
 static void put_names(FILE *out, const File *file)
 {
     const char *defs = strstr(file->text, "\ndefs:\n");
@@ -174,10 +173,10 @@ static void put_library(FILE *out, const File *files, int count)
           out);
 }
 
-/* -- layouts */
+/* -- Layouts */
 
-/* Writes the GLSL declarations of the layout that a line includes. Returns 0 if there is no such
- * layout or it has a wrong row. */
+/* Writes the GLSL declarations of the layout that a line includes. Returns 0 if the layout is
+ * missing or has a wrong row. */
 static int put_layout(FILE *out, const char *line, const File *files, int count)
 {
     const char *name = line + sizeof "#include \"" - 1;
@@ -191,7 +190,7 @@ static int put_layout(FILE *out, const char *line, const File *files, int count)
     return 0;
 }
 
-/* The file's text with each #include of a layout replaced; NULL if one cannot be. */
+/* Returns the file's text with each #include of a layout replaced; NULL on failure. */
 static char *with_layouts(const File *file, const File *files, int count)
 {
     char *text = NULL;
@@ -252,7 +251,7 @@ static char *header_text(const char *symbol, const File *files, int count)
     return fclose(out) ? NULL : text;
 }
 
-/* Does not rewrite a file that already has this text, so that its users are not compiled again. */
+/* Leaves a file with equal text untouched, so that its users are not recompiled. */
 static int write_if_changed(const char *path, const char *text)
 {
     char *had = read_all(path);

@@ -31,8 +31,8 @@ int layout_text_is(const char *path)
     return size > sizeof suffix - 1 && !strcmp(path + size - (sizeof suffix - 1), suffix);
 }
 
-/* Copies text up to one of the characters `ends` and skips that. Returns 0 if there is none, or the
- * text does not fit. */
+/* Copies text up to one of the characters `ends` and skips that character. Returns 0 if it is
+ * missing, or the text does not fit. */
 static int take(const char **at, const char *ends, char *to, size_t room)
 {
     *at += strspn(*at, " ");
