@@ -37,7 +37,7 @@ void describe_library_list(Text *out);
 const char *describe_type(const ParamRow *param);
 /* Writes a default: "0.5", "[1, 0, 0]", "true", "none". With a preset, the preset's default. */
 void describe_default(Text *out, const ParamRow *param, const char *preset);
-/* "0 to 16"; nothing for every number. */
+/* Writes a range: "0 to 16"; nothing if unbounded. */
 void describe_range(Text *out, const ParamRow *param);
 /* Writes a minimal document: the kind, under the given name, with its defaults. */
 void describe_example(Text *out, Kind kind, const char *name);

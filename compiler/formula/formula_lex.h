@@ -42,7 +42,7 @@ static inline bool formula_token_is(const Token *token, const char *symbol)
 }
 /* Returns a color's number of components and their values. */
 int formula_color(const FormulaSource *source, const Token *token, double color[4]);
-/* For messages: 'sin', or the end of the formula. */
+/* Returns a token for messages: 'sin', or the end of the formula. */
 const char *formula_token_text(const FormulaSource *source, Token token);
 /* Returns "; here it is mix(a, b, share)" for a name known from other languages; otherwise NULL.
  * formula_foreign.c */

@@ -1,6 +1,7 @@
-/* A batch: every document's materials are compiled to IR, side by side; the first of each program
- * writes it; when all are known, programs that several materials share with different numbers are
- * written again with those in a buffer. Only then do files appear in the folder. */
+/* Compiles a batch. All documents' materials are compiled to IR in parallel, and the first
+ * material of each program writes its files. Once all programs are known, a program that several
+ * materials share with different numbers is rewritten to read these from a uniform block. Only
+ * then do files appear in the folder. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/depfile.h"
 #include "compiler/base/diag.h"
@@ -16,7 +17,7 @@
 
 static const char manifest_name[] = "manifest.json", depfile_name[] = "manifest.d";
 
-/* -- the queue's calls: first all materials, then what must be written again */
+/* -- The queue's callbacks: first for all materials, then for programs to be rewritten */
 
 static void put_tree(Batch *b, BatchDocument *document)
 {
@@ -90,7 +91,7 @@ static void close_again(void *user, int number)
     batch_close(&b->documents[number]);
 }
 
-/* Drops files written for a material that does not name the program. */
+/* Drops files that were written for a material other than the one that names the program. */
 static void drop_files(Batch *b)
 {
     char name[LONGEST_NAME], file[LONGEST_NAME + 16];
@@ -107,7 +108,7 @@ static void drop_files(Batch *b)
         }
 }
 
-/* The name of the material's files in a pass is another material's, too. */
+/* True if a file name of the material in some pass is also used by another material. */
 static bool meets_other(const Batch *b, const BatchMaterial *material, StringSet *names)
 {
     char name[LONGEST_NAME], earlier[LONGEST_NAME];
@@ -134,7 +135,8 @@ static bool is_utf8(const char *name)
     return at == end;
 }
 
-/* Palettes are documents, too, but not alone. */
+/* Reports a batch without any material: files of definitions are documents, but cannot be
+ * compiled alone. */
 static void need_material(Batch *b)
 {
     int materials = 0;
@@ -144,7 +146,7 @@ static void need_material(Batch *b)
         batch_complain(b, NULL, NULL, "no document has a material to compile");
 }
 
-/* Two materials of one name would overwrite each other. */
+/* Reports materials of equal name, which would overwrite each other's files. */
 static void check_names(Batch *b)
 {
     StringSet materials = {0}, files = {0};
@@ -169,7 +171,7 @@ static void check_names(Batch *b)
     string_set_free(&files);
 }
 
-/* Where the manifest is, for what is said and for make. */
+/* Returns the manifest's path, for messages and for make. */
 static void manifest_path(const Batch *b, char path[LONGEST_PATH])
 {
     snprintf(path, LONGEST_PATH, "%s/%s", b->line->folder, manifest_name);
@@ -185,14 +187,15 @@ static void write_manifest(Batch *b)
     bytes_free(&json);
 }
 
-/* In the folder, or where -MF says. */
+/* Writes the depfile into the folder, or to the path of -MF. */
 static const char *put_depfile(Batch *b, const char *text)
 {
     return b->line->depfile ? outputs_put(&b->folders, b->line->depfile, text, strlen(text))
                             : staging_put(b->staging, depfile_name, text, strlen(text));
 }
 
-/* The manifest depends on all documents, on what they are made from, and on the lists. */
+/* Writes the depfile: the manifest depends on all documents, their included files, and the
+ * lists. */
 static void write_depfile(Batch *b)
 {
     StringSet files = {0};
@@ -210,7 +213,7 @@ static void write_depfile(Batch *b)
     string_set_free(&files);
 }
 
-/* All is well: the files appear, and those of the last batch that are no longer made go. */
+/* Commits the files, and removes files of the previous batch that are no longer written. */
 static void commit(Batch *b)
 {
     const char *why = NULL;
@@ -219,7 +222,7 @@ static void commit(Batch *b)
                     : NULL;
     if (why)
         batch_complain_within(b, NULL, b->line->folder, manifest_name, why);
-    if (old) /* else this manifest is that one, or the first */
+    if (old) /* otherwise the manifest is unchanged, or the first */
         manifest_remove_stale(b, old);
     free(old);
     why = b->fault ? NULL : outputs_commit(&b->folders);
@@ -227,7 +230,7 @@ static void commit(Batch *b)
         batch_complain(b, NULL, b->line->folder, why);
 }
 
-/* Where numbers stand: as asked for, else where fewer programs come of it. */
+/* Selects where constants are stored: as requested, otherwise as needs fewer programs. */
 static void choose_numbers(Batch *b)
 {
     static const char *const modes[] = {
@@ -240,7 +243,7 @@ static void choose_numbers(Batch *b)
     b->options.constants = modes[b->numbers];
 }
 
-/* Chooses the files that are written of each program. */
+/* Selects the outputs that are written for each program. */
 static void choose_outputs(Batch *b)
 {
     b->request_count = b->line->pass_count;
@@ -264,7 +267,7 @@ static void take_documents(Batch *b)
     }
 }
 
-/* The folders that are written; false: one cannot be, which is said. */
+/* Opens the output folders. Returns false after reporting a folder that cannot be opened. */
 static bool open_folders(Batch *b)
 {
     const char *textures = b->line->textures, *why = NULL;
@@ -289,7 +292,7 @@ static bool start(Batch *b, const CommandLine *line, const BatchCalls *calls)
     return open_folders(b) && batch_stored_open(b);
 }
 
-/* For --watch: what decided the outcome, with faults, too. */
+/* Lists files for --watch: all that determined the outcome, including faults. */
 static void list_watched(const Batch *b)
 {
     StringSet files = {0};

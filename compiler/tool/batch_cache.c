@@ -1,8 +1,7 @@
-/* Cache entries of a batch. A document's entry lists the files that it was made from, with hashes
- * of their contents, its materials, and the programs that were written for them; its key is a hash
- * of the text, the options and the compiler itself, so that no entry is ever taken for another
- * input. A program's entry holds its files under the hash of their bytes: it is stored once,
- * however many documents and sets produce that text. */
+/* Cache entries of a batch. A document's entry lists its included files with their content
+ * hashes, its materials, and their programs. Its key is a hash of the text, the options and the
+ * compiler itself, so an entry is never used for other input. A program's entry holds its files
+ * under the hash of their bytes, so equal programs of any documents are stored once. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/tool/build_id.h"
 #include "compiler/choice.h"
@@ -13,8 +12,8 @@
 
 enum { DEFAULT_LIMIT_MIB = 1024, ENTRY_VERSION = 3 };
 
-/* The contents of a file as this batch first read it. Materials of two states would be half a
- * set. */
+/* Records a file's content hash at its first read. A file that changes during the batch is
+ * reported, since materials of two versions would not be one set. */
 static void note_file(Batch *b, const char *path, Key key)
 {
     bool added;
@@ -40,7 +39,7 @@ static bool known_file(Batch *b, const char *path, Key *key)
     return number >= 0;
 }
 
-/* MatcReadFile: what documents include, noted as it is read. */
+/* MatcReadFile callback: reads an included file and records its hash. */
 static char *read_noted(void *user, const char *path, size_t *size, const char **why)
 {
     char *text = root_read(((const Batch *)user)->options.root, path, size, why);
@@ -49,7 +48,7 @@ static char *read_noted(void *user, const char *path, size_t *size, const char *
     return text;
 }
 
-/* False: it cannot be read. */
+/* Returns false if the file cannot be read. */
 static bool file_key(Batch *b, const char *path, Key *key)
 {
     size_t size;
@@ -68,7 +67,7 @@ bool batch_stored_open(Batch *b)
     b->options.read_file = read_noted;
     b->options.user = b;
     if (!line->cache || b->textures || line->max_error || line->emit[EMIT_tree])
-        return true; /* these are not kept */
+        return true; /* these outputs are not cached */
     b->cache = cache_open(
         line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20,
         &why);
@@ -98,7 +97,7 @@ static void put_settings(Bytes *to, const Batch *b)
 void batch_stored_key(const Batch *b, BatchDocument *document)
 {
     Bytes bytes = {0};
-    if (!b->cache) { /* so that a change is seen when it is read again */
+    if (!b->cache) { /* lets a change be detected when the file is read again */
         document->key = key_of_bytes(document->text, document->size);
         return;
     }
@@ -109,7 +108,7 @@ void batch_stored_key(const Batch *b, BatchDocument *document)
     bytes_free(&bytes);
 }
 
-/* Every file is as it was. */
+/* Whether all files are unchanged. */
 static bool same_files(Batch *b, BytesReader *from, int count)
 {
     for (int i = 1; i < count; i++) {
@@ -122,8 +121,8 @@ static bool same_files(Batch *b, BytesReader *from, int count)
     return true;
 }
 
-/* The files that a document is made from, and what is in them. False: one is not known, so that a
- * change would not be seen. */
+/* Appends the files on which a document depends, with their hashes. Returns false if a file was
+ * not recorded, so a change of it would go undetected. */
 static bool put_files(Batch *b, char *const *depends, int count, Bytes *to)
 {
     bytes_number(to, (uint32_t)count);
@@ -169,7 +168,7 @@ void batch_store_ranges(Batch *b, const BatchDocument *document)
     bytes_free(&to);
 }
 
-/* The library's own text. */
+/* Returns the library's own string for an opacity, which need not be freed. */
 static const char *opacity_named(const char *name)
 {
     return !strcmp(name, "opaque")        ? "opaque"
@@ -214,7 +213,8 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     BytesReader from = {entry, entry + size, false};
     document->stored = load_document(b, document, &from);
     free(entry);
-    if (!document->stored && document->materials) { /* damaged in a way that checksums do not see */
+    /* corrupted in a way that checksums do not detect */
+    if (!document->stored && document->materials) {
         int requests = b->request_count;
         Key key = document->key;
         BatchDocument fresh = {
@@ -227,7 +227,7 @@ bool batch_stored_document(Batch *b, BatchDocument *document)
     return document->stored;
 }
 
-/* Files were written for it that its entry does not know. */
+/* True if program files were added that the document's entry does not list. */
 static bool has_changed(const BatchDocument *document, int requests)
 {
     for (int i = 0; i < document->material_count * requests; i++)
@@ -262,7 +262,7 @@ void batch_store_document(Batch *b, BatchDocument *document)
     bytes_free(&to);
 }
 
-/* A place for each number: of no member where none comes from a buffer. */
+/* Key of the assignment of places to members; zero if no number is in a uniform block. */
 static Key members_key(const Unit *unit, const int *members)
 {
     return members ? key_of_bytes(members, (size_t)unit->count * sizeof *members) : (Key){0};

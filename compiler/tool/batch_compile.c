@@ -1,11 +1,11 @@
-/* A material's program in every pass, to IR; and the files of those programs that are written. */
+/* Compiles a material's program in every pass to IR, and writes the files of programs. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/output.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Writes a program for one of its materials, and keeps what the manifest needs of it. */
+/* Writes a program for one of its materials, and keeps its data for the manifest. */
 static void write_program(Batch *b, BatchDocument *document, const BatchEdition *edition,
                           MatcProgram *program)
 {
@@ -29,7 +29,7 @@ static void write_program(Batch *b, BatchDocument *document, const BatchEdition 
     batch_store_program(b, edition, program);
 }
 
-/* True for whoever asks first. */
+/* Returns true for the first caller per program. */
 static bool first_of_program(Batch *b, const Unit *unit)
 {
     bool added;
@@ -39,8 +39,8 @@ static bool first_of_program(Batch *b, const Unit *unit)
     return added;
 }
 
-/* Textures that matc makes: those of the material by the name of its program, as each pass numbers
- * its own; tables of noise by their own. */
+/* Writes generated textures. A material's textures are named after its program, since each pass
+ * numbers its own; noise tables have their own names. */
 static void write_textures(Batch *b, BatchDocument *document, const char *base,
                            MatcProgram *program)
 {
@@ -61,8 +61,8 @@ static void write_textures(Batch *b, BatchDocument *document, const char *base,
     }
 }
 
-/* The material's IR in a pass; with members, those numbers come from a buffer. NULL: a fault,
- * said. */
+/* Compiles the material in a pass. With members, these numbers come from a uniform block.
+ * Returns NULL after reporting a fault. */
 static MatcProgram *compile(Batch *b, BatchDocument *document, const Unit *unit, const int *members)
 {
     const MatcDocument *parsed = batch_document_parsed(b, document);
@@ -112,7 +112,7 @@ static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *ow
     matc_program_free(program);
 }
 
-/* The cache knows what its program is; the files of the program it may know, too. */
+/* Uses a cached program; its files are written from the cache if they are there, too. */
 static void stored_request(Batch *b, BatchDocument *document, Unit *unit)
 {
     char name[LONGEST_NAME];

@@ -1,4 +1,4 @@
-/* A document of a batch: its text, its tree when someone needs it, its materials. */
+/* A document of a batch: its text, its parsed form while needed, its materials. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/file.h"
 #include <stdlib.h>
@@ -51,7 +51,7 @@ void batch_close(BatchDocument *document)
     document->text = NULL;
 }
 
-/* All of the document, or the one that is asked for. */
+/* Returns the number of selected materials: all, or the one of --material. */
 static int count_materials(Batch *b, BatchDocument *document)
 {
     const char *wanted = b->line->material;

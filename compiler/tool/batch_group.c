@@ -1,5 +1,5 @@
-/* Programs out of units. Everything goes by the order of the inputs, so that any number of threads
- * gives the same. */
+/* Groups units into programs, in the order of the inputs, so that the result does not depend on
+ * the number of threads. */
 #include "compiler/tool/batch_state.h"
 #include <stdlib.h>
 #include <string.h>
@@ -24,7 +24,7 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
     b->programs[unit->program].unit_count++;
 }
 
-/* Whether all units of the program have the numbers of the first at that place. */
+/* Whether all units of the program have equal numbers at a place. */
 static bool is_same(const BatchProgram *program, int at, int lanes)
 {
     size_t size = (size_t)lanes * sizeof(uint32_t);
@@ -45,8 +45,8 @@ static Key column_key(const BatchProgram *program, int at, int lanes)
     return (Key){hash.low64, hash.high64};
 }
 
-/* Places where the materials differ become members; places that are alike in all of them become
- * one. The number of members. */
+/* Makes a member of each place at which the materials differ; places with equal numbers in all
+ * of them share a member. Returns the number of members. */
 static int find_members(BatchProgram *program)
 {
     const Unit *first = program->first;
@@ -61,7 +61,7 @@ static int find_members(BatchProgram *program)
         if (is_same(program, offsets[i], lanes))
             continue;
         Key key = column_key(program, offsets[i], lanes);
-        key.low ^= (uint64_t)kind; /* a word is no float */
+        key.low ^= (uint64_t)kind; /* distinguishes a word from a float */
         int column = key_set_add(&columns, key, &added);
         if (added)
             place_of[column] = i;
@@ -74,8 +74,8 @@ static int find_members(BatchProgram *program)
     return members;
 }
 
-/* Programs of one shape share one, unless they differ in more numbers than a buffer has room
- * for. */
+/* Splits a program of one shape by key if its materials differ in more numbers than a uniform
+ * block can hold. */
 static void share_shapes(Batch *b, KeySet *keys)
 {
     int count = b->program_count;
@@ -107,8 +107,8 @@ static void share_shapes(Batch *b, KeySet *keys)
     }
 }
 
-/* Its first material's document writes it once more: for another of its materials' names, or with
- * members. */
+/* Plans to rewrite a program if it was written under another material's name, or needs members.
+ * The document of its first material writes it. */
 static void plan_writing(Batch *b, int index)
 {
     BatchProgram *program = &b->programs[index];

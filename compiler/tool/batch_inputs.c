@@ -1,4 +1,4 @@
-/* Inputs of a batch: all of its files, and those that lie in the output folder, which no output may
+/* Inputs of a batch: all of its files; and inputs in the output folder, which no output may
  * replace. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/memory.h"
@@ -18,7 +18,7 @@ void batch_inputs(const Batch *b, StringSet *files)
         string_set_add(files, b->line->compile.layout, NULL);
 }
 
-/* Whether the folder of the path is that one. */
+/* Whether the path's folder is the given folder. */
 static bool lies_in(const char *path, size_t size, const struct stat *folder)
 {
     struct stat info;
@@ -31,7 +31,7 @@ static bool lies_in(const char *path, size_t size, const struct stat *folder)
     return same;
 }
 
-/* Files that follow each other mostly lie in one folder, which is looked at once. */
+/* Consecutive files are mostly in the same folder, so the last result is cached. */
 static void list_within(StringSet *within, const StringSet *files, const char *folder)
 {
     struct stat info;

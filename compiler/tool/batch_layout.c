@@ -1,5 +1,5 @@
-/* The layout of a batch: with --layout=auto the smallest one that holds what its materials can be;
- * and its files. */
+/* The layout of a batch: with --layout=auto the smallest layout for its materials; and its
+ * files. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
 #include "compiler/document.h"
@@ -20,7 +20,7 @@ static int open_to_measure(void *user, int number)
     matc_ranges_init(document->ranges);
     if (batch_stored_ranges(b, document))
         return 0;
-    /* what is wrong with it is said later */
+    /* faults are reported when the document is compiled */
     int count = matc_material_count(batch_document_parsed(b, document));
     return count;
 }
@@ -36,7 +36,7 @@ static void measure_material(void *user, int number, int material)
         return;
     matc_ranges_init(&own);
     bool fine = matc_ranges_add(&own, parsed, material, &b->options, &fault);
-    free(fault); /* it is said when the material is compiled */
+    free(fault); /* reported when the material is compiled */
     pthread_mutex_lock(&document->mutex);
     if (fine)
         matc_ranges_join(document->ranges, &own);
@@ -69,7 +69,7 @@ void batch_make_layout(Batch *b)
         b->options.custom = b->layout;
         if (b->line->stats)
             batch_say(b, NULL, matc_layout_report(b->layout));
-    } else { /* there are no materials, which is said of the documents */
+    } else { /* no materials, as the documents' messages say */
         b->options.layout = NULL;
     }
 }
@@ -85,7 +85,7 @@ unsigned batch_cases(const Batch *b)
     return cases;
 }
 
-/* One file for all programs: the layout is theirs. */
+/* Writes the layout's files once for all programs, which share the layout. */
 void batch_write_layout(Batch *b)
 {
     for (int i = 0;

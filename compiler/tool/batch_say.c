@@ -1,11 +1,11 @@
-/* Messages of a batch: each document's diagnostics in the order of the documents, whichever thread
- * found them. */
+/* Messages of a batch: diagnostics in the order of the documents, independent of threads. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/diag.h"
 #include <stdio.h>
 #include <string.h>
 
-/* Diagnostics up to the first document that is not done. The mutex is held. */
+/* Prints the diagnostics of completed documents up to the first incomplete one. The caller holds
+ * the mutex. */
 void batch_say_complete(Batch *b)
 {
     for (; b->said < b->document_count && b->documents[b->said].closed; b->said++) {
@@ -17,7 +17,7 @@ void batch_say_complete(Batch *b)
     }
 }
 
-/* Adds to what is said of the document, if it is anything. */
+/* Appends text, if not empty, to the document's diagnostics. */
 void batch_say(Batch *b, BatchDocument *document, const char *text)
 {
     if (!*text)
@@ -36,8 +36,8 @@ void batch_say_of(Batch *b, BatchDocument *document, int material, const char *t
     pthread_mutex_unlock(&b->mutex);
 }
 
-/* Appends the messages about a document's materials to those about the document. No thread works on
- * it. */
+/* Appends the diagnostics of a document's materials to the document's own. No thread may work on
+ * the document. */
 void batch_join_said(BatchDocument *document)
 {
     for (int i = 0; i < document->material_count; i++) {
@@ -79,7 +79,7 @@ void batch_warn(Batch *b, const char *what, const char *why)
     say_of_file(b, NULL, SEVERITY_warning, what, why);
 }
 
-/* Reports what was found after all documents were read. */
+/* Prints diagnostics found after all documents were read. */
 void batch_say_rest(Batch *b)
 {
     for (int d = 0; d <= b->document_count; d++) {

@@ -1,4 +1,4 @@
-/* Queries that all parts of a batch share: units, names, files, threads. */
+/* Functions shared by all parts of a batch: units, names, files, threads. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/base/queue.h"
 #include <stdio.h>

@@ -1,4 +1,4 @@
-/* The build id that linkers leave in the program: a hash of its contents. */
+/* Reads the build id that the linker stores in the program: a hash of its contents. */
 #include "compiler/tool/build_id.h"
 #include "compiler/matc.h"
 #include <elf.h>
@@ -14,7 +14,7 @@ typedef struct {
 
 static size_t padded(size_t size) { return (size + 3) & ~(size_t)3; }
 
-/* Notes are a header, a name, and what they say. */
+/* An ELF note consists of a header, a name, and a description. */
 static void look_at_notes(const char *at, const char *end, Identity *identity)
 {
     while ((size_t)(end - at) >= sizeof(ElfW(Nhdr))) {
@@ -33,13 +33,13 @@ static void look_at_notes(const char *at, const char *end, Identity *identity)
     }
 }
 
-/* The program itself comes first. */
+/* The first object is the program itself. */
 static int look_at(struct dl_phdr_info *info, size_t size, void *user)
 {
     (void)size;
     for (int i = 0; i < info->dlpi_phnum; i++) {
         const ElfW(Phdr) *header = &info->dlpi_phdr[i];
-        /* where it was loaded */
+        /* address in memory */
         const char *at = (const char *)(info->dlpi_addr + header->p_vaddr);
         if (header->p_type == PT_NOTE)
             look_at_notes(at, at + header->p_memsz, user);

@@ -1,9 +1,9 @@
-/* Which build of the compiler runs. */
+/* Identifies the build of the running compiler. */
 #ifndef MATC_BUILD_ID_H
 #define MATC_BUILD_ID_H
 #include "compiler/base/hash.h"
 
-/* Hash of the version and, where the linker left one, the program's build id: output of another
- * build is never taken for ours. */
+/* Returns a hash of the version and, if present, the program's build id, so that cached output
+ * of another build is never used. */
 Key build_id_key(void);
 #endif

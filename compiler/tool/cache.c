@@ -1,4 +1,4 @@
-/* The cache's entries: found, read and checked, written and renamed. */
+/* The cache's entries: look-up, reading with verification, and writing by renaming. */
 #define XXH_INLINE_ALL
 #include "compiler/tool/cache_folder.h"
 #include "compiler/base/memory.h"
@@ -17,25 +17,26 @@
 #include <xxhash.h>
 
 enum { VERSION = 1, LARGEST_BLOB = 256 << 20, ABOVE = 3 /* "ab/" */ };
-/* Whatever the umask, nobody else may write: what is read is trusted. */
+/* Permissions that exclude writes by others whatever the umask, since entries are trusted when
+ * read. */
 enum { READABLE = 0644, PASSABLE = 0755, BY_OTHERS = S_IWGRP | S_IWOTH };
 
 struct Cache {
     int folder;
     uint64_t limit;
-    uint64_t mark; /* of this Cache's temporary names */
+    uint64_t mark; /* distinguishes temporary names of this Cache */
     atomic_uint_fast64_t temporaries;
-    /* since they were last added to the statistics */
+    /* Counts since the last addition to the statistics. */
     atomic_uint_fast64_t hits, misses, damaged, failed, written;
-    /* bytes in the folder, as far as is known */
+    /* Estimated bytes in the folder. */
     atomic_uint_fast64_t total;
-    /* errno of the first failure, 0: none */
+    /* errno of the first failure, 0: none. */
     atomic_int trouble;
-    atomic_flag trimming; /* a thread is; left set where trimming does not help */
+    atomic_flag trimming; /* a thread is trimming; stays set if trimming does not help */
 };
 
-/* In front of every blob. In the machine's byte order: a machine of another order finds another
- * version. */
+/* Header of every blob, in the machine's byte order: a machine of the other order reads another
+ * version and ignores the entry. */
 typedef struct {
     char magic[4];
     uint32_t version;
@@ -54,7 +55,7 @@ static Header header_of(Key key, const void *bytes, size_t size)
     return (Header){{'m', 'a', 't', 'c'}, VERSION, key, size, checksum(key, bytes, size)};
 }
 
-/* Makes a folder and those above it. False: errno says why. */
+/* Creates a folder and its parents. Returns false and errno on failure. */
 static bool make_folders(const char *path)
 {
     char *copy = strdup(path);
@@ -62,14 +63,14 @@ static bool make_folders(const char *path)
         memory_exhausted();
     for (char *slash = strchr(copy + 1, '/'); slash; slash = strchr(slash + 1, '/')) {
         *slash = 0;
-        mkdir(copy, PASSABLE); /* what failed shows at the last one */
+        mkdir(copy, PASSABLE); /* a failure shows at the last folder */
         *slash = '/';
     }
     free(copy);
     return !mkdir(path, PASSABLE) || errno == EEXIST;
 }
 
-/* Backups and indexers leave folders with this file alone. */
+/* Writes CACHEDIR.TAG, which makes backups and indexers skip the folder. */
 static void put_tag(int folder)
 {
     static const char text[] =
@@ -79,17 +80,18 @@ static void put_tag(int folder)
     if (file < 0)
         return;
     ssize_t put = write(file, text, sizeof text - 1);
-    (void)put; /* a folder that is full shows soon enough */
+    (void)put; /* a full disk shows soon enough */
     close(file);
 }
 
-/* Only this user and root can have written it. A checksum finds damage, not forgery. */
+/* True if only this user and root can have written the file. A checksum detects corruption, not
+ * forgery. */
 static bool is_own(const struct stat *info)
 {
     return (info->st_uid == geteuid() || info->st_uid == 0) && !(info->st_mode & BY_OTHERS);
 }
 
-/* NULL, or the reason why the entries of a folder are not taken. */
+/* Returns NULL, or the reason why a folder's entries are not trusted. */
 static const char *distrust(int folder)
 {
     struct stat info;
@@ -123,7 +125,7 @@ Cache *cache_open(const char *path, uint64_t limit_bytes, const char **why)
     return cache;
 }
 
-/* An entry that was last used so long ago that it is to be marked as used now. */
+/* True for an entry whose last recorded use is so old that it must be updated. */
 static bool is_stale(const struct stat *info)
 {
     struct timespec now;
@@ -131,7 +133,7 @@ static bool is_stale(const struct stat *info)
     return llabs((long long)now.tv_sec - (long long)info->st_mtime) > CACHE_FRESH;
 }
 
-/* The blob of an open entry; NULL if it is not as it should be. */
+/* Returns the blob of an open entry; NULL if the entry is invalid. */
 static char *read_entry(int file, Key key, size_t *size)
 {
     struct stat info;
@@ -159,7 +161,8 @@ static char *read_entry(int file, Key key, size_t *size)
     return NULL;
 }
 
-/* The folder of an entry, made if need be: a folder, and no link to one. -1: errno says why. */
+/* Opens the folder of an entry, creating it if needed; a link is refused. Returns -1 and errno
+ * on failure. */
 static int open_above(const Cache *cache, const char *name)
 {
     const char above[3] = {name[0], name[1], 0};
@@ -171,7 +174,7 @@ static int open_above(const Cache *cache, const char *name)
     return openat(cache->folder, above, how);
 }
 
-/* May hit a good one that was just put there: then it is made again. */
+/* May remove a valid entry that was stored meanwhile: it is then stored again later. */
 static void remove_entry(const Cache *cache, const char *name)
 {
     int above = open_above(cache, name);
@@ -187,7 +190,7 @@ char *cache_get(Cache *cache, Key key, size_t *size)
     if (!cache)
         return NULL;
     cache_name(key, name);
-    /* O_NONBLOCK: a pipe of that name must not hang us */
+    /* O_NONBLOCK: a pipe of that name must not block */
     int file = openat(cache->folder, name, O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     bool there = file >= 0 || errno == ELOOP;
     if (file >= 0) {
@@ -205,7 +208,7 @@ char *cache_get(Cache *cache, Key key, size_t *size)
     return bytes;
 }
 
-/* Writes all parts to a new file. errno says what failed. */
+/* Writes an entry to a new file. Returns false and errno on failure. */
 static bool write_entry(int above, const char *name, const Header *header, const void *bytes)
 {
     int file = openat(above, name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, READABLE);
@@ -215,7 +218,7 @@ static bool write_entry(int above, const char *name, const Header *header, const
     ssize_t put = writev(file, parts, 2);
     bool whole = put == (ssize_t)(sizeof *header + header->size);
     if (put >= 0 && !whole)
-        errno = ENOSPC; /* less than all was taken */
+        errno = ENOSPC; /* not everything was written */
     int error = errno;
     bool closed = !close(file);
     errno = whole ? errno : error;
@@ -242,7 +245,7 @@ static bool put_entry(Cache *cache, Key key, const void *bytes, size_t size)
     return fine;
 }
 
-/* Adds what was counted since the last time to the statistics, and trims if the folder may be too
+/* Adds the counts since the last call to the statistics, and trims the folder if it may be too
  * large. */
 static void settle(Cache *cache)
 {
@@ -260,7 +263,7 @@ static void settle(Cache *cache)
     if (!large && now - sums.scanned < CACHE_SCAN_AFTER)
         return;
     if (!cache_trim(cache->folder, cache->limit, &done)) {
-        cache->total = cache_trimmed(cache->limit); /* the other process sees to it */
+        cache->total = cache_trimmed(cache->limit); /* another process is trimming */
         return;
     }
     cache_count(cache->folder,
@@ -268,7 +271,7 @@ static void settle(Cache *cache)
     cache->total = done.bytes;
 }
 
-/* One thread trims, the others go on. */
+/* Trims on one thread; other threads continue. */
 static void settle_if_large(Cache *cache)
 {
     if (!cache->limit || cache->total <= cache->limit || atomic_flag_test_and_set(&cache->trimming))

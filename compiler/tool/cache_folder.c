@@ -1,5 +1,5 @@
-/* The cache's folder: the file of counts, and trimming by least recent use, which is the time of
- * modification. Only files with names that the cache gives are ever removed. */
+/* The cache's folder: the file of statistics, and removal of the least recently used entries, by
+ * modification time. Only files with names that the cache gives are removed. */
 #include "compiler/tool/cache_folder.h"
 #include "compiler/base/memory.h"
 #include <dirent.h>
@@ -35,8 +35,7 @@ void cache_name(Key key, char *name)
     *name = 0;
 }
 
-/* A process that was stopped while it held the lock must not stop us: after a while we do
- * without. */
+/* Waits for the lock for a limited time, since a process may have been stopped while holding it. */
 static bool lock(int file)
 {
     for (int i = 0; i < LOCK_TRIES; i++) {
@@ -47,7 +46,7 @@ static bool lock(int file)
     return false;
 }
 
-/* A line that is missing or makes no sense is 0. */
+/* Parses the statistics; a missing or invalid line is 0. */
 static CacheCounts parse_counts(const char *text)
 {
     CacheCounts counts = {0};
@@ -80,8 +79,8 @@ static int print_counts(char *text, const CacheCounts *counts)
     return size;
 }
 
-/* Opens a file of the cache's own, which is made if need be. What somebody planted under its name
- * goes first: a link, a pipe, or another name of a file that lies elsewhere. */
+/* Opens a file of the cache's own, creating it if needed. First removes anything else planted
+ * under its name: a link, a pipe, or a hard link to a file elsewhere. */
 static int open_own(int folder, const char *name)
 {
     const int how = O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW;
@@ -124,7 +123,7 @@ CacheCounts cache_count(int folder, const CacheCounts *more)
         sums.limit = more->limit ? more->limit : sums.limit;
         int size = print_counts(text, &sums);
         if (pwrite(file, text, (size_t)size, 0) == size && ftruncate(file, size))
-            sums = *more; /* cannot be on a file that was just written */
+            sums = *more; /* cannot match a file that was just written */
     }
     close(file);
     return sums;
@@ -160,7 +159,7 @@ static bool is_entry(const char *name)
     return strspn(name, "0123456789abcdef") == NAME_DIGITS && !name[NAME_DIGITS];
 }
 
-/* Puts the entries of one of the folders on the list; with `clean`, stale temporaries go. */
+/* Lists the entries of one folder; with `clean` removes stale temporary files. */
 static void list_folder(Entries *entries, int folder, const char *above, bool clean)
 {
     int file = openat(folder, above, O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW);
@@ -209,7 +208,7 @@ static void remove_oldest(int folder, Entries *entries, uint64_t limit, CacheTri
     qsort(entries->at, entries->count, sizeof *entries->at, by_use);
     for (size_t i = 0; i < entries->count && done->bytes > cache_trimmed(limit); i++) {
         if (unlinkat(folder, entries->at[i].name, 0) && errno != ENOENT)
-            continue; /* one that we may not remove */
+            continue; /* no permission to remove it */
         done->bytes -= entries->at[i].size;
         done->entries--;
         done->removed++;
@@ -232,7 +231,7 @@ bool cache_trim(int folder, uint64_t limit, CacheTrim *done)
     return free_to;
 }
 
-/* The entries and their bytes. */
+/* Returns the number of entries and their bytes. */
 static CacheTrim cache_sum(int folder)
 {
     Entries entries = list_entries(folder, false);

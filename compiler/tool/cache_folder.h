@@ -1,4 +1,5 @@
-/* The folder of a cache as a whole: names, counts of all runs, trimming. Internal to cache*.c. */
+/* The folder of a cache as a whole: names, statistics of all runs, trimming. Internal to
+ * cache*.c. */
 #ifndef MATC_CACHE_FOLDER_H
 #define MATC_CACHE_FOLDER_H
 #include "compiler/tool/cache.h"
@@ -6,48 +7,47 @@
 
 enum {
     CACHE_FOLDERS = 256, /* entries are ab/cdef..., by the key's first two digits */
-    CACHE_NAME = 64,     /* room for a name below the folder */
+    CACHE_NAME = 64,     /* capacity for a name relative to the folder */
     CACHE_FRESH =
-        /* seconds: an entry used within them is not marked as used again, which would cost more
-         * than reading */
+        /* Seconds for which an entry counts as recently used: updating its time on each use
+         * would cost more than reading. */
     60,
-    CACHE_TRIM_PART = 90, /* per cent of the limit that are left by trimming */
-    /* seconds after which the folder is looked through although it seems small enough */
+    CACHE_TRIM_PART = 90, /* percentage of the limit that trimming leaves */
+    /* Seconds after which the folder is scanned even if it seems small enough. */
     CACHE_SCAN_AFTER = 86400,
-    CACHE_STALE = 3600, /* seconds after which a temporary file has lost its writer */
+    CACHE_STALE = 3600, /* age in seconds of a temporary file without a writer */
 };
 
-/* The file "statistics", in this order. */
+/* Members of the file "statistics", in this order. */
 #define CACHE_COUNTS(X)                                                                            \
     X(hits)                                                                                        \
     X(misses)                                                                                      \
-    X(damaged) /* entries that were not what they should be; they are misses, too */               \
-    X(removed) /* to keep the limit */                                                             \
-    X(failed)  /* blobs that could not be kept */                                                  \
-    X(bytes)   /* about; exact after each look through the folder */                               \
-    X(scanned) /* when that was, seconds since 1970 */                                             \
-    X(limit)   /* of the last run that had one */
+    X(damaged) /* invalid entries, which are also misses */                                        \
+    X(removed) /* removed to keep the limit */                                                     \
+    X(failed)  /* blobs that could not be stored */                                                \
+    X(bytes)   /* approximate; exact after each scan of the folder */                              \
+    X(scanned) /* time of the last scan, seconds since 1970 */                                     \
+    X(limit)   /* limit of the last run that had one */
 typedef struct {
 #define X(name) uint64_t name;
     CACHE_COUNTS(X)
 #undef X
 } CacheCounts;
 
-/* Size to which a cache of that limit is trimmed. */
+/* Returns the size to which a cache with that limit is trimmed. */
 static inline uint64_t cache_trimmed(uint64_t limit)
 {
     return limit - limit / 100 * (100 - CACHE_TRIM_PART);
 }
-/* "ab/cdef..." of a key. */
+/* Writes the path "ab/cdef..." of a key. */
 void cache_name(Key key, char *name);
-/* The sums of all runs so far; zeros where they cannot be read. */
+/* Returns the sums of all runs; zeros if they cannot be read. */
 CacheCounts cache_counts(int folder);
-/* Adds to them and returns the new sums. `scanned` and `limit` are set, not added; with `scanned`,
- * `bytes` is, too. */
+/* Adds counts and returns the new sums. `scanned` and `limit` are replaced, not added; with
+ * `scanned`, `bytes` is replaced, too. */
 CacheCounts cache_count(int folder, const CacheCounts *more);
-/* Looks through the folder: sums up entries and bytes, and with a limit that they exceed removes
- * the least recently used ones, and temporary files without a writer. False: another process is at
- * it. */
+/* Scans the folder and sums up entries and bytes. Above the limit, removes the least recently
+ * used entries, and stale temporary files. Returns false if another process is trimming. */
 typedef struct {
     uint64_t entries, bytes, removed;
 } CacheTrim;

@@ -1,9 +1,9 @@
-/* `target: files...`. To make this is a line of a makefile, in which a name such as `a;touch b`
- * would be a command; ninja has a reader of its own. Both read letters, digits, bytes beyond ASCII
- * and `others` as they stand, once a backslash is before ` `, `#` and `:`, and `$` is there twice:
- * `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character can be written so that both read it: ninja
- * takes `\;` for two characters, and ends the name at a bare `;`. tests/tool/depfile.sh asks both
- * for every character. */
+/* Writes depfiles, `target: files...`. make parses it as part of a makefile, in which a name
+ * such as `a;touch b` would be a command; ninja has its own parser. Both read letters, digits,
+ * bytes outside ASCII and `others` literally, provided ` `, `#` and `:` are preceded by a
+ * backslash and `$` is doubled: `a b#1$.yaml` is `a\ b\#1$$.yaml`. No other character has a form
+ * that both accept: ninja reads `\;` as two characters, and a bare `;` ends the name.
+ * tests/tool/depfile.sh tests every character with both programs. */
 #include "compiler/tool/depfile.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"
@@ -21,7 +21,7 @@ static bool is_readable_byte(char c)
     return c & 0x80 || text_is_alphanumeric(c) || (c && strchr(others, c));
 }
 
-/* Without what make drops before it looks at a name. */
+/* Skips leading `./`, which make ignores. */
 static const char *without_here(const char *name)
 {
     while (name[0] == '.' && name[1] == '/')
@@ -29,7 +29,7 @@ static const char *without_here(const char *name)
     return name;
 }
 
-/* Both read the name, escaped, as what it is. */
+/* True if both programs read the escaped name correctly. */
 static bool is_readable(const char *name)
 {
     size_t size = strlen(name);
@@ -43,7 +43,7 @@ static bool is_readable(const char *name)
     return !home && !of_archive;
 }
 
-/* `a=b` at the start of a line is a variable, `a%b` a pattern, `.PHONY` has a meaning. */
+/* `a=b` at the start of a line is a variable, `a%b` a pattern, `.PHONY` a special target. */
 static bool can_be_target(const char *name)
 {
     const char *start = without_here(name);
@@ -59,7 +59,7 @@ static bool can_be_file(const char *name)
 
 static bool can_be_first(const char *name) { return !strchr(name, '='); }
 
-/* Whether the name could be a word of make's, such as `define`. */
+/* True if the name might be a keyword of make, such as `define`. */
 static bool is_word(const char *name)
 {
     while (text_is_lower(*name))
@@ -67,7 +67,8 @@ static bool is_word(const char *name)
     return !*name;
 }
 
-/* make and ninja both read N backslashes before a space as N/2: those of the name are doubled. */
+/* Writes an escaped name. Both programs read N backslashes before a space as N/2, so the name's
+ * own are doubled. */
 static void put_escaped(FILE *out, const char *name)
 {
     size_t backslashes = 0;
@@ -91,7 +92,8 @@ static void put_file(FILE *out, const char *name, bool first)
     put_escaped(out, name);
 }
 
-/* The number of the file that can stand first; -1: none can, and `*bad` is what is in the way. */
+/* Returns the index of a file that can be listed first; -1 if a name is not representable, which
+ * *bad reports. */
 static int check(const char *target, const char *const *files, int count, const char **bad)
 {
     int first = 0;

@@ -1,9 +1,9 @@
-/* Depfiles, which GNU make and ninja both read. */
+/* Depfiles for GNU make and ninja. */
 #ifndef MATC_DEPFILE_H
 #define MATC_DEPFILE_H
 
-/* `target: files...`, from malloc. NULL: `*bad` is the target or the file whose name cannot be
- * written so that both read it. */
+/* Returns `target: files...`, from malloc. Returns NULL if a name cannot be written for both
+ * programs; `*bad` is that name. */
 char *depfile_text(const char *target, const char *const *files, int count, const char **bad);
 /* Message about such a name. */
 extern const char depfile_why[];

@@ -1,4 +1,4 @@
-/* The layout of a command line: a file that is read, or one that is made for all materials of all
+/* The layout of a command line: read from a file, or derived from all materials of all
  * documents. */
 #include "compiler/tool/layout_option.h"
 #include "compiler/base/file.h"
@@ -49,7 +49,7 @@ static MatcLayout *read_file_of(const char *path, const MatcOptions *options, ch
     return layout;
 }
 
-/* A document's materials, all or the one that is meant. What is wrong with it is said when it is
+/* Adds the selected materials of a document. Their faults are reported when the document is
  * compiled. */
 static bool add_document(MatcRanges *ranges, const CommandLine *line, const char *path,
                          char **fault)

@@ -1,5 +1,5 @@
-/* matc's command line: reads files, calls the library, writes what it made. Only the files main*.c
- * print, and main() alone exits. */
+/* matc's command line: reads files, calls the library, writes the results. Only the files
+ * main*.c print, and only main() exits. */
 #include "compiler/tool/main.h"
 #include "compiler/base/session.h"
 #include "compiler/base/output.h"
@@ -19,13 +19,13 @@
 
 enum { PROGRESS_STEP = 16 }; /* documents */
 
-/* -- a batch */
+/* -- A batch */
 
 static void say(void *user, const char *text)
 {
     (void)user;
     if (isatty(STDERR_FILENO))
-        fputs("\r\033[K", stderr); /* over the progress */
+        fputs("\r\033[K", stderr); /* erases the progress line */
     fputs(text, stderr);
 }
 
@@ -79,12 +79,12 @@ static int run_batch(CommandLine *line, BatchResult *result)
     return FINE;
 }
 
-/* A layout of one's own, for all that follows. `line->compile.custom` is to be freed. */
+/* Opens a custom layout for all compilations; `line->compile.custom` is to be freed. */
 static int use_layout(CommandLine *line)
 {
     char *fault;
     if (line->folder && line->compile.layout && !strcmp(line->compile.layout, "auto"))
-        return FINE; /* the batch makes it of what it reads */
+        return FINE; /* the batch derives it from its materials */
     MatcLayout *layout = layout_open(line, &fault);
     if (fault)
         main_fault(line, fault);
@@ -112,7 +112,7 @@ static int run_inputs(CommandLine *line)
     return status;
 }
 
-/* Files that a run reads before its documents. */
+/* Adds the files that a run reads before its documents. */
 static void watch_layout(CommandLine *line, bool failed)
 {
     if (line->compile.layout && layout_is_file(line->compile.layout))
@@ -151,7 +151,7 @@ static int answer(const CommandLine *line, char *text, const char *otherwise)
     return FINE;
 }
 
-/* All kinds of names, or one: "--list=maps", "--list maps". */
+/* Prints all kinds of names, or one kind: "--list=maps", "--list maps". */
 static int print_list(CommandLine *line)
 {
     const char *kind = *line->list ? line->list : line->input_count ? line->inputs[0] : "";
@@ -159,14 +159,15 @@ static int print_list(CommandLine *line)
                   options_fault_list(&line->words, kind));
 }
 
-/* Argument of `--list=` or `--schema=`; NULL: neither was given, or without an argument. */
+/* Returns the argument of `--list=` or `--schema=`, or NULL. */
 static const char *word_asked(const CommandLine *line)
 {
     const char *given = line->schema ? line->schema : line->list;
     return given && *given && strcmp(given, OPTIONS_SCHEMA) ? given : NULL;
 }
 
-/* --list=FILE, --list FILE..., --explain NAME FILE; --schema the same */
+/* True for queries about documents: --list=FILE, --list FILE..., --explain NAME FILE, and
+ * --schema likewise. */
 static bool asks_of_documents(const CommandLine *line)
 {
     const char *word = word_asked(line), *first = word                ? word
@@ -221,7 +222,7 @@ static bool read_command_line(CommandLine *line, int argc, char **argv, const ch
     return fine;
 }
 
-/* -- watching */
+/* -- Watching */
 
 static void run_and_tell(CommandLine *line, Watch *watch)
 {
@@ -248,7 +249,7 @@ static void run_and_tell(CommandLine *line, Watch *watch)
     watch_list_free(&files);
 }
 
-/* Until a signal comes. Lists of documents are read again every time. */
+/* Runs until a signal arrives. Lists of documents are reread each time. */
 static int run_watching(CommandLine *line, int argc, char **argv)
 {
     Watch *watch = watch_open();
@@ -308,7 +309,8 @@ int main(int argc, char **argv)
     else if ((status = check_usage(&line)) == FINE)
         status = line.watch ? run_watching(&line, argc, argv) : run(&line, &result);
     options_free(&line);
-    if ((fflush(stdout) || ferror(stdout)) && status == FINE) /* else it may be what was said */
+    /* otherwise the failure may have been reported */
+    if ((fflush(stdout) || ferror(stdout)) && status == FINE)
         status = main_complain(&line, "standard output", text_error(errno));
     return status < BY_SIGNAL && status & USAGE ? USAGE : status;
 }

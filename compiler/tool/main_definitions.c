@@ -1,4 +1,4 @@
-/* --list FILE, --explain NAME FILE and --schema FILE: what documents define. */
+/* --list FILE, --explain NAME FILE and --schema FILE: definitions of documents. */
 #include "compiler/base/file.h"
 #include "compiler/tool/main.h"
 #include "compiler/tool/options_fault.h"
@@ -33,7 +33,7 @@ static bool main_is_own(const char *name)
     return text != NULL;
 }
 
-/* An unknown name is wrong usage, as it is without a document. */
+/* Answers a query. An unknown name is a usage error, as it is without a document. */
 static int answer(CommandLine *line, const char *path, MatcDocument *document)
 {
     if (line->schema)

@@ -1,5 +1,5 @@
-/* One document: its material is found, measured where that is asked for, compiled or evaluated, and
- * written. */
+/* Processes one document: selects its material, measures it if requested, compiles or evaluates
+ * it, and writes the result. */
 #include "compiler/tool/main.h"
 #include "compiler/base/file.h"
 #include "compiler/base/progress.h"
@@ -22,7 +22,7 @@ static unsigned wanted_outputs(const CommandLine *line)
     return outputs;
 }
 
-/* State of the progress line of the terminal. */
+/* State of the terminal's progress line. */
 typedef struct {
     double last;
 } Shown;
@@ -38,7 +38,7 @@ static void show_measuring(void *user, int done, int total)
     arena_free(&arena);
 }
 
-/* The variants to measure. */
+/* Returns the description of the variants to measure. */
 static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *document, int material,
                                 Shown *shown)
 {
@@ -48,7 +48,7 @@ static ParetoSubject subject_of(const CommandLine *line, const MatcDocument *doc
                            shown};
 }
 
-/* A material that does not compile as it was asked for says why, and is not measured. */
+/* Reports a material that does not compile with the requested options; it is not measured. */
 static bool is_refused(const CommandLine *line, const MatcDocument *document, int material)
 {
     MatcOptions options = line->compile;
@@ -154,7 +154,7 @@ static void complain_of_material(const CommandLine *line, const MatcDocument *do
     arena_free(&arena);
 }
 
-/* The material that is meant, or -1: a fault, reported. */
+/* Returns the selected material, or -1 after reporting a fault. */
 static int choose_material(const CommandLine *line, const MatcDocument *document)
 {
     if (line->material) {
@@ -191,8 +191,8 @@ static int write_tree(const CommandLine *line, MatcDocument *document)
     return why ? main_complain(line, path, why) : FINE;
 }
 
-/* The options of the command line with advice turned on, which is off in the library and in
- * batches. A -Wno-linear_colors follows it, so it still counts. */
+/* Returns the command line's options with advice turned on, which is off in the library and in
+ * batches. -Wno-linear_colors is placed after it and remains effective. */
 static MatcOptions with_advice(const CommandLine *line, Arena *arena)
 {
     MatcOptions options = line->compile;

@@ -1,4 +1,4 @@
-/* Prints diagnostics for people or as JSON. */
+/* Prints diagnostics as text or JSON. */
 #include "compiler/tool/main.h"
 #include "compiler/base/text.h"
 #include <stdio.h>

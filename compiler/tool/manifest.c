@@ -1,4 +1,4 @@
-/* Writes the manifest of a batch as JSON: programs, and for every material its programs and its own
+/* Writes the manifest of a batch as JSON: programs, and for every material its programs and
  * constants. */
 #include "compiler/tool/batch_state.h"
 #include "compiler/choice.h"
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* , "key": "name.suffix" */
+/* Appends , "key": "name.suffix" */
 static void put_file_name(Text *out, const char *key, const char *name, const char *suffix)
 {
     Text file = text_new(out->arena);
@@ -18,7 +18,7 @@ static void put_file_name(Text *out, const char *key, const char *name, const ch
     json_next(out, key, file.at);
 }
 
-/* Numbers of the cases that are read back, all of them if the set is 0. */
+/* Writes the numbers of the cases that are read back; all if the set is 0. */
 static void put_cases(Text *out, const LayoutRow *layout, unsigned cases)
 {
     const char *before = "";
@@ -56,7 +56,7 @@ static void put_layout(Text *out, const Batch *b)
     text_put(out, "}");
 }
 
-/* Members of a program that name files, by emit; NULL: it has none. */
+/* By emit: the member of a program that names the file; NULL: none. */
 static const char *const file_keys[EMIT_COUNT] = {
     [EMIT_glsl] = "fragment",
     [EMIT_vertex] = "vertex",
@@ -106,7 +106,7 @@ static void put_number(Text *out, uint32_t bits, bool word)
         text_float(out, number);
 }
 
-/* The material's numbers for the members of its program's buffer. */
+/* Writes the material's values for the members of its program's uniform block. */
 static void put_constants(Text *out, const Unit *unit, const Written *written)
 {
     if (!written->member_count)
@@ -145,7 +145,7 @@ static void put_material(Text *out, const Batch *b, const BatchDocument *documen
     text_put(out, "]}");
 }
 
-/* Lists the files of this run beside the manifest itself, so that the next run recognizes them. */
+/* Lists the files of this run, so that the next run recognizes them. */
 static void put_folder(Text *out, const Batch *b)
 {
     int count;
@@ -161,7 +161,7 @@ static void put_folder(Text *out, const Batch *b)
     free(list);
 }
 
-/* Moves the text so far to the bytes: a manifest of many materials is long. */
+/* Moves the text so far to the bytes, since the manifest of many materials is long. */
 static void flush(Text *out, Bytes *to)
 {
     bytes_add(to, out->at, out->size);
@@ -199,7 +199,7 @@ void manifest_put(const Batch *b, Bytes *to)
     arena_free(&arena);
 }
 
-/* A name such as matc gives. */
+/* True for a file name that matc could have written. */
 static bool is_output(const char *name)
 {
     size_t size = strlen(name);
@@ -211,13 +211,14 @@ static bool is_output(const char *name)
     return size > 4 && !strcmp(name + size - 4, ".ktx");
 }
 
-/* A manifest can be anybody's, and a file can have been edited: what goes has the bytes that a run
- * wrote. */
+/* Marks stale files for removal. The old manifest may be foreign, and a file may have been
+ * edited: a file is removed only if its bytes have the recorded hash. */
 void manifest_remove_stale(Batch *b, const char *old)
 {
     cJSON *json = cJSON_Parse(old);
     const cJSON *file;
-    /* cJSON keeps where the fault is, in a text that goes: one without a fault makes it forget */
+    /* cJSON keeps a pointer to its last parse error, here in freed text; a successful parse
+     * resets it. */
     if (!json)
         cJSON_Delete(cJSON_Parse("0"));
     cJSON_ArrayForEach(file, cJSON_GetObjectItemCaseSensitive(json, "files"))

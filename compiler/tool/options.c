@@ -1,4 +1,4 @@
-/* matc's command line: the table of its options, and --help from it. */
+/* matc's command line: the table of its options, from which --help is generated. */
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/option.h"
@@ -45,12 +45,12 @@ static const char *gl_name(const void *user, int i)
     return gl_kind_name((GlKind)i);
 }
 
-/* -- values that the table's kinds do not know */
+/* -- Values without an option kind of their own */
 
 static const char *set_choice(void *to, const Option *option, const char *value)
 {
     CommandLine *line = to;
-    choice_set(&line->compile, option->name + 2, value); /* options_check validates it */
+    choice_set(&line->compile, option->name + 2, value); /* validated by options_check */
     return NULL;
 }
 
@@ -72,7 +72,7 @@ static const char *set_level(void *to, const Option *option, const char *level)
     return NULL;
 }
 
-/* "-Wno-a -Werror": "no-a,error" */
+/* Collects "-Wno-a -Werror" as "no-a,error". */
 static const char *add_warning(void *to, const Option *option, const char *setting)
 {
     CommandLine *line = to;
@@ -103,7 +103,7 @@ static void add_input(CommandLine *line, const char *path)
     line->inputs[line->input_count++] = path;
 }
 
-/* Reads "@FILE", a list of documents with one path a line. */
+/* Reads "@FILE", a list of documents with one path per line. */
 static const char *read_list(CommandLine *line, const char *path)
 {
     size_t size;
@@ -139,15 +139,15 @@ static const char *take_input(void *to, const char *argument, bool literal)
     return NULL;
 }
 
-/* -- names of the tables in --help */
+/* -- Names from the tables in --help */
 
-/* ", name", or "name" as the first of a list; ` (default)` behind the default. */
+/* Appends ", name", or "name" for the first; ` (default)` after the default. */
 static void put_name(Text *out, bool first, const char *name, bool is_default)
 {
     text_format(out, "%s%s%s", first ? "" : ", ", name, is_default ? " (default)" : "");
 }
 
-/* The target, except the default one, whose default is this layout; or NULL. */
+/* Returns a target other than the default one whose default is this layout, or NULL. */
 static const char *default_of(int layout)
 {
     for (int i = 0; i < TARGET_COUNT; i++)
@@ -156,7 +156,7 @@ static const char *default_of(int layout)
     return NULL;
 }
 
-/* Layouts: the default one, the defaults of other targets, all others. */
+/* Lists the layouts: the default, the defaults of other targets, then all others. */
 static void put_layouts(Text *out)
 {
     const int first = target_table[TARGET_DEFAULT].layout;
@@ -181,7 +181,7 @@ static void put_passes(Text *out)
         put_name(out, i == 0, pass_table[i].name, i == PASS_gbuffer);
 }
 
-/* -- the table */
+/* -- The table */
 
 #define AT(member) offsetof(CommandLine, member)
 #define HEADING(text)                                                                              \
@@ -337,7 +337,7 @@ const char *options_emit_suffix(const MatcOptions *options, int emit)
                                    : emit_table[emit_row(options, emit)].suffix;
 }
 
-/* "gbuffer,shadow" */
+/* Parses "gbuffer,shadow". */
 static const char *read_passes(CommandLine *line)
 {
     const char *list = line->compile.pass ? line->compile.pass : "gbuffer";
@@ -368,7 +368,7 @@ void options_free(CommandLine *line)
     free(line->inputs);
 }
 
-/* A fault of an option is said in the form that one behind it asks for. */
+/* Finds the form of messages in advance, since a fault may precede --diagnostics. */
 static MatcForm form_asked_for(int argc, char **argv)
 {
     for (int i = 1; i < argc && strcmp(argv[i], "--") != 0; i++)

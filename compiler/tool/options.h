@@ -6,10 +6,10 @@
 #include "runtime/gl/context.h"
 
 enum { MOST_PASSES = 8 };
-#define OPTIONS_SCHEMA    "document" /* what --schema asks for by itself */
+#define OPTIONS_SCHEMA    "document" /* default of --schema */
 #define OPTIONS_CASES_ALL "all" /* --cases: the unpacking text reads every case of the layout */
 
-/* Outputs that a run may write, in the order of --emit's names. */
+/* Outputs of a run, in the order of --emit's names. */
 typedef enum {
     EMIT_glsl,
     EMIT_vertex,
@@ -31,34 +31,34 @@ typedef enum {
 } Emit;
 typedef struct {
     const char *name, *suffix;
-    unsigned output;   /* MatcOutput; 0: the tree, which is the document's */
-    const char *spirv; /* suffix of a stage's SPIR-V; NULL: it is none, or is the fragment's */
+    unsigned output;   /* MatcOutput; 0: the tree, which belongs to the document */
+    const char *spirv; /* suffix of a stage's SPIR-V; NULL: no stage, or the fragment stage */
 } EmitRow;
 extern const EmitRow emit_table[EMIT_COUNT];
 
 typedef struct {
     MatcOptions compile;
-    Arena words;         /* texts that were made of arguments, and what is said of them */
-    const char **inputs; /* of the arguments, and of the lists among them */
+    Arena words;         /* owns strings derived from arguments, and messages about them */
+    const char **inputs; /* from the arguments and their lists */
     int input_count;
-    const char **lists; /* files of inputs, "@list.txt" */
-    char **list_texts;  /* what the inputs out of lists lie in */
+    const char **lists; /* files with lists of inputs, "@list.txt" */
+    char **list_texts;  /* buffers of the inputs from lists */
     int list_count;
     const char *cache;               /* --cache, or MATC_CACHE */
-    bool cache_named;                /* by --cache */
+    bool cache_named;                /* given by --cache */
     int cache_limit;                 /* --cache-limit, in MiB; 0: the default */
     bool cache_stats;                /* --cache-stats */
-    const char *passes[MOST_PASSES]; /* --pass, which is a list with -d */
+    const char *passes[MOST_PASSES]; /* --pass, a list with -d */
     int pass_count;
-    char *pass_list;         /* what they lie in */
-    int threads;             /* -j; 0: as many as there are processors */
+    char *pass_list;         /* buffer of the passes */
+    int threads;             /* -j; 0: the number of processors */
     const char *output;      /* -o */
     const char *folder;      /* -d */
     const char *depfile;     /* -MF */
     const char *target;      /* -MT */
     bool depend;             /* -MD */
     bool emit[EMIT_COUNT];   /* --emit */
-    bool emit_named;         /* by --emit; else it is the default */
+    bool emit_named;         /* given by --emit; otherwise the default */
     const char *material;    /* --material */
     const char *eval;        /* --eval */
     const char *explain;     /* --explain */
@@ -68,26 +68,26 @@ typedef struct {
     double layout_error;     /* --layout-error; 0: not given */
     const char *cases;       /* --cases: used or all; NULL: used */
     bool pareto, stats, watch, help, version;
-    const char *list;          /* --list: of which kind, "" for all; NULL */
-    const char *schema;        /* --schema: of which file; NULL */
-    struct WatchList *watched; /* with --watch: files that a run read or wanted */
+    const char *list;          /* --list: the kind, "" for all; NULL: not given */
+    const char *schema;        /* --schema: the file type; NULL: not given */
+    struct WatchList *watched; /* with --watch: files that a run read or looked for */
     MatcForm diagnostics;
 } CommandLine;
 
-/* Reads the arguments; the lists it makes are from malloc. False: *fault says what is wrong. */
+/* Parses the arguments; allocates lists by malloc. Returns false and *fault on failure. */
 bool options_read(CommandLine *line, int argc, char **argv, const char **fault);
 void options_free(CommandLine *line);
-/* NULL, or what does not go together. options_check.c */
+/* Returns NULL, or a fault of options that cannot be combined. options_check.c */
 const char *options_check(CommandLine *line);
-/* Follows the suffix of -o where no option selects the output or the target; NULL, or how it
- * contradicts one. options_suffix.c */
+/* Derives the output or the target from the suffix of -o unless an option selects it. Returns
+ * NULL, or a fault if the suffix contradicts an option. options_suffix.c */
 const char *options_suffix(CommandLine *line);
-/* Outputs that an --emit needs of a program (MatcOutput, or-ed), the text that is written, and the
- * suffix of its files: for a target of SPIR-V, stages as SPIR-V instead of GLSL. */
+/* Return, for an --emit: the MatcOutputs (or-ed) that it needs of a program, the text that is
+ * written, and its files' suffix. For the target spirv stages are SPIR-V instead of GLSL. */
 unsigned options_emit_outputs(const MatcOptions *options, int emit);
 const char *options_emit_text(const MatcOptions *options, int emit, const MatcProgram *program,
                               size_t *size);
 const char *options_emit_suffix(const MatcOptions *options, int emit);
-/* The text of --help, in the arena. */
+/* Returns the text of --help, in the arena. */
 const char *options_help(Arena *arena);
 #endif

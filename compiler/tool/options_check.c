@@ -7,7 +7,7 @@
 #include <string.h>
 
 enum { LONGEST_FOLDER = 2048 };
-/* NULL, or what is wrong. */
+/* Returns NULL or a fault. */
 static const char *check_measuring(const CommandLine *line)
 {
     if (line->max_error && line->compile.pass && strcmp(line->compile.pass, "gbuffer") != 0)
@@ -19,7 +19,7 @@ static const char *check_measuring(const CommandLine *line)
     return NULL;
 }
 
-/* NULL, or what is wrong. */
+/* Returns NULL or a fault. */
 static const char *check_output(const CommandLine *line)
 {
     int emits = 0;
@@ -50,7 +50,7 @@ static const char *check_output(const CommandLine *line)
     return NULL;
 }
 
-/* Options without effect unless another one is given. */
+/* Checks options without effect unless another one is given. */
 static const char *check_companions(const CommandLine *line)
 {
     if (line->cases && !line->folder)
@@ -66,7 +66,7 @@ static const char *check_companions(const CommandLine *line)
     return NULL;
 }
 
-/* The options of every pass name what exists. */
+/* Checks that the options of every pass have existing values. */
 static const char *check_names(CommandLine *line)
 {
     for (int i = 0; i < line->pass_count; i++) {
@@ -74,7 +74,7 @@ static const char *check_names(CommandLine *line)
         NameChoice values;
         options.pass = line->passes[i];
         if (layout_is_custom(options.layout))
-            options.layout = NULL; /* layout_open looks at it */
+            options.layout = NULL; /* checked by layout_open */
         const char *name = matc_options_fault(&options),
                    *value = name ? choice_value(&options, name) : NULL;
         if (!name)

@@ -1,4 +1,4 @@
-/* Faults of the command line, as good as those of documents. */
+/* Faults of the command line, with suggestions like those for documents. */
 #include "grammar/key_table.h"
 #include "compiler/tool/options_fault.h"
 #include "compiler/base/text.h"

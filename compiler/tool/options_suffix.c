@@ -1,9 +1,9 @@
-/* The suffix of -o. It selects an output, or the target, that no option names; it may not
- * contradict one.
+/* The suffix of -o selects the output or the target unless an option does; it must not
+ * contradict an option.
  *
- *     -o a.spv                    as with --target=spirv
- *     -o a.json                   as with --emit=reflect
- *     -o a.spv --target=glsl450   an error: the file would hold GLSL */
+ *     -o a.spv                    equals --target=spirv
+ *     -o a.json                   equals --emit=reflect
+ *     -o a.spv --target=glsl450   an error: the file would contain GLSL */
 #include "compiler/base/text.h"
 #include "compiler/choice.h"
 #include "compiler/tool/options_fault.h"
@@ -17,8 +17,8 @@ static bool ends_with(const char *name, const char *suffix)
     return length && size > length && !strcmp(name + size - length, suffix);
 }
 
-/* The output with the longest suffix that the name ends with; EMIT_COUNT: none. *spirv: its
- * SPIR-V. */
+/* Returns the output with the longest matching suffix; EMIT_COUNT: none. *spirv: the suffix is
+ * that of SPIR-V. */
 static int emit_of_suffix(const char *name, bool *spirv)
 {
     size_t longest = 0;
@@ -35,7 +35,7 @@ static int emit_of_suffix(const char *name, bool *spirv)
     return found == EMIT_spirv ? EMIT_glsl : found;
 }
 
-/* Whether an output is GLSL or SPIR-V, as the target has it, or something else. */
+/* Whether an output is a program in GLSL or SPIR-V, depending on the target. */
 static bool is_program(int emit)
 {
     return emit == EMIT_glsl || emit == EMIT_spirv || emit == EMIT_unpack ||

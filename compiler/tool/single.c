@@ -1,4 +1,4 @@
-/* Writing what was made of one material. */
+/* Writes the results for one material. */
 #include "compiler/tool/single.h"
 #include "compiler/base/memory.h"
 #include "compiler/tool/depfile.h"
@@ -26,7 +26,7 @@ static const char *put_textures(Outputs *files, const CommandLine *line, MatcPro
     return why;
 }
 
-/* Whether --watch would write what is there already. */
+/* Whether, with --watch, the file already has these bytes. */
 static bool is_written(const CommandLine *line, const char *to, const char *bytes, size_t size)
 {
     size_t old_size;
@@ -51,7 +51,7 @@ static const char *put_output(Outputs *files, const CommandLine *line, MatcDocum
     return is_written(line, path, text, size) ? NULL : outputs_put(files, path, text, size);
 }
 
-/* Files that the document is made from: standard input is none. */
+/* Lists the files on which the document depends, without standard input. */
 static int list_files(const CommandLine *line, const MatcDocument *document, const char **files)
 {
     int count = 0;
@@ -62,8 +62,8 @@ static int list_files(const CommandLine *line, const MatcDocument *document, con
     return count;
 }
 
-/* The depfile's text, from malloc; NULL: it cannot be written, since a name in it cannot, which
- * `path` gets. */
+/* Returns the depfile's text, from malloc; NULL if a name cannot be represented, which is copied
+ * to `path`. */
 static char *make_depfile(const CommandLine *line, const MatcDocument *document,
                           char path[SINGLE_PATH])
 {
@@ -88,7 +88,7 @@ static const char *put_depfile(Outputs *files, const CommandLine *line, const ch
     return outputs_put(files, path, text, strlen(text));
 }
 
-/* The output last: standard output cannot be taken back. */
+/* Writes the output last, since standard output cannot be withdrawn. */
 const char *single_write(const CommandLine *line, MatcDocument *document, MatcProgram *program,
                          char path[SINGLE_PATH])
 {

@@ -1,4 +1,4 @@
-/* State of a material in a pass of a batch. */
+/* A unit of a batch: a material in a pass. */
 #include "compiler/tool/unit.h"
 #include "grammar/tables.h"
 #include "compiler/base/json_write.h"
@@ -50,7 +50,8 @@ static void put_uniforms(Text *out, const MatcProgram *program)
     text_put(out, count ? "}" : "");
 }
 
-/* Pictures by their files; those that matc makes by the file that --textures writes, if it does. */
+/* Writes the textures: images by their files; generated textures by the file that --textures
+ * writes, if given. */
 static void put_textures(Text *out, MatcProgram *program, const char *folder_and_material)
 {
     bool any = false;
@@ -102,7 +103,7 @@ static void put_block(Text *out, const MatcProgram *program)
     text_put(out, "]}");
 }
 
-/* Tables of noise, which are the same for all materials. */
+/* Writes the noise tables, which are equal for all materials. */
 static void put_tables(Text *out, MatcProgram *program)
 {
     bool any = false;
@@ -176,7 +177,7 @@ void unit_add_files(Unit *unit, Key members, Key files)
         return;
     if (!unit->files)
         unit->files = sets_resize(NULL, MOST_UNIT_FILES * sizeof *unit->files);
-    if (unit->file_count == MOST_UNIT_FILES) /* the oldest goes */
+    if (unit->file_count == MOST_UNIT_FILES) /* drops the oldest */
         unit->file_count--;
     memmove(unit->files + 1, unit->files, (size_t)unit->file_count++ * sizeof *unit->files);
     unit->files[0] = (UnitFiles){members, files};
