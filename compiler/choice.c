@@ -1,4 +1,4 @@
-/* Options -> a job: names become rows of the tables. What was chosen, and by what, as text. */
+/* Options -> job: looks up names in the tables, and describes the choices and their sources. */
 #include "compiler/choice.h"
 #include "compiler/base/warnings.h"
 #include "compiler/layout/custom.h"
@@ -6,7 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* How an axis was decided. */
+/* Source of an axis' choice. */
 typedef enum {
     CHOSEN_default,
     CHOSEN_by_name,
@@ -130,12 +130,12 @@ bool choice_set(MatcOptions *options, const char *name, const char *value)
 {
     const TextOption *option = text_option(name);
     if (!option || option->member + sizeof value > options->size)
-        return false; /* there is none, or the caller was compiled without it */
+        return false; /* unknown option, or missing in the caller's version */
     memcpy((char *)options + option->member, &value, sizeof value);
     return true;
 }
 
-/* -1: there is none of that name. */
+/* Returns -1 for an unknown value. */
 static int index_of(const char *value, const char *option)
 {
     NameChoice values;
@@ -150,13 +150,13 @@ static int index_of(const char *value, const char *option)
 static bool is_value(const char *option, const char *value)
 {
     if (!value)
-        return true; /* its default */
+        return true; /* the default */
     return strcmp(option, "warnings") ? index_of(value, option) >= 0
                                       : !warnings_fault(value, &(size_t){0});
 }
 
-/* A list of warnings is no name of a table: the options hold a copy, so that they can themselves be
- * copied. */
+/* Sets the warnings, whose list is not a name of a table. The options hold a copy, so that they
+ * can be assigned. */
 static bool set_warnings(MatcOptions *options, const char *value)
 {
     const size_t size = value ? strlen(value) + 1 : 0;
@@ -177,7 +177,7 @@ bool matc_options_set(MatcOptions *options, const char *name, const char *value)
         return false;
     if (!strcmp(name, "warnings"))
         return set_warnings(options, value);
-    if (value && choice_values(name, &values)) /* the table's own text outlives the caller's */
+    if (value && choice_values(name, &values)) /* the table's string outlives the caller's */
         value = values.name(values.user, index_of(value, name));
     return choice_set(options, name, value);
 }
@@ -190,7 +190,7 @@ static int index_or(const MatcOptions *options, const char *option, int otherwis
 
 static int precision_of(const MatcOptions *o) { return index_or(o, "precision", PRECISION_fast); }
 
-/* A choice by its name, else the row's, else the axis' own default. */
+/* Selects a choice by its name, otherwise by the precision's row, otherwise the axis' default. */
 static int choose(const MatcOptions *o, Axis axis, ChoiceSource *source)
 {
     const char *name = choice_value(o, axis_table[axis].name);
@@ -212,13 +212,14 @@ const TargetRow *choice_target(const MatcOptions *options)
     return target < 0 ? NULL : &target_table[target];
 }
 
-/* A caller of an older library may know fewer options, but all that have a name. */
+/* A caller of an older library may know fewer options, but at least all members above
+ * `optimize`. */
 bool choice_is_set(const MatcOptions *options)
 {
     return options->size >= offsetof(MatcOptions, optimize);
 }
 
-/* The first option whose value does not exist; NULL: there is none. */
+/* Returns the first option with an unknown value, or NULL. */
 static const char *fault_of(const MatcOptions *o)
 {
     if (o->custom && !o->custom->row)

@@ -1,4 +1,4 @@
-/* Choices of a job as text. choice.c also has choice_job (pipeline.h). */
+/* Options of a job by name, and as text. choice.c also has choice_job (pipeline.h). */
 #ifndef MATC_CHOICE_H
 #define MATC_CHOICE_H
 #include "compiler/base/session.h"
@@ -8,29 +8,30 @@
 #include "compiler/matc.h"
 #include "compiler/base/text.h"
 
-/* The row of the options' target: the default, where they name none; NULL where there is none of
- * that name. */
+/* Returns the row of the options' target, or of the default target; NULL: the target's name is
+ * unknown. */
 const TargetRow *choice_target(const MatcOptions *options);
-/* The values that an option has by name ("aa": auto, none, ...); false: there is no such option. */
+/* Returns the values of an option ("aa": auto, none, ...). Returns false for an unknown option. */
 bool choice_values(const char *option, NameChoice *values);
-/* Value that an option was given; NULL: none. */
+/* Returns the value that an option was given, or NULL. */
 const char *choice_value(const MatcOptions *options, const char *option);
-/* As matc_options_set, but any value: what is told apart later, such as "gbuffer,shadow" and the
- * path of a layout. */
+/* Sets an option like matc_options_set, but without checking the value: values such as
+ * "gbuffer,shadow" and the path of a layout are interpreted later. */
 bool choice_set(MatcOptions *options, const char *name, const char *value);
-/* "aa: there is no 'x', but auto, none, ..." of the first option whose value does not exist, in the
- * arena; NULL: there is none. */
+/* Returns "aa: there is no 'x', but auto, none, ..." for the first option with an unknown value,
+ * in the arena; NULL: all are valid. */
 const char *choice_fault(Arena *arena, const MatcOptions *options);
-/* All that decides what a program is, as bytes. */
+/* Appends everything that determines a program, as bytes. */
 void choice_store_options(Bytes *to, const MatcOptions *options);
-/* The options of a caller that may know fewer members, or more: what it does not know has its
- * default. */
+/* Returns the options of a caller that may have been compiled with fewer or more members:
+ * missing members get their defaults. */
 MatcOptions choice_whole_options(const MatcOptions *given);
-/* Whether matc_options_init, or that of a library with the same number, made the options. */
+/* True if the options were initialized by matc_options_init of any library version with this
+ * number. */
 bool choice_is_set(const MatcOptions *options);
-/* Reports options that matc_options_init did not set. False: nothing is to be read or compiled by
- * them. */
+/* Reports options that were not initialized by matc_options_init. Returns false if nothing may
+ * be read or compiled. */
 bool choice_check(Session *session);
-/* A line an axis: its choice and what settled it. For --stats. */
+/* Writes a line per axis: its choice and the choice's source. For --stats. */
 void choice_explain(Text *out, const MatcOptions *options, const Job *job);
 #endif

@@ -1,4 +1,4 @@
-/* The pipeline, as a list of stages. */
+/* The compiler's pipeline as a list of stages. */
 #include "compiler/pipeline.h"
 #include "compiler/emit/validate.h"
 #include "compiler/resolve/resolve.h"
@@ -9,7 +9,7 @@
 #include "grammar/layout_tables.h"
 #include <math.h>
 
-/* Rounding that a bound proved by intervals may be exceeded by: range.h. */
+/* Relative rounding error of bounds from intervals: range.h. */
 #define DISPLACEMENT_SLACK 1e-5
 
 Graph *compile_front(Session *session, uint32_t source, Tree **tree)
@@ -21,7 +21,7 @@ Graph *compile_front(Session *session, uint32_t source, Tree **tree)
     return graph;
 }
 
-/* A discard that is known to be none needs no code. */
+/* Removes a discard whose condition is known to be false. */
 static void drop_moot(Ir *ir)
 {
     int kept = 0;
@@ -33,7 +33,7 @@ static void drop_moot(Ir *ir)
     ir->output_count = kept;
 }
 
-/* Takes the numbers that the options name out of the program, and lays the buffer out. */
+/* Moves the numbers selected by the options to the uniform block, and lays it out. */
 static Ir *place_members(Session *session, Ir *ir, const Job *job)
 {
     if (session->options->member_count) {
@@ -66,7 +66,7 @@ double compile_displacement_bound(const Ir *ir)
     for (int lane = 0; lane < ir_lanes(ir, output->value); lane++) {
         const Interval x = range_of(&ranges, ir, output->value, lane);
         const double most = fmax(fabs(x.low), fabs(x.high));
-        /* tangents and normal need not be at right angles */
+        /* tangents and normal need not be orthogonal */
         size = ir_lanes(ir, output->value) == 4 ? fmax(size, most) : size + most;
     }
     arena_free(&arena);
@@ -90,7 +90,7 @@ static void doubt_bound(Session *session, const Ir *ir)
     diag_add(session, map->span, DIAG_unbounded_displacement);
 }
 
-/* Lowered and optimised; NULL: see the diagnostics. */
+/* Lowers and optimizes; returns NULL after reporting faults. */
 Ir *compile_ir(Session *session, const Graph *graph, const Node *material, const Job *job)
 {
     Ir *ir = lower(session, graph, material, job, opt_simplify);

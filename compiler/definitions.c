@@ -1,4 +1,4 @@
-/* The library's surface: definitions of a document and of the files that it includes, in words. */
+/* Library API: descriptions of the definitions of a document and its includes. */
 #include "compiler/document.h"
 #include "compiler/base/json_write.h"
 #include "compiler/base/memory.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define SHIPPED_FOLDER "<matc>/" /* before the names of files that come with matc: include.c */
+#define SHIPPED_FOLDER "<matc>/" /* prefix of the paths of shipped files: include.c */
 
 static const char *doc_of(const Tree *tree)
 {
@@ -25,7 +25,7 @@ static char *text_given(Arena *arena, const Text *out)
     return text;
 }
 
-/* The first of a name counts, as in the document. */
+/* Returns the first definition with that name, as in the document. */
 static const Member *definition_of(const MatcDocument *d, const char *name)
 {
     const Member *found = NULL;
@@ -63,7 +63,7 @@ static const char *range_of(Arena *arena, const Parameter *p)
     return out.size ? out.at : "";
 }
 
-/* Default of a parameter: its text, or its kind. */
+/* Returns a parameter's default: its text, or its kind. */
 static const char *default_of(const Parameter *p)
 {
     const Member *kind = p->init && p->init->kind == TREE_object ? tree_find(p->init, "map") : NULL;
@@ -111,7 +111,7 @@ char *matc_explain_definition(MatcDocument *d, const char *name)
     return text_given(&arena, &out);
 }
 
-/* The page of a definition of the library, with its parameters; NULL: there is none. */
+/* Returns the page of a library definition with its parameters; NULL if unknown. */
 static char *explain_shipped(const char *name)
 {
     const LibraryName *shipped = NULL;
@@ -131,7 +131,7 @@ static char *explain_shipped(const char *name)
     return page;
 }
 
-/* The page of a definition of the library, then those of the name in the tables. */
+/* Returns the page of a library definition, followed by pages of the name from the tables. */
 char *matc_explain(const char *name)
 {
     if (!name)
@@ -149,8 +149,8 @@ char *matc_explain(const char *name)
     return both;
 }
 
-/* An argument: what its type takes, within its range, or a param of the definition that it stands
- * in. */
+/* Writes the schema of an argument: a value of its type within its range, or a param of the
+ * enclosing definition. */
 static void put_argument_schema(Text *out, const Member *member, const Parameter *p)
 {
     static const char *const types[PARAMETER_TYPES] = {
@@ -179,7 +179,7 @@ static void put_argument_schema(Text *out, const Member *member, const Parameter
     text_put(out, "}");
 }
 
-/* A use of a definition, within the document or as its outermost level. */
+/* Writes the schema of a use of a definition, inside the document or at its top level. */
 static void put_use_schema(Text *out, Session *session, const Member *definition, bool outermost)
 {
     const Tree *tree = definition->value;
@@ -215,7 +215,7 @@ static void put_use_schema(Text *out, Session *session, const Member *definition
     text_put(out, "]\n        }");
 }
 
-/* Uses of all definitions of a document and of the files that it includes, for "anyOf". */
+/* Writes uses of all definitions of a document and its includes, for "anyOf". */
 static void put_uses_schema(Text *out, MatcDocument *d, bool outermost)
 {
     bool first = true;

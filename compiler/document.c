@@ -1,4 +1,4 @@
-/* The library's surface: documents. */
+/* Library API: documents. */
 #include "compiler/choice.h"
 #include "compiler/base/memory.h"
 #include "compiler/document.h"
@@ -9,7 +9,7 @@
 
 const char *matc_version(void) { return MATC_VERSION; }
 
-/* With its text, and nothing made of it. */
+/* Creates a document with its text, not yet parsed. */
 static MatcDocument *make(const char *name, const char *text, size_t size,
                           const MatcOptions *options)
 {

@@ -1,5 +1,5 @@
-/* A document as the library's surface holds it. Private to it, and to runtime/scene, which reads
- * more of a document than its materials. */
+/* The library's document handle. Private to the library and to runtime/scene, which reads more
+ * of a document than its materials. */
 #ifndef MATC_DOCUMENT_H
 #define MATC_DOCUMENT_H
 #include "compiler/graph/graph.h"
@@ -10,14 +10,14 @@ struct MatcDocument {
     MatcOptions options;
     Session session;
     Tree *tree;
-    Graph *graph; /* NULL: faults */
+    Graph *graph; /* NULL: the document has faults */
 };
 
-/* Text -> Tree; no graph yet. */
+/* Text -> Tree, without a graph. */
 MatcDocument *document_read(const char *name, const char *text, size_t size,
                             const MatcOptions *options);
-/* Tree -> Graph; the tree is the document's own, or its materials alone. NULL: there is none. */
+/* Tree -> Graph; the tree is the document's own, or its materials alone. May be NULL. */
 void document_resolve(MatcDocument *document, Tree *tree);
-/* Diagnostics of the session are about positions in the document. */
+/* Lets a session report diagnostics at positions in the document. */
 void document_lend(const MatcDocument *document, Session *session);
 #endif

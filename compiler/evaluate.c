@@ -1,4 +1,4 @@
-/* The library's surface: what a material is at a point. */
+/* Library API: evaluation of a material at points. */
 #include "compiler/evaluate.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/vec3.h"
@@ -11,7 +11,7 @@
 
 enum { LONGEST_CHANNEL = LIMIT_NAME + 4, ATTRIBUTE_MARK = '@' };
 
-/* `graph`: whose attributes a name behind '@' is one of; NULL: of any. */
+/* Sets a channel. A name after '@' must be an attribute of `graph`; NULL: any name. */
 static bool set_channel(const Graph *graph, Surface *surface, const char *name, double value)
 {
     if (*name == ATTRIBUTE_MARK)
@@ -21,7 +21,7 @@ static bool set_channel(const Graph *graph, Surface *surface, const char *name, 
     return !strcmp(name, "front") || oracle_surface_set(surface, name, value);
 }
 
-/* "u=0.3 v=0.4 front=0 @wetness=1". NULL, or what is wrong with the word that is left. */
+/* Parses "u=0.3 v=0.4 front=0 @wetness=1". Returns NULL, or a fault of the word at *word. */
 static const char *read_point(const Graph *graph, Surface *surface, const char *point,
                               const char **word)
 {
@@ -96,7 +96,7 @@ bool evaluate_material(const MatcDocument *d, int material, const MatcOptions *o
     return known;
 }
 
-/* The slots at a point that is written; what is at fault, or NULL. */
+/* Evaluates the slots at a point given as text. Returns a fault, or NULL. */
 static const char *evaluate(const MatcDocument *d, int material, const char *point,
                             const MatcOptions *options, SlotValues *values)
 {
@@ -159,7 +159,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     return result;
 }
 
-/* The displacement's inputs that a motion of the object changes. */
+/* Whether a displacement reads inputs that change when the object moves. */
 static bool reads_world(const Ir *ir)
 {
     Arena arena = {0};
@@ -218,7 +218,7 @@ static Surface surface_of(const MatcPoint *point, double time)
     return surface;
 }
 
-/* v by a number, as a unit vector; 0 where it has no length. */
+/* Adds v as a unit vector times `by`; nothing if v has no length. */
 static void add_along(double position[3], const double v[3], double by)
 {
     const double least = 1e-30, size = fmax(vec3_length(v), least);
@@ -231,10 +231,10 @@ static bool has_material(const MatcDocument *d, int material)
     return material >= 0 && material < matc_material_count(d);
 }
 
-/* The arguments are a valid list: empty, or a pointer and a positive count. */
+/* True for a valid list: empty, or a pointer and a positive count. */
 static bool is_list(const void *points, int count) { return count == 0 || (points && count > 0); }
 
-/* The oracle of a document as the options have it; NULL: they are faulty. */
+/* Opens the oracle of a document with the options; NULL if they are invalid. */
 static Oracle *oracle_for(const MatcDocument *d, int material, const MatcOptions *options)
 {
     Job job;
@@ -266,7 +266,8 @@ bool matc_solid(const MatcDocument *d, int material, const MatcOptions *given, M
     return fine;
 }
 
-/* The highest of what is solid, as a motion; along the normal, none where nothing is. */
+/* Replaces the solid intervals by a displacement to their highest point along the normal; 0 if
+ * none is solid. */
 static void to_top(double by[ORACLE_HEIGHTS])
 {
     const bool first = by[0] < by[1], second = by[2] < by[3];

@@ -1,4 +1,4 @@
-/* The oracle by a document's handle, for who measures programs against it. */
+/* The oracle for a document handle, used to measure programs against it. */
 #ifndef MATC_EVALUATE_H
 #define MATC_EVALUATE_H
 #include "compiler/matc.h"
@@ -9,13 +9,13 @@ typedef struct {
     int count;
 } SurfacePoints;
 
-/* The slots of a material at those points, in double, as the options compute them (their noise and
- * derivatives). The material exists, and the options name what exists. Pictures are 0.5 where the
- * document was read without `pixels`. False: one takes more than LIMIT_WORK, or all together
- * LIMIT_WORK_POINTS times that; then none is known. */
+/* Evaluates a material's slots at the points in double precision, with the noise and derivatives
+ * of the options. The material must exist, and the options must be valid. Images are 0.5 if the
+ * document was read without `pixels`. Returns false if a point exceeds LIMIT_WORK, or all points
+ * together LIMIT_WORK_POINTS times that; no values are then valid. */
 bool evaluate_material(const MatcDocument *document, int material, const MatcOptions *options,
                        SurfacePoints points, SlotValues *values);
-/* Fault of a point as matc_eval takes it, in the words of the command line, in the arena; NULL:
- * none. */
+/* Returns the fault of a point of matc_eval, in the words of the command line, in the arena;
+ * NULL: none. */
 const char *evaluate_point_fault(Arena *arena, const char *point);
 #endif

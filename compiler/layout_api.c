@@ -1,4 +1,4 @@
-/* The library's surface: layouts from files, and from the ranges of a set's materials. */
+/* Library API: layouts from files, and from the ranges of a set of materials. */
 #include "compiler/describe/describe.h"
 #include "compiler/base/memory.h"
 #include "compiler/layout/auto_layout.h"
@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Makes the text and the page of a layout whose row is there. */
+/* Generates the text and the report of a layout with a valid row. */
 static void finish(MatcLayout *layout)
 {
     Text text = text_new(&layout->arena), page = text_new(&layout->arena);

@@ -1,4 +1,4 @@
-/* Programs: a material's IR, and what it needs. program_outputs.c writes it. */
+/* Library API: programs. Compiles a material's IR; program_outputs.c generates the outputs. */
 #include "compiler/program.h"
 #include "compiler/base/memory.h"
 #include "compiler/choice.h"
@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Those that are live, in the document's order. */
+/* Lists the live uniforms, in the document's order. */
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
     uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count); /* 1, or 2 as an int */
@@ -25,7 +25,7 @@ static void list_uniforms(MatcProgram *p, const Graph *graph)
     }
 }
 
-/* The members of the buffer, with this material's numbers. */
+/* Lists the members of the uniform block, with this material's values. */
 static void list_constants(MatcProgram *p)
 {
     p->constants = ARENA_ARRAY(&p->arena, MatcConstant, p->ir->constant_count + 1);
@@ -41,7 +41,7 @@ static void list_constants(MatcProgram *p)
     }
 }
 
-/* Discards count. */
+/* True if the program has outputs; a discard counts as one. */
 static bool writes_pixels(const Ir *ir)
 {
     for (int i = 0; i < ir->output_count; i++)
@@ -67,7 +67,7 @@ static bool compile_program(MatcProgram *p)
     return true;
 }
 
-/* A material that is absent, and options that mean nothing, are faults of the program. */
+/* Validates material and options; invalid ones are faults of the program. */
 static bool open_job(MatcProgram *p)
 {
     if (!choice_check(&p->session))
@@ -178,7 +178,7 @@ static void list_places(MatcProgram *p)
     }
 }
 
-/* NULL: there is no program. */
+/* Returns NULL if there is no program. */
 static const IrKey *key_of(MatcProgram *p)
 {
     if (!p || !p->ir)

@@ -1,4 +1,4 @@
-/* A program, between program.c, which compiles it, and program_outputs.c, which writes it. */
+/* The program handle, shared by program.c (compilation) and program_outputs.c (outputs). */
 #ifndef MATC_PROGRAM_H
 #define MATC_PROGRAM_H
 #include "compiler/document.h"
@@ -15,30 +15,30 @@ struct MatcProgram {
     const MatcDocument *document;
     int material;
     Job job;
-    bool ok, written; /* the GLSL is there */
-    unsigned asked;   /* MatcOutputs that were asked for so far */
+    bool ok, written; /* written: the GLSL exists */
+    unsigned asked;   /* MatcOutputs requested so far */
     Ir *ir;
     Products products;
     const char *outputs[OUTPUT_COUNT]; /* by bit of MatcOutput */
     size_t sizes[OUTPUT_COUNT];
-    const char *words[OUTPUT_COUNT]; /* SPIR-V of those that are stages */
+    const char *words[OUTPUT_COUNT]; /* SPIR-V of outputs that are stages */
     size_t word_sizes[OUTPUT_COUNT];
     MatcTexture *textures;
     int *texture_made_by;
     int texture_count;
-    const LayoutRow *layout;                    /* NULL: the pass writes none */
-    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* those in use */
+    const LayoutRow *layout;                    /* NULL: the pass writes no layout */
+    MatcAttribute attributes[LIMIT_ATTRIBUTES]; /* attributes in use */
     int attribute_count;
-    MatcUniform *uniforms; /* those in use */
+    MatcUniform *uniforms; /* uniforms in use */
     int uniform_count;
     MatcConstant *constants;
-    bool keyed; /* the next four are there */
+    bool keyed; /* the next four members are valid */
     IrKey key;
     MatcConstant *places;
     char key_digits[KEY_TEXT], shape_digits[KEY_TEXT];
 };
 
 const Node *program_material(const MatcProgram *program);
-/* Writes what is asked for (MatcOutput, or-ed). False: see the diagnostics. */
+/* Generates the requested outputs (MatcOutput, or-ed). Returns false after reporting faults. */
 bool program_write(MatcProgram *program, unsigned outputs);
 #endif

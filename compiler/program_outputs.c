@@ -1,4 +1,4 @@
-/* Files that are written of a program. */
+/* Generates the outputs of a program. */
 #include "compiler/program.h"
 #include "compiler/choice.h"
 #include "compiler/layout/layout_read.h"
@@ -20,7 +20,7 @@ static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t siz
     p->sizes[bit] = size;
 }
 
-/* In microseconds. */
+/* in microseconds */
 static void put_time(Text *out, const char *name, double seconds)
 {
     const long tenths = lround(seconds * 1e7);
@@ -130,8 +130,8 @@ static void fill_outputs(MatcProgram *p, unsigned outputs)
         keep_text(p, MATC_STATS, stats_text(p, p->document, &p->job));
 }
 
-/* The words of stages that are linked together, by the output whose GLSL they come from; 0: nobody
- * asked for them. */
+/* Texts of stages that are linked together, and the output to which each belongs; 0: not
+ * requested. */
 typedef struct {
     MatcOutput of[VALIDATE_STAGES];
     const char *texts[VALIDATE_STAGES];
@@ -155,7 +155,7 @@ static bool keep_words(MatcProgram *p, const SpirvSet *set)
     return true;
 }
 
-/* Stages of Vulkan's GLSL: of a job, with what its fragment program declares. */
+/* Job and interface of the stages in Vulkan's GLSL. */
 typedef struct {
     Job job;
     Interface interface;
@@ -174,7 +174,7 @@ static bool keep_stages(MatcProgram *p, const Vulkan *v, unsigned outputs)
     if (!keep_words(p, &drawn))
         return false;
     for (TessellationStage i = 0; i < TESSELLATION_COUNT && outputs & PROGRAM_TESSELLATION;
-         i++) { /* in the order of both */
+         i++) { /* both enums have the same order */
         divided.of[VALIDATE_vertex + (int)i] = (MatcOutput)(MATC_TESSVERTEX << i);
         divided.texts[VALIDATE_vertex + (int)i] =
             emit_tessellation(session, &v->job, &v->interface, i);
@@ -196,7 +196,7 @@ static bool keep_stages(MatcProgram *p, const Vulkan *v, unsigned outputs)
            (!(outputs & MATC_COMPUTE) || keep_words(p, &computed));
 }
 
-/* SPIR-V comes from Vulkan's GLSL: for another target the material is compiled once more. */
+/* Generates SPIR-V from Vulkan's GLSL; for another target the material is compiled again. */
 static bool fill_spirv(MatcProgram *p, unsigned outputs)
 {
     Vulkan v = {p->job, p->products.interface, p->products.fragment};
@@ -229,7 +229,7 @@ bool program_write(MatcProgram *p, unsigned outputs)
     return fill_stages(p, outputs) && (!(outputs & MATC_SPIRV) || fill_spirv(p, outputs));
 }
 
-/* The bit of one output of a program that is ok; -1: there is none. */
+/* Returns the bit of a single output of a program that is ok; otherwise -1. */
 static int bit_of(const MatcProgram *p, unsigned output)
 {
     const bool one = output && !(output & (output - 1)) && output < 1u << OUTPUT_COUNT;

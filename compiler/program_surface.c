@@ -6,7 +6,8 @@ const Node *program_material(const MatcProgram *p)
     return p->document->graph->materials[p->material].node;
 }
 
-/* For most materials lowering knows; else the transparency is compiled by itself. */
+/* Returns the opacity that lowering found, as for most materials; otherwise compiles the
+ * transparency alone. */
 static Opacity find_opacity(const MatcProgram *p)
 {
     const Graph *graph = p->document->graph;
