@@ -1,4 +1,4 @@
-/* expression.def as enums and const arrays: the terms, symbols and values of formulas. */
+/* expression.def as enums and const arrays: the terms, symbols and quantities of formulas. */
 #ifndef MATC_EXPRESSION_TABLES_H
 #define MATC_EXPRESSION_TABLES_H
 #include "tables.h"
@@ -17,24 +17,24 @@ enum { TERM_MOST_ARGUMENTS = 5, TERM_MOST_DEFAULTS = 2 };
 
 typedef struct {
     const char *name;
-    const char *signature; /* "gg>g", as the head of expression.def says */
+    const char *signature; /* "gg>g", as the head of expression.def explains */
     const char *doc;
     const char *example;                /* "formula = value" */
-    int count, least;                   /* arguments: so many, and at least */
-    double initial[TERM_MOST_DEFAULTS]; /* of those that may be left out */
-    int whole_low, whole_high;          /* what a whole number may be */
-    bool callable;                      /* by its name; else by its symbol alone */
+    int count, least;                   /* number of arguments, and its min if some are optional */
+    double initial[TERM_MOST_DEFAULTS]; /* defaults of the optional ones */
+    int whole_low, whole_high;          /* range of a literal integer argument */
+    bool callable;                      /* by its name; otherwise by its symbol only */
     bool jumps;
-    bool noisy; /* it goes by --noise */
+    bool noisy; /* depends on --noise */
 } TermRow;
 extern const TermRow term_table[TERM_COUNT];
-/* The letter of a term's result. */
+/* Returns the letter of a term's result. */
 char term_result(const TermRow *row);
-/* The function of that name, or TERM_none. */
+/* Returns the function with that name, or TERM_none. */
 Term term_named(const char *name, size_t size);
 
-/* How tightly an operator binds. level_choose is that of a ? b : c, level_prefix of one in
- * front. */
+/* Binding strength of an operator. level_choose belongs to a ? b : c, level_prefix to prefix
+ * operators. */
 typedef enum {
     level_none,
     level_choose,
@@ -50,24 +50,24 @@ typedef enum {
 typedef struct {
     const char *text;
     Term term;
-    OperatorLevel level; /* level_prefix: of one operand, in front of it */
+    OperatorLevel level; /* level_prefix: a prefix operator of one operand */
 } SymbolRow;
-/* Longer ones before those that they begin with. */
+/* Longer symbols precede their prefixes. */
 extern const SymbolRow symbol_table[];
 extern const int symbol_count;
-/* The first of symbol_table that the text, of one byte and a zero byte at least, begins with;
- * symbol_count: none. */
+/* Returns the first row of symbol_table with which the text begins; symbol_count: none. The text
+ * has at least one byte and a zero byte. */
 int symbol_begun(const char *text);
-/* The symbol of a term, or its name. */
+/* Returns the symbol of a term, or its name. */
 const char *term_symbol(Term term);
 
 typedef struct {
     const char *name, *doc;
-    Group group;           /* of channels */
-    const char *lanes;     /* of it, letters of xyz; NULL: a constant */
-    double number;         /* of a constant; of an attribute all lanes where a mesh has none */
-    const char *attribute; /* of the mesh; NULL: it is none */
-    Type type;             /* of that */
+    Group group;           /* group of channels */
+    const char *lanes;     /* components of the group, letters of xyz; NULL: a constant */
+    double number;         /* value of a constant; default components of an attribute */
+    const char *attribute; /* mesh attribute; NULL: none */
+    Type type;             /* type of the attribute */
 } QuantityRow;
 typedef enum {
 #define CONSTANT(name, number, doc)       QUANTITY_##name,
@@ -79,20 +79,20 @@ typedef enum {
 } Quantity;
 extern const QuantityRow quantity_table[QUANTITY_COUNT];
 Quantity quantity_named(const char *name, size_t size);
-/* Its lanes, 1 to 4. */
+/* Returns the number of components, 1 to 4. */
 int quantity_width(Quantity quantity);
 
-/* Functions that make a vector of so many lanes. */
+/* Functions that construct a vector of a given width. */
 typedef struct {
     const char *name, *doc;
     int width;
 } VectorRow;
 extern const VectorRow vector_table[];
 extern const int vector_count;
-/* The lanes of what the function makes; 0: none of that name. */
+/* Returns the width of the function's vector; 0: unknown name. */
 int vector_named(const char *name, size_t size);
 
-/* Terms that are called like functions, but take words. */
+/* Terms with the syntax of a call whose arguments are not values. */
 typedef enum {
 #define SPECIAL(name, form, doc) SPECIAL_##name,
 #include "expression.def"

@@ -1,4 +1,4 @@
-/* The rows of foreign.def: what other tools and languages call things, and what that is here. */
+/* The rows of foreign.def: names in other tools and languages, and their equivalents here. */
 #ifndef MATC_FOREIGN_TABLE_H
 #define MATC_FOREIGN_TABLE_H
 #include "tables.h"
@@ -19,18 +19,18 @@ typedef enum {
 
 typedef struct {
     ForeignGroup group;
-    Kind kind; /* of a parameter: whose it is */
+    Kind kind; /* kind of a FOREIGN_PARAM row */
     const char *name;
-    const char *written; /* of a form: an example, as it stands behind a key; else NULL */
+    const char *written; /* FOREIGN_FORM: an example as written after a key; else NULL */
     const char *here;
 } ForeignRow;
 extern const ForeignRow foreign_table[];
 extern const int foreign_count;
 
-/* The `here` of the row; NULL: there is none. Case, '_', '-' and spaces do not matter, but in
- * formulas: "base_diffuse_roughness" is the row baseDiffuseRoughness. `kind` is read of parameters
- * alone. */
+/* Returns the `here` of a row; NULL: unknown. Case, '_', '-' and spaces are ignored except in
+ * formulas: "base_diffuse_roughness" matches the row baseDiffuseRoughness. `kind` is used for
+ * FOREIGN_PARAM only. */
 const char *foreign_name(ForeignGroup group, Kind kind, const char *name);
-/* Whether two names differ in case, '_', '-' and spaces at most. */
+/* Whether two names differ at most in case, '_', '-' and spaces. */
 bool foreign_is_alike(const char *a, const char *b);
 #endif

@@ -1,5 +1,5 @@
-/* The rows of formats.def, encodings.def, layouts.def and classes.def as const arrays, and what
- * depends on a field. */
+/* The rows of formats.def, encodings.def, layouts.def and classes.def as const arrays, and the
+ * properties of fields. */
 #include "layout_tables.h"
 #include <math.h>
 #include <stddef.h>
@@ -34,7 +34,7 @@ enum {
 _Static_assert((int)ENCODING_LINES == 4 * (int)ENCODING_COUNT,
                "encodings.def has every line below every encoding");
 
-/* Sizes by a field's bits: columns of encodings.def. */
+/* Evaluates the columns of encodings.def that depend on a field's bits. */
 int field_size(const FieldRow *field)
 {
     const int n = field->count, b = field->bits;
@@ -49,7 +49,7 @@ int field_size(const FieldRow *field)
     }
 }
 
-/* Those of the encoding itself. */
+/* Returns the error of the encoding itself, without range. */
 static double encoding_error(const FieldRow *field)
 {
     const double b = field->bits;
@@ -108,8 +108,8 @@ double field_high(const FieldRow *field)
     return field_has_range(field) ? field->high : encoding_high(field->encoding, field->bits);
 }
 
-/* Error of a range: the encoding's error scaled to it, and the rounding of floats on the way to [0,
- * 1] and back. */
+/* Error of a field with a range: the encoding's error scaled to the range, plus the rounding of
+ * floats in the conversions to [0, 1] and back. */
 double field_error(const FieldRow *field)
 {
     const double rounding = 0x1p-22;
@@ -148,8 +148,8 @@ static const FieldRow field_table[] = {
 #undef LANE
 };
 
-/* Runs of fields, as those of parameters: LAYOUT begins its first case, CASE a further one. Rows
- * are told apart by a number. */
+/* Index ranges of fields, as for parameters: LAYOUT begins the first case, CASE another one.
+ * Rows have unique numbers. */
 #define PASTE(a, b)  a##b
 #define UNIQUE(a, b) PASTE(a, b)
 enum {
@@ -169,7 +169,7 @@ enum {
 #include "layouts.def"
 };
 
-/* Constant slots of all cases; the last row ends the table. */
+/* Constant slots of all cases, ended by a row of SLOT_COUNT. */
 static const FixedRow given_table[] = {
 #define GIVEN(layout, slot, value) {SLOT_##slot, {value, value, value, value}},
 #include "layouts.def"

@@ -1,19 +1,19 @@
 /* Layouts of the G-buffer as enums and const arrays: formats of targets, encodings of slots, the
- * rows that join them, and how exact slots are kept. */
+ * fields of layouts, and the accuracy classes of slots. */
 #ifndef MATC_LAYOUT_TABLES_H
 #define MATC_LAYOUT_TABLES_H
 #include "tables.h"
 
 typedef enum {
-    FORMAT_none, /* ends a list of formats */
+    FORMAT_none, /* terminates a list of formats */
 #define FORMAT(name, lanes, bits, words, doc) FORMAT_##name,
 #include "formats.def"
     FORMAT_COUNT
 } Format;
 typedef struct {
     const char *name;
-    int lanes, bits; /* bits of a lane */
-    bool words;      /* whole numbers, not floats */
+    int lanes, bits; /* bits of a component */
+    bool words;      /* unsigned integers, not floats */
     const char *doc;
 } FormatRow;
 extern const FormatRow format_table[FORMAT_COUNT];
@@ -30,7 +30,7 @@ typedef struct {
     int takes;
     int least, most;
     int pack;           /* a Function, or FN_none */
-    const char *unpack; /* a chunk, "" for none */
+    const char *unpack; /* a chunk, "" if none is needed */
     ErrorUnit unit;
     const char *doc;
 } EncodingRow;
@@ -44,19 +44,20 @@ typedef struct {
 typedef struct {
     Encoding encoding;
     int bits;
-    int count; /* lanes that it stores */
+    int count; /* number of stored components */
     SlotLane source[FIELD_LANES];
-    bool gray; /* the one lane that it stores is that of all lanes of its slot */
-    /* what is stored, where the encoding takes a range; both 0: as the encoding has it */
+    bool gray; /* one stored component serves all components of its slot */
+    /* Range of the stored values, if the encoding takes a range; both 0: the encoding's own
+     * range. */
     double low, high;
 } FieldRow;
-/* Properties of a field, by its bits and range. */
-int field_size(const FieldRow *field);     /* of a group: lanes of a float target, or bits */
+/* Properties of a field that depend on its bits and range. */
+int field_size(const FieldRow *field);     /* of a group: components of a float target, or bits */
 double field_error(const FieldRow *field); /* in the encoding's unit */
 double field_low(const FieldRow *field);
 double field_high(const FieldRow *field);
 bool field_has_range(const FieldRow *field);
-/* The encoding is of numbers in [0, 1] in words, which another range can be taken to. */
+/* True for encodings of numbers in [0, 1] in words, which can be scaled to another range. */
 bool encoding_takes_range(Encoding encoding);
 
 typedef enum {
@@ -64,33 +65,34 @@ typedef enum {
 #include "layouts.def"
     LAYOUT_COUNT
 } Layout;
-/* A slot that is the same for all materials: it is not stored, and comes back all the same. */
+/* A slot that is constant for all materials: it is not stored, but unpacking yields it. */
 typedef struct {
     Slot slot;
     double value[FIELD_LANES];
 } FixedRow;
-/* The fields of a material that has only some of the slots. */
+/* The fields of a case, for materials that have only some of the slots. */
 typedef struct {
     const FieldRow *fields;
     int field_count;
     const char *doc;
-    const FixedRow *fixed; /* what all materials of the case have the same of */
+    const FixedRow *fixed; /* slots that are constant for all materials of the case */
     int fixed_count;
 } CaseRow;
-/* A user's own layout is such a row too. */
+/* A layout; user-defined layouts are such rows, too. */
 typedef struct {
     const char *name, *doc;
-    Format formats[LAYOUT_TARGETS + 1]; /* of its targets, then FORMAT_none */
+    Format formats[LAYOUT_TARGETS + 1]; /* formats of the targets, ended by FORMAT_none */
     const CaseRow *cases;
     int case_count;
     const FixedRow *fixed;
     int fixed_count;
-    /* of the cases, the last ones: they have number 0, and the highest bit of the last word */
+    /* Number of further cases, the last ones: their case number is 0, and the highest bit of the
+     * last word is set. */
     int further_count;
 } LayoutRow;
 extern const LayoutRow layout_table[LAYOUT_COUNT];
 
-/* How exact a slot is kept where nobody says: classes.def. */
+/* Default accuracy of a slot: classes.def. */
 typedef enum {
 #define ERROR_CLASS(name, unit, error, doc) CLASS_##name,
 #include "classes.def"
@@ -105,13 +107,14 @@ typedef enum {
 typedef struct {
     const char *name;
     ClassUnit unit;
-    double error; /* at most */
+    double error; /* max error */
     const char *doc;
 } ErrorClassRow;
 extern const ErrorClassRow class_table[CLASS_COUNT];
 typedef struct {
-    ErrorClass kind, above; /* up to 1, and beyond */
-    /* a bit for each slot without all of which it changes nothing; 0: it always matters */
+    ErrorClass kind, above; /* for a slot up to 1, and for one that exceeds 1 */
+    /* A bit for each slot of which at least one must be present for the slot to have an effect;
+     * 0: always has an effect. */
     unsigned matters;
 } SlotClassRow;
 extern const SlotClassRow slot_class_table[SLOT_COUNT];

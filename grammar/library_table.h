@@ -1,5 +1,4 @@
-/* The files of definitions that come with matc, grammar/library/: what `include:` finds when it
- * finds nothing else of that name. */
+/* The definition files shipped with matc, grammar/library/, which `include:` searches last. */
 #ifndef MATC_LIBRARY_TABLE_H
 #define MATC_LIBRARY_TABLE_H
 
@@ -10,7 +9,7 @@ typedef struct {
 extern const LibraryFile library_table[];
 extern const int library_count;
 
-/* A definition of one of these files. */
+/* A definition in one of these files. */
 typedef struct {
     const char *name, *file, *doc; /* "bricks", "bricks.yaml", a sentence */
 } LibraryName;

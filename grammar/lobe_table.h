@@ -3,7 +3,7 @@
 #define MATC_LOBE_TABLE_H
 #include "tables.h"
 
-/* Parts of Principled that most surfaces lack. */
+/* Lobes of Principled that most surfaces lack. */
 typedef enum {
 #define LOBE(slot, param, doc) LOBE_##slot,
 #include "slots.def"
@@ -12,14 +12,14 @@ typedef enum {
 typedef struct {
     const char *name;
     Slot slot;
-    int param; /* of Principled: its weight */
+    int param; /* its weight, a parameter of Principled */
     const char *doc;
 } LobeRow;
 extern const LobeRow lobe_table[LOBE_COUNT];
-/* Bits of models, 1 << Model, go on with lobes. */
+/* Flags of lobes follow the flags 1 << Model. */
 #define MODEL_LOBE(lobe) (1u << (MODEL_COUNT + (lobe)))
-/* And one for a surface that may send light of its own. */
+/* Flag of a surface that may emit light. */
 #define MODEL_EMITS MODEL_LOBE(LOBE_COUNT)
-/* And one where a map may give its normal. */
+/* Flag of a surface whose normal may come from a map. */
 #define MODEL_RELIEF MODEL_LOBE(LOBE_COUNT + 1)
 #endif

@@ -47,7 +47,7 @@ const SceneParamRow scene_param_table[SCENE_PARAM_COUNT] = {
 #include "scene.def"
 };
 
-/* Runs of parameters and of kinds, as tables.c has them. */
+/* Index ranges of parameters and of kinds, as in tables.c. */
 enum {
 #define SCENE_KIND(sort, name, doc) FIRST_##name, RESET_##name = FIRST_##name - 1,
 
@@ -56,7 +56,7 @@ enum {
 #include "scene.def"
 };
 enum {
-    KINDS_BEGIN = -1 /* each kind's count starts behind a comma and sums over its rows */
+    KINDS_BEGIN = -1 /* a kind's count sums over the rows after its comma */
 #define SCENE_KIND(sort, name, doc)                         , COUNT_##name = 0
 #define SCENE_PARAM(kind, name, type, init, range, in, doc) +1
 #define SCENE_PART(kind, name, sort, number, doc)           +1

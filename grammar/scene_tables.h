@@ -13,21 +13,21 @@ typedef enum {
 #include "scene.def"
     SCENE_KIND_COUNT
 } SceneKind;
-/* One index over all; S_Sphere_radius is that of the sphere's radius. */
+/* Index over all parameters; S_Sphere_radius is the sphere's radius. */
 enum {
 #define SCENE_PARAM(kind, name, type, init, range, unit, doc) S_##kind##_##name,
 #define SCENE_PART(kind, name, sort, number, doc)             S_##kind##_##name,
 #include "scene.def"
     SCENE_PARAM_COUNT
 };
-enum { SCENE_KIND_PARAMS = 32 }; /* of a kind, at most */
+enum { SCENE_KIND_PARAMS = 32 }; /* max parameters of a kind */
 typedef enum {
-    SCENE_VALUE_plain,    /* numbers, truth values and transformations: as `param` says */
-    SCENE_VALUE_material, /* one */
+    SCENE_VALUE_plain,    /* numbers, booleans and transforms: see `param` */
+    SCENE_VALUE_material, /* a material */
     SCENE_VALUE_file,     /* a path */
-    SCENE_VALUE_name,     /* of a definition */
-    SCENE_VALUE_one,      /* a thing of the sort `of` */
-    SCENE_VALUE_list,     /* things of it */
+    SCENE_VALUE_name,     /* name of a definition */
+    SCENE_VALUE_one,      /* a part of the sort `of` */
+    SCENE_VALUE_list,     /* a list of such parts */
 } SceneValueKind;
 typedef struct {
     const char *name, *doc;
@@ -35,16 +35,16 @@ typedef struct {
 typedef struct {
     const char *name, *doc;
     SceneSort sort;
-    int first, count; /* its run in scene_param_table */
+    int first, count; /* its range of scene_param_table */
 } SceneKindRow;
 typedef struct {
-    SceneKind kind; /* whose */
+    SceneKind kind; /* owner */
     SceneValueKind value;
     SceneSort of;
-    ParamRow param; /* name, default, range, line; its kind is KIND_COUNT */
+    ParamRow param; /* name, default, range, description; its kind is KIND_COUNT */
     const char *unit;
 } SceneParamRow;
-/* Value of a plain parameter if the parameter `key` of the same kind has a word. */
+/* Default of a plain parameter if the parameter `key` of the same kind has a certain keyword. */
 typedef struct {
     int key;
     Word word;
@@ -56,8 +56,8 @@ extern const int scene_preset_count;
 extern const SceneSortRow scene_sort_table[SCENE_SORT_COUNT];
 extern const SceneKindRow scene_kind_table[SCENE_KIND_COUNT];
 extern const SceneParamRow scene_param_table[SCENE_PARAM_COUNT];
-/* The kind of that name of a sort, or -1. */
+/* Returns the kind of a sort with that name, or -1. */
 int scene_kind_find(SceneSort sort, const char *name);
-/* The kind of a sort that has but one, else -1. */
+/* Returns the only kind of a sort; -1 if it has several. */
 int scene_kind_only(SceneSort sort);
 #endif

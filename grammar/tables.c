@@ -139,7 +139,8 @@ const char *param_parted(int param, int *weight)
     }
 }
 
-/* Runs of parameters: an enumerator that jumps back one before each kind's first parameter. */
+/* Index ranges of parameters: an enumerator steps back by one before each kind's first
+ * parameter. */
 enum {
 #define MATERIAL(name, sort, doc)                 FIRST_##name, RESET_##name = FIRST_##name - 1,
 #define MAP(name, function, lowering, cost, doc)  MATERIAL(name, SHADER, doc)
@@ -148,7 +149,7 @@ enum {
 #include "maps.def"
 };
 enum {
-    KINDS_BEGIN = -1 /* each kind's count starts behind a comma and sums over its PARAM lines */
+    KINDS_BEGIN = -1 /* a kind's count sums over the PARAM lines after its comma */
 #define MATERIAL(name, sort, doc)                 , COUNT_##name = 0
 #define MAP(name, function, lowering, cost, doc)  MATERIAL(name, SHADER, doc)
 #define PARAM(kind, name, type, init, range, doc) +1
@@ -178,7 +179,7 @@ const KindRow kind_table[KIND_COUNT] = {
 #include "maps.def"
 };
 
-/* The kind that follows each heading: an enumerator that the kind behind it has too. */
+/* The first kind after each heading: its enumerator equals that of the next kind. */
 enum {
 #define SECTION(name, title) SECTION_FIRST_##name, SECTION_BACK_##name = SECTION_FIRST_##name - 1,
 
@@ -429,7 +430,7 @@ const LossRow loss_table[] = {
 };
 const int loss_count = sizeof loss_table / sizeof *loss_table;
 
-/* -- Words of other tools */
+/* -- Names in other tools */
 
 #define ROW(group, kind, name, written, here) {FOREIGN_##group, kind, name, written, here},
 
@@ -449,8 +450,8 @@ const ForeignRow foreign_table[] = {
 };
 const int foreign_count = sizeof foreign_table / sizeof *foreign_table;
 
-/* The next letter or digit of a name, a capital as a small letter; *at moves behind it. 0: there is
- * none. */
+/* Returns the next letter (as lowercase) or digit of a name, and moves *at after it; 0 at the
+ * end. */
 static char next_letter(const char **at)
 {
     while (**at == '_' || **at == '-' || **at == ' ')
@@ -500,11 +501,11 @@ const TermRow term_table[TERM_COUNT] = {
 #include "expression.def"
 };
 
-/* behind the arguments and '>' */
+/* the letter after the arguments and '>' */
 char term_result(const TermRow *row) { return row->signature[row->count + 1]; }
 
-/* Whether `name`, of `size` letters, is a row's: written out row by row, so that the compiler
- * compares with numbers that it knows. */
+/* Compares `name` of `size` letters with a row's name, spelled out per row, so that the C
+ * compiler sees constant sizes. */
 #define IS(row) (size == sizeof #row - 1 && !memcmp(name, #row, sizeof #row - 1))
 
 Term term_named(const char *name, size_t size)

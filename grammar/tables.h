@@ -1,4 +1,4 @@
-/* The tables of grammar/ as enums and const arrays. Nothing here knows GLSL text or algorithms. */
+/* The tables of grammar/ as enums and const arrays, independent of GLSL text and algorithms. */
 #ifndef MATC_TABLES_H
 #define MATC_TABLES_H
 #include <stdbool.h>
@@ -12,7 +12,7 @@ typedef enum {
 
 typedef struct {
     const char *name; /* as in the IR's text and in GLSL */
-    int lanes;        /* numbers in a value of the type */
+    int lanes;        /* number of components */
     const char *doc;
 } TypeRow;
 extern const TypeRow type_table[TYPE_COUNT];
@@ -23,10 +23,10 @@ typedef enum {
     GROUP_COUNT
 } Group;
 
-/* Groups that are equal for everything that is drawn, whatever maps are queried. */
+/* True for groups that the draw call sets, independent of the queried maps. */
 static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 
-enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + lane */
+enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + component */
 
 typedef struct {
     const char *name; /* "px", "u", ... */
@@ -51,24 +51,23 @@ typedef struct {
     const char *name;
     Type type;
     double low, high; /* range of a valid surface */
-    double absent;    /* where a material has nothing to say */
+    double absent;    /* value for materials without the slot */
     const char *doc;
 } SlotRow;
 extern const SlotRow slot_table[SLOT_COUNT];
-/* Surface models: the numbers of the slot `model`. */
+/* Surface models: the values of the slot `model`. */
 typedef enum {
 #define MODEL(name, doc) MODEL_##name,
 #include "slots.def"
     MODEL_COUNT
 } Model;
-/* How two materials' values are mixed, as slots.def says. */
+/* Method by which the values of two materials are mixed: slots.def. */
 typedef enum { MIXING_LINEAR, MIXING_DIRECTION, MIXING_EXPONENT } Mixing;
 Mixing slot_mixing(Slot slot);
-/* The slot by which a side counts; SLOT_COUNT: both count alike. */
+/* Returns the slot that weights each side; SLOT_COUNT: none. */
 Slot slot_weight(Slot slot);
 
-/* Maps and materials are one enumeration: both are kinds of node with parameters. Materials come
- * first. */
+/* Kinds of nodes with parameters: materials first, then maps. */
 typedef enum {
 #define MATERIAL(name, sort, doc)                KIND_##name,
 #define MAP(name, function, lowering, cost, doc) KIND_##name,
@@ -81,23 +80,23 @@ typedef enum {
     PARAM_Map,       /* a ChannelMap */
     PARAM_Material,  /* a material */
     PARAM_Float,     /* a number, or a uniform */
-    PARAM_Int,       /* a whole number, or a uniform */
+    PARAM_Int,       /* an integer, or a uniform */
     PARAM_Bool,      /* true or false */
     PARAM_Vec3,      /* three numbers, or a uniform */
     PARAM_Wave,      /* a waveform */
-    PARAM_Transform, /* a transformation of space */
-    PARAM_Image,     /* a picture file */
+    PARAM_Transform, /* a transform of space */
+    PARAM_Image,     /* an image file */
     PARAM_Maps,      /* maps by name */
     PARAM_Formula,   /* a formula; compiler/formula/ */
-    PARAM_List,      /* maps one after the other */
+    PARAM_List,      /* a list of maps */
     PARAM_Items,     /* a list of blend items */
-/* one of the names of a list of words.def */
+/* A keyword of a list of words.def. */
 #define WORDS(list) PARAM_##list,
 #include "words.def"
     PARAM_KIND_COUNT
 } ParamKind;
 
-/* Names that parameters are one of. A parameter's number is its Word. */
+/* Keywords of parameters. A parameter's number is its Word. */
 typedef enum {
 #define WORD(list, name, doc) WORD_##list##_##name,
 #include "words.def"
@@ -108,20 +107,20 @@ typedef struct {
     const char *name, *doc;
 } WordRow;
 extern const WordRow word_table[WORD_COUNT];
-/* The word of the list that false, or true, stands for; -1: none. */
+/* Returns the keyword of the list that false or true is equivalent to; -1: none. */
 int word_of_truth(ParamKind list, bool yes);
 
 typedef struct {
-    Kind kind; /* whose parameter */
+    Kind kind; /* owner */
     const char *name;
     ParamKind type;
-    int lanes;      /* of the default: 0 for none */
+    int lanes;      /* components of the default: 0 for none */
     double init[3]; /* the default */
     double low, high;
     const char *doc;
 } ParamRow;
 
-/* One index over all parameters; P_Checker_color1 is that of Checker's color1. */
+/* Index over all parameters; P_Checker_color1 is that of Checker's color1. */
 enum {
 #define PARAM(kind, name, type, init, range, doc) P_##kind##_##name,
 #include "materials.def"
@@ -129,44 +128,47 @@ enum {
     PARAM_COUNT
 };
 extern const ParamRow param_table[PARAM_COUNT];
-/* Whether the colour of a map or material is made of that of this parameter's map. */
-/* number: a map of which one is read, its red */
+/* param_is_colored: the color of the map or material depends on the color of this parameter's
+ * map. */
+/* param_is_number: only the red component of the map is read */
 bool param_is_colored(int param), param_is_number(int param);
-/* Whether no slot holds what this parameter says, by the UNSTORED lines of materials.def. */
+/* True if no slot stores this parameter: UNSTORED lines of materials.def. */
 bool param_is_unstored(int param);
-/* Effect on the parameter where a weight is not 0, by the PARTED lines; NULL: no such line. */
+/* Returns how the parameter is modified if the parameter *weight is not 0: PARTED lines; NULL:
+ * not at all. */
 const char *param_parted(int param, int *weight);
 static inline bool param_is_word(const ParamRow *row) { return row->type > PARAM_Items; }
 
 typedef enum { LOWERING_MATERIAL, LOWERING_OWN, LOWERING_VOLUME } Lowering;
 
-/* How --aa treats a volume map; what replaces its samples where a pixel has many cells. */
+/* Filtering of a volume map by --aa; and the replacement of its samples in a pixel with many
+ * cells. */
 typedef enum { FILTER_samples, FILTER_point, FILTER_box, FILTER_octaves } FilterKind;
 typedef enum { FAR_unknown, FAR_number, FAR_point } Far;
 
-/* Coordinates that a transformer changes. */
+/* Coordinates that a transform map changes. */
 typedef enum { MOVES_xyz = 1, MOVES_uv = 2, MOVES_both = MOVES_xyz | MOVES_uv } Moved;
 
 typedef struct {
     const char *name;
-    const char *function; /* its name in GLSL: of its function, or of temporaries with its value */
+    const char *function; /* GLSL name of its function, or stem of its temporaries */
     Lowering lowering;
     int cost;
-    int first, count; /* its run in param_table */
+    int first, count; /* its range of param_table */
     const char *doc;
-    const char *answers; /* which channels or slots it gives, and what it does with others */
-    const char *formula; /* what it computes: lines of plain text */
-    const char *example; /* a document that shows it; NULL: the map with its defaults does */
+    const char *answers; /* channels or slots that it provides, and the treatment of others */
+    const char *formula; /* the computation, as lines of plain text */
+    const char *example; /* an example document; NULL: the map with its defaults */
     FilterKind filter;
-    int mean, variance, far; /* the filter's Functions, or FN_none; of samples a Far */
-    unsigned moves;          /* Moved: coordinates that it answers with others than its input's */
-    double step;             /* of its finite difference; 0: a texel */
-    /* along so many lanes of its coordinate; 0: it neither jumps nor is a picture */
+    int mean, variance, far; /* Functions of the filter, or FN_none; for samples a Far */
+    unsigned moves;          /* Moved: coordinates that differ from its input's */
+    double step;             /* step of its finite difference; 0: a texel */
+    /* Number of coordinate components of the difference; 0: neither discontinuous nor an image. */
     int step_lanes;
 } KindRow;
 extern const KindRow kind_table[KIND_COUNT];
 
-/* Headings: each stands above the kinds from `first` up to the next heading's. */
+/* Headings of the list: each precedes the kinds from `first` up to the next heading's. */
 typedef enum {
 #define SECTION(name, title) SECTION_##name,
 #include "materials.def"
@@ -201,7 +203,7 @@ typedef enum {
 #define WAVE(name, reference, build, doc) WAVE_##name,
 #include "waves.def"
     WAVE_COUNT,
-    WAVE_Chain = WAVE_COUNT /* has fields, hence no row */
+    WAVE_Chain = WAVE_COUNT /* has fields, and therefore no row */
 } WaveKind;
 typedef struct {
     const char *name;
@@ -209,7 +211,7 @@ typedef struct {
 } WaveRow;
 extern const WaveRow wave_table[WAVE_COUNT];
 
-/* Library functions: those of functions.def, then one for each map whose lowering is VOLUME. */
+/* Library functions: those of functions.def, then one for each map with the lowering VOLUME. */
 typedef enum {
 #define FUNCTION(name, result, arguments, range, cost, doc) FN_##name,
 #include "functions.def"
@@ -226,10 +228,10 @@ typedef struct {
 } FunctionRow;
 extern const FunctionRow function_table[]; /* FUNCTION_COUNT rows */
 static inline const FunctionRow *function_row(int function) { return &function_table[function]; }
-/* A letter for each argument: f i 2 3 4 s. */
+/* Returns a letter for each argument: f i 2 3 4 s. */
 const char *function_arguments(int function);
 
-/* How a function is differentiated. */
+/* Method of differentiating a function. */
 typedef enum {
     SLOPE_difference,
     SLOPE_flat,
@@ -241,9 +243,9 @@ typedef enum {
 } SlopeKind;
 typedef struct {
     SlopeKind kind;
-    int argument;          /* by which */
-    int by;                /* the function that gives the derivative */
-    const char *arguments; /* its arguments, as slopes.def has them */
+    int argument;          /* index of the argument of differentiation */
+    int by;                /* function that yields the derivative */
+    const char *arguments; /* arguments of `by`, encoded as in slopes.def */
 } SlopeRow;
 const SlopeRow *slope_row(int function);
 
@@ -268,7 +270,7 @@ typedef struct {
     const char *doc;
 } InputRow;
 extern const InputRow input_table[INPUT_COUNT];
-/* An input that is how another changes over the screen. */
+/* An input that is the screen-space derivative of another. */
 typedef struct {
     Input input, of;
     const char *by; /* "dFdx" or "dFdy" */
@@ -291,15 +293,15 @@ typedef enum {
 } Target;
 typedef struct {
     const char *name, *doc;
-    const char *version;   /* the words of its #version line */
+    const char *version;   /* text of the #version line */
     const char *enables;   /* an extension, or NULL */
-    const char *precision; /* of floats, whole numbers and samplers; NULL: GLSL has one */
-    const char *index;     /* the built-in number of a vertex, or NULL */
-    const char *library;   /* ending of its own files of the library, or NULL */
-    int number;            /* of the version */
+    const char *precision; /* of floats, integers and samplers; NULL: GLSL's default */
+    const char *index;     /* built-in vertex index, or NULL */
+    const char *library;   /* suffix of its own library files, or NULL */
+    int number;            /* version number */
     int layout;            /* Layout: the default */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
-        float_filters, storage, tessellation, geometry, compute; /* as targets.def says */
+        float_filters, storage, tessellation, geometry, compute; /* see targets.def */
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 
@@ -330,12 +332,12 @@ typedef enum {
 } Texels;
 typedef struct {
     const char *name;
-    int lanes, bits; /* bits of a lane */
+    int lanes, bits; /* bits of a component */
     const char *doc;
 } TexelsRow;
 extern const TexelsRow texels_table[TEXELS_COUNT];
 
-/* How a program computes: an axis has choices, numbered through over all axes. */
+/* Variants of a program: an axis has choices, numbered over all axes. */
 typedef enum {
 #define AXIS(name, chunks, doc) AXIS_##name,
 #include "variants.def"
@@ -354,7 +356,7 @@ typedef enum {
 typedef struct {
     const char *name;
     bool chunks; /* library files exist in variants of its choices */
-    int first;   /* its default, then its other choices, in choice_table */
+    int first;   /* index in choice_table: the default, followed by the other choices */
     const char *doc;
 } AxisRow;
 typedef struct {
@@ -363,7 +365,7 @@ typedef struct {
 } ChoiceRow;
 typedef struct {
     const char *name, *doc;
-    int choice[AXIS_COUNT]; /* -1: the row does not say */
+    int choice[AXIS_COUNT]; /* -1: not set by the row */
 } PrecisionRow;
 extern const AxisRow axis_table[AXIS_COUNT];
 int axis_choices(Axis axis);

@@ -1,21 +1,21 @@
-/* translations.def as const arrays: how materials of others become Principled ones. */
+/* translations.def as const arrays: the translation of other models' materials to Principled. */
 #ifndef MATC_TRANSLATION_TABLES_H
 #define MATC_TRANSLATION_TABLES_H
 #include "tables.h"
 
 typedef struct {
     Kind from;
-    int to;              /* Principled's parameter, in param_table */
-    const char *formula; /* of the material's parameters; NULL: a NormalMap */
-    int map, scale;      /* of a NormalMap: the material's parameters */
-    const char *where;   /* read only where this formula is not 0, or may be; NULL: always */
+    int to;              /* parameter of Principled, in param_table */
+    const char *formula; /* over the material's parameters; NULL: a NormalMap */
+    int map, scale;      /* for a NormalMap: parameters of the material */
+    const char *where;   /* applies only if this formula may be nonzero; NULL: always */
 } TranslationRow;
 extern const TranslationRow translation_table[];
 extern const int translation_count;
 
 typedef struct {
     int param;           /* in param_table */
-    const char *formula; /* nothing is lost where it is 0 */
+    const char *formula; /* nothing is lost if it is 0 */
     const char *what;
 } LossRow;
 extern const LossRow loss_table[];

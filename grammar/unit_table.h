@@ -9,12 +9,12 @@ typedef enum {
     UNIT_COUNT
 } Unit;
 typedef struct {
-    const char *name;  /* "" of a share */
-    double low, high;  /* what is usual; not finite: anything is */
-    const char *other; /* in which a number beyond may be thought; "": none */
-    double factor;     /* from that to this */
+    const char *name;  /* "" for a fraction */
+    double low, high;  /* usual range; not finite: unbounded */
+    const char *other; /* unit that a number outside may be in; "": none */
+    double factor;     /* converts from the other unit to this one */
 } UnitRow;
 extern const UnitRow unit_table[UNIT_COUNT];
-/* Unit of a parameter by its row of param_table; NULL: it has none. */
+/* Returns the unit of a parameter, an index of param_table; NULL: none. */
 const UnitRow *unit_of(int param);
 #endif
