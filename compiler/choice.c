@@ -150,7 +150,7 @@ static int index_of(const char *value, const char *option)
 static bool is_value(const char *option, const char *value)
 {
     if (!value)
-        return true; /* the default */
+        return true; /* NULL selects the default */
     return strcmp(option, "warnings") ? index_of(value, option) >= 0
                                       : !warnings_fault(value, &(size_t){0});
 }

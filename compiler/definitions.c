@@ -51,7 +51,7 @@ char *matc_definitions(const MatcDocument *d)
     return text_given(&arena, &out);
 }
 
-/* "1 to 512", "from 1 on", or "". */
+/* Returns a parameter's range: "1 to 512", "from 1 on", or "". */
 static const char *range_of(Arena *arena, const Parameter *p)
 {
     Text out = text_new(arena);

@@ -58,8 +58,9 @@ typedef char *(*MatcReadFile)(void *user, const char *path, size_t *size, const 
 /* Options, with the names of the command line; NULL selects the default. Initialize by
  * matc_options_init, then change members. */
 typedef struct {
-    size_t size;        /* sizeof(MatcOptions) of the calling program, in bytes */
-    const char *target; /* "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    size_t size; /* sizeof(MatcOptions) of the calling program, in bytes */
+    /* target language: "glsl110", "glsl330" (default), "glsl450", "essl300", "spirv" */
+    const char *target;
     /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
     const char *pass;
     const char *slot; /* for the pass "value": "diffuse" (default), "normal", ... */
@@ -101,7 +102,7 @@ typedef struct {
      * that applies to a warning is effective. NULL (default): all warnings are reported.
      * matc_explain("warnings") */
     const char *warnings;
-    const char *normals; /* of a G-buffer: "eye" (default), "world" */
+    const char *normals; /* space of G-buffer normals: "eye" (default), "world" */
     /* Instanced drawing ("glsl450", passes that draw triangles): a call draws many objects with
      * any materials that share the program. Matrices and constants are in storage buffers,
      * indexed by the attribute matc_instance (docs/reference/renderer.md). Excludes
@@ -308,7 +309,7 @@ MATC_API void matc_constant_block(const MatcProgram *program, void *block);
 /* A texture that the program samples; owned by the program, but its texels by the document,
  * which must still exist. Row 0 is at v = 0. */
 typedef struct {
-    const char *name; /* of its sampler */
+    const char *name; /* name of its sampler in the shader */
     /* Path of the image, NULL for a generated texture; "a.glb#/images/2" is an image inside the
      * file. */
     const char *path;
@@ -344,9 +345,9 @@ MATC_API const char *matc_target_format(const MatcProgram *program, int index);
 typedef struct {
     const char *name;  /* name in the shader */
     const char *param; /* name in the document */
-    int lanes;         /* 1 to 4 */
-    bool whole;        /* an int */
-    double initial[4]; /* default */
+    int lanes;         /* number of components, 1 to 4 */
+    bool whole;        /* an int uniform */
+    double initial[4]; /* default value */
 } MatcUniform;
 MATC_API int matc_uniform_count(const MatcProgram *program);
 MATC_API const MatcUniform *matc_uniform(const MatcProgram *program, int index);
@@ -358,7 +359,7 @@ typedef struct {
     const char *name;      /* name in the document: "color", "wetness" */
     const char *attribute; /* name in the vertex program */
     const char *varying;   /* name in the fragment program */
-    int lanes;             /* 1 to 4 */
+    int lanes;             /* number of components, 1 to 4 */
     /* Location of the attribute; GLSL without locations may bind it by name, here or elsewhere. */
     int location;
     double initial[4]; /* default for meshes without the attribute */
@@ -374,7 +375,7 @@ MATC_API char *matc_eval(const MatcDocument *document, int material, const char 
                          const MatcOptions *options, const char **fault);
 /* Value of the slot that the options select (NULL: "diffuse"), as numbers. */
 typedef struct {
-    int lanes; /* of the slot, 1 to 4; 0: see fault */
+    int lanes; /* components of the slot, 1 to 4; 0: see fault */
     double lane[4];
     const char *fault;
 } MatcNumbers;
@@ -416,7 +417,7 @@ typedef struct {
 } MatcSlotRange;
 /* Number of materials that store exactly these slots. */
 typedef struct {
-    unsigned slots; /* 1 << slot of each */
+    unsigned slots; /* set of slots, 1 << slot */
     int materials;
 } MatcSlotSet;
 typedef struct {

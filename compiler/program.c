@@ -11,7 +11,8 @@
 /* Lists the live uniforms, in the document's order. */
 static void list_uniforms(MatcProgram *p, const Graph *graph)
 {
-    uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count); /* 1, or 2 as an int */
+    /* by uniform: 1 if used, 2 if used as an int */
+    uint8_t *used = ARENA_ARRAY(&p->arena, uint8_t, graph->uniform_count);
     p->uniforms = ARENA_ARRAY(&p->arena, MatcUniform, graph->uniform_count);
     for (Ref ref = 1; ref < p->ir->count; ref++)
         if (ir_is(p->ir, ref, OP_uniform))

@@ -6,7 +6,7 @@
 #include "compiler/ir/key.h"
 #include "compiler/pipeline.h"
 
-enum { OUTPUT_COUNT = 17 }; /* bits of MatcOutput */
+enum { OUTPUT_COUNT = 17 }; /* number of bits of MatcOutput */
 
 struct MatcProgram {
     Arena arena;
@@ -19,7 +19,7 @@ struct MatcProgram {
     unsigned asked;   /* MatcOutputs requested so far */
     Ir *ir;
     Products products;
-    const char *outputs[OUTPUT_COUNT]; /* by bit of MatcOutput */
+    const char *outputs[OUTPUT_COUNT]; /* texts by bit number of MatcOutput */
     size_t sizes[OUTPUT_COUNT];
     const char *words[OUTPUT_COUNT]; /* SPIR-V of outputs that are stages */
     size_t word_sizes[OUTPUT_COUNT];

@@ -20,7 +20,7 @@ static void keep(MatcProgram *p, MatcOutput output, const char *text, size_t siz
     p->sizes[bit] = size;
 }
 
-/* in microseconds */
+/* Writes a stage's time in microseconds. */
 static void put_time(Text *out, const char *name, double seconds)
 {
     const long tenths = lround(seconds * 1e7);

@@ -17,9 +17,9 @@ enum { TERM_MOST_ARGUMENTS = 5, TERM_MOST_DEFAULTS = 2 };
 
 typedef struct {
     const char *name;
-    const char *signature; /* "gg>g", as the head of expression.def explains */
+    const char *signature; /* letters of the arguments and the result, "gg>g": see expression.def */
     const char *doc;
-    const char *example;                /* "formula = value" */
+    const char *example;                /* a formula and its value: "formula = value" */
     int count, least;                   /* number of arguments, and its min if some are optional */
     double initial[TERM_MOST_DEFAULTS]; /* defaults of the optional ones */
     int whole_low, whole_high;          /* range of a literal integer argument */

@@ -107,7 +107,7 @@ typedef enum {
 typedef struct {
     const char *name;
     ClassUnit unit;
-    double error; /* max error */
+    double error; /* max error in `unit` */
     const char *doc;
 } ErrorClassRow;
 extern const ErrorClassRow class_table[CLASS_COUNT];

@@ -24,7 +24,7 @@ enum { SCENE_KIND_PARAMS = 32 }; /* max parameters of a kind */
 typedef enum {
     SCENE_VALUE_plain,    /* numbers, booleans and transforms: see `param` */
     SCENE_VALUE_material, /* a material */
-    SCENE_VALUE_file,     /* a path */
+    SCENE_VALUE_file,     /* the path of a file */
     SCENE_VALUE_name,     /* name of a definition */
     SCENE_VALUE_one,      /* a part of the sort `of` */
     SCENE_VALUE_list,     /* a list of such parts */
@@ -38,7 +38,7 @@ typedef struct {
     int first, count; /* its range of scene_param_table */
 } SceneKindRow;
 typedef struct {
-    SceneKind kind; /* owner */
+    SceneKind kind; /* the kind that has the parameter */
     SceneValueKind value;
     SceneSort of;
     ParamRow param; /* name, default, range, description; its kind is KIND_COUNT */

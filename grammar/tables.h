@@ -29,7 +29,7 @@ static inline bool group_is_draws(Group group) { return group > GROUP_IOR; }
 enum { LANES_OF_GROUP = 4 }; /* a channel's id is LANES_OF_GROUP * group + component */
 
 typedef struct {
-    const char *name; /* "px", "u", ... */
+    const char *name; /* name for --eval: "px", "u", ... */
     Group group;
     int lane;
     const char *doc;
@@ -111,11 +111,11 @@ extern const WordRow word_table[WORD_COUNT];
 int word_of_truth(ParamKind list, bool yes);
 
 typedef struct {
-    Kind kind; /* owner */
+    Kind kind; /* the kind that has the parameter */
     const char *name;
     ParamKind type;
     int lanes;      /* components of the default: 0 for none */
-    double init[3]; /* the default */
+    double init[3]; /* default value */
     double low, high;
     const char *doc;
 } ParamRow;
@@ -177,7 +177,7 @@ typedef enum {
 } Section;
 typedef struct {
     const char *title;
-    int first; /* Kind */
+    int first; /* first Kind below the heading */
 } SectionRow;
 extern const SectionRow section_table[SECTION_COUNT];
 Section section_of(Kind kind);
@@ -273,7 +273,7 @@ extern const InputRow input_table[INPUT_COUNT];
 /* An input that is the screen-space derivative of another. */
 typedef struct {
     Input input, of;
-    const char *by; /* "dFdx" or "dFdy" */
+    const char *by; /* GLSL function: "dFdx" or "dFdy" */
 } ChangeRow;
 extern const ChangeRow change_table[];
 extern const int change_count;
@@ -298,10 +298,11 @@ typedef struct {
     const char *precision; /* of floats, integers and samplers; NULL: GLSL's default */
     const char *index;     /* built-in vertex index, or NULL */
     const char *library;   /* suffix of its own library files, or NULL */
-    int number;            /* version number */
+    int number;            /* number of the GLSL version */
     int layout;            /* Layout: the default */
     bool in_out, blocks, locations, words, spirv, srgb_textures, word_textures, borders,
-        float_filters, storage, tessellation, geometry, compute; /* see targets.def */
+        /* see the columns of targets.def */
+        float_filters, storage, tessellation, geometry, compute;
 } TargetRow;
 extern const TargetRow target_table[TARGET_COUNT];
 

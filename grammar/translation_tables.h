@@ -14,7 +14,7 @@ extern const TranslationRow translation_table[];
 extern const int translation_count;
 
 typedef struct {
-    int param;           /* in param_table */
+    int param;           /* index in param_table */
     const char *formula; /* nothing is lost if it is 0 */
     const char *what;
 } LossRow;

@@ -6,7 +6,7 @@
 #include <stdint.h>
 
 typedef struct {
-    char *at; /* from malloc */
+    char *at; /* allocated by malloc */
     size_t size, room;
 } Bytes;
 
@@ -26,5 +26,5 @@ typedef struct {
 const void *bytes_take(BytesReader *reader, size_t size);
 uint32_t bytes_take_number(BytesReader *reader);
 const char *bytes_take_block(BytesReader *reader, size_t *size);
-const char *bytes_take_text(BytesReader *reader); /* "" when broken */
+const char *bytes_take_text(BytesReader *reader); /* returns "" when broken */
 #endif

@@ -1,4 +1,4 @@
-/* Diagnostics as text: position, message, source line, caret; or as JSON. */
+/* Formats diagnostics as text (position, message, source line, caret) or as JSON. */
 #include "compiler/base/session.h"
 #include "compiler/base/json_write.h"
 #include <limits.h>

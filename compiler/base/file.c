@@ -1,4 +1,4 @@
-/* Reading whole files. */
+/* Reads whole files and pipes. */
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/session.h"

@@ -6,7 +6,8 @@
 void memory_exhausted(void)
 {
     static const char line[] = "matc: out of memory\n";
-    ssize_t written = write(STDERR_FILENO, line, sizeof line - 1); /* stdio might allocate */
+    /* write(), because stdio might allocate */
+    ssize_t written = write(STDERR_FILENO, line, sizeof line - 1);
     (void)written;
     abort();
 }

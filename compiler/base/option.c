@@ -129,7 +129,7 @@ static const char *store(const Reader *r, const Option *option, const char *valu
     return NULL;
 }
 
-/* "--aa wants a value: auto, none, box, aniso" */
+/* Returns the fault "--aa wants a value: auto, none, box, aniso". */
 static const char *missing_value(const Reader *r, const Option *option)
 {
     NameChoice values = option->words;
@@ -202,7 +202,7 @@ const char *option_read(const OptionTable *table, void *to, Arena *arena, int ar
     return fault;
 }
 
-/* -- --help */
+/* -- Output of --help */
 
 static void put_spaces(Text *out, size_t count)
 {

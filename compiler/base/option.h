@@ -30,14 +30,14 @@ typedef enum {
 
 typedef struct Option Option;
 struct Option {
-    const char *name; /* "--size"; "-o" also takes its value without a space: "-oFILE" */
+    const char *name; /* name "--size"; "-o" also takes its value without a space: "-oFILE" */
     OptionKind kind;
     size_t place, count_place; /* offsets in the program's struct */
     NameChoice words;
     const char *otherwise;
     double min, max;
     bool clamped;      /* an int above max becomes max */
-    const char *wants; /* "--size wants a number from 1 to 16384" */
+    const char *wants; /* fault for a bad value: "--size wants a number from 1 to 16384" */
     /* Stores the value in place of the parser, which has already checked it against `words`.
      * `value` is NULL if it is missing. Returns NULL or a fault. */
     const char *(*set)(void *to, const Option *option, const char *value);
@@ -62,10 +62,10 @@ const char *option_read(const OptionTable *table, void *to, Arena *arena, int ar
 /* Appends each row's lines of --help: name and label, then the text from column 23 on. */
 void option_put_help(Text *out, const Option *rows, int count);
 
-/* "--target: there is no 'hlsl', but glsl110, ...; did you mean ...?" */
+/* Returns the fault "--target: there is no 'hlsl', but glsl110, ...; did you mean ...?". */
 const char *option_fault_value(Arena *arena, const char *option, const char *value,
                                const NameChoice *values);
-/* "--size wants a number, not 'x'" */
+/* Returns the fault "--size wants a number, not 'x'". */
 const char *option_fault_number(Arena *arena, const char *wants, const char *value);
 
 /* OPTION_WORDS("a", "b") is a NameChoice of these words; option_word returns the i-th. */

@@ -55,8 +55,8 @@ enum {
 };
 
 typedef struct {
-    const char *name; /* "read", "lower", an optimizer pass ... */
-    double seconds;   /* wall time */
+    const char *name; /* stage: "read", "lower", an optimizer pass ... */
+    double seconds;   /* wall-clock time */
     int nodes;        /* live IR nodes after the stage; 0 before IR exists */
     int cost;         /* cost of these nodes in scalar operations */
 } StageStats;

@@ -118,7 +118,7 @@ static void ask(Watch *watch)
         if (!folder)
             memory_exhausted();
         memcpy(folder, file->path, size);
-        folder[size > 1 ? size - 1 : size] = 0; /* "/" stays */
+        folder[size > 1 ? size - 1 : size] = 0; /* keeps the root folder "/" */
         file->notices = ask_for_folder(watch->notices, folder);
         free(folder);
         if (file->notices < 0) {

@@ -16,7 +16,7 @@ static const char *target_name(int i) { return target_table[i].name; }
 static const char *pass_name(int i) { return pass_table[i].name; }
 static const char *slot_name(int i) { return slot_table[i].name; }
 static const char *normals_name(int i) { return normals_table[i].name; }
-static const char *format_name(int i) { return format_table[i + 1].name; } /* without `none` */
+static const char *format_name(int i) { return format_table[i + 1].name; } /* skips FORMAT_none */
 static const char *encoding_name(int i) { return encoding_table[i].name; }
 
 /* Tables whose names are choices. */

@@ -8,14 +8,14 @@
 /* Declarations of the fragment program, on which the vertex program and the reflection depend. */
 typedef struct {
     bool inputs[INPUT_COUNT];
-    bool attributes[LIMIT_ATTRIBUTES]; /* of the mesh, by index in the graph */
+    bool attributes[LIMIT_ATTRIBUTES]; /* mesh attributes in use, by index in the graph */
     /* Attributes whose screen-space derivatives are read. */
     bool attribute_changes[LIMIT_ATTRIBUTES];
     const Ir *ir;   /* the program's IR */
     bool instances; /* instanced drawing */
-    bool *uniforms; /* by index in the graph */
+    bool *uniforms; /* uniforms in use, by index in the graph */
     bool *counts;   /* uniforms of type int */
-    bool *textures; /* by index in the Ir */
+    bool *textures; /* textures in use, by index in the Ir */
     /* bytes of the declarations, at the beginning of the fragment program */
     size_t declarations;
     Chunks chunks;                 /* library functions, and the uniforms that they declare */

@@ -19,7 +19,8 @@ static bool is_taken(const Scope *e, const char *name)
     const int functions = strchr(name, '_') ? 0 : FUNCTION_COUNT;
     for (int i = 0; i < functions; i++) {
         const char *other = function_row(i)->name;
-        if (other && *other == *name && !strcmp(other, name)) /* most differ in the first letter */
+        /* fast path: most names differ in the first letter */
+        if (other && *other == *name && !strcmp(other, name))
             return true;
     }
     return false;

@@ -28,16 +28,16 @@ typedef struct {
     Interface *interface;
     Arena *scratch;
     Schedule s;
-    const IrFunction *function; /* NULL: main */
+    const IrFunction *function; /* the open function; NULL: main */
     const char **names;         /* by Ref: the name of its temporary, or NULL */
     /* By Ref: number of operations in its expression, if inlined. */
     uint16_t *size;
     uint8_t *done;    /* by Ref: its statement is written, or not needed */
     int number;       /* number of the scope, from 1 */
-    Naming *naming;   /* by origin */
+    Naming *naming;   /* indexed by origin */
     FreshNames fresh; /* temporaries of the scope */
     Names constants;  /* members of the constants' uniform block */
-    Lines *lines;     /* by source */
+    Lines *lines;     /* line tables, indexed by source */
 } Scope;
 
 /* Creates a scope; its arrays by Ref are reused for all scopes in turn. */

@@ -25,7 +25,7 @@ typedef struct {
      * inlined in a condition. NULL: none. */
     uint8_t *hoisted;
     int *block;     /* by Ref: the node's block */
-    Ref *next;      /* by Ref */
+    Ref *next;      /* by Ref: the next node of the same block */
     uint32_t *uses; /* by Ref: number of uses in this scope */
     /* By Ref of a select written as if/else: its block for true, followed by that for false;
      * otherwise 0. */

@@ -25,7 +25,7 @@ typedef enum {
     VALIDATE_STAGES
 } ValidateStage;
 typedef struct {
-    const char *text[VALIDATE_STAGES]; /* NULL: absent */
+    const char *text[VALIDATE_STAGES]; /* GLSL by stage; NULL: absent */
 } ValidateStages;
 bool validate_stages(Session *session, Target target, const ValidateStages *stages,
                      const char **log);
@@ -33,7 +33,7 @@ bool validate_stages(Session *session, Target target, const ValidateStages *stag
  * and *log on failure. */
 typedef struct {
     const char *at[VALIDATE_STAGES];
-    size_t size[VALIDATE_STAGES]; /* in bytes */
+    size_t size[VALIDATE_STAGES]; /* size in bytes */
 } ValidateWords;
 bool validate_to_spirv(Session *session, const ValidateStages *stages, ValidateWords *words,
                        const char **log);

@@ -12,8 +12,8 @@
 #include "grammar/expression_tables.h"
 
 typedef enum {
-    FORMULA_number,    /* literal: number */
-    FORMULA_value,     /* row: a Quantity */
+    FORMULA_number,    /* a literal; `number` holds it */
+    FORMULA_value,     /* a built-in quantity; row: a Quantity */
     FORMULA_input,     /* row: index of the input */
     FORMULA_attribute, /* row: index of the document's attribute */
     FORMULA_name,      /* before the check: a value or an input */
@@ -30,7 +30,7 @@ typedef enum {
 enum { WIDTH_condition = 0, WIDTH_unknown = -1 };
 
 typedef struct {
-    uint8_t kind; /* FormulaKind */
+    uint8_t kind; /* a FormulaKind */
     int8_t width;
     int row;
     uint32_t first, count; /* arguments: range of Formula.arguments, which holds step numbers */
@@ -64,7 +64,7 @@ typedef struct {
 enum { FORMULA_UNKNOWN = -1, FORMULA_SAID = -2 };
 typedef struct {
     Session *session;
-    const char *text; /* zero-terminated */
+    const char *text; /* the formula, zero-terminated */
     uint32_t size;
     bool srgb; /* hex colors are sRGB */
     void *user;
@@ -92,7 +92,7 @@ typedef struct {
     double quantity[QUANTITY_COUNT][4]; /* constants are ignored */
     const double (*inputs)[4];
     const double (*attributes)[4]; /* the document's; a scalar is in all components */
-    const void *noise;             /* ReferenceContext */
+    const void *noise;             /* a ReferenceContext */
     double (*values)[4];           /* buffer for formula->count values */
 } FormulaPoint;
 /* Evaluates a formula in double precision to formula->width components, by the VALUE lines of

@@ -5,8 +5,8 @@
 
 typedef enum {
     TOKEN_end,
-    TOKEN_number, /* number */
-    TOKEN_color,  /* formula_color */
+    TOKEN_number, /* a literal; `number` holds its value */
+    TOKEN_color,  /* a hex color: formula_color() */
     TOKEN_name,
     TOKEN_text,   /* a string in single or double quotes, including the quotes */
     TOKEN_symbol, /* operators, brackets, and , ; = ? : . */

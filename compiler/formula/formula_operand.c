@@ -11,7 +11,7 @@ static const char *function_name(const void *user, int i)
     return i < vector_count ? vector_table[i].name : formula_special_table[i - vector_count].name;
 }
 
-/* name "(" */
+/* Parses the start of a call: name "(". */
 static void open_call(FormulaReader *r, Token name)
 {
     const uint32_t size = formula_token_size(name);
@@ -107,7 +107,7 @@ bool formula_operand(FormulaReader *r)
         }
         open_call(r, token);
         formula_next(r);
-        return formula_is(r, ")"); /* without arguments */
+        return formula_is(r, ")"); /* a call without arguments is already complete */
     case TOKEN_text:
         formula_say_other(r);
         formula_push_fault(r);

@@ -40,7 +40,7 @@ static bool is_local(const FormulaReader *r)
     return formula_token_is(&next, "=");
 }
 
-/* name "=" value */
+/* Parses a local: name "=" value. */
 static void read_local(FormulaReader *r)
 {
     const Token name = r->token;
@@ -78,7 +78,7 @@ static void pass_type(FormulaReader *r)
     formula_next(r);
 }
 
-/* { name "=" value ";" } value [ ";" ] */
+/* Parses a formula: { name "=" value ";" } value [ ";" ] */
 static void read_parts(FormulaReader *r)
 {
     for (pass_type(r); is_local(r) && r->faults < FORMULA_MOST_FAULTS; pass_type(r)) {

@@ -11,7 +11,7 @@
 
 enum { LONGEST_PATH = 4096 };
 
-static const char *examples; /* folder */
+static const char *examples; /* folder of the example documents */
 
 static void fail(const char *what, const char *why)
 {
@@ -42,7 +42,7 @@ static void write_file(const char *folder, const char *name, const Text *text)
         fail(path, "cannot be written");
 }
 
-/* "SunSkyLight" -> "sunSkyLight", "RGBA" -> "rgba" */
+/* Converts a name to camel case: "SunSkyLight" -> "sunSkyLight", "RGBA" -> "rgba". */
 static void camel(const char *name, char *out)
 {
     for (bool start = true; *name; name++, out++) {

@@ -28,7 +28,7 @@ static char *read_all(const char *path)
     return text;
 }
 
-/* "a/b/wood.glsl" -> "wood": everything up to the last dot */
+/* Derives a chunk's name from its path, up to the last dot: "a/b/wood.glsl" -> "wood". */
 static char *chunk_name(const char *path)
 {
     const char *slash = strrchr(path, '/'), *start = slash ? slash + 1 : path;
@@ -266,7 +266,7 @@ static int write_if_changed(const char *path, const char *text)
     return !fclose(file) && fine;
 }
 
-/* "gen/render_text.c" -> "gen/render_text.h" */
+/* Writes the header for an output: "gen/render_text.c" -> "gen/render_text.h". */
 static int write_header(const char *output, const char *symbol, const File *files, int count)
 {
     char *text = header_text(symbol, files, count), *path = strdup(output);
@@ -277,7 +277,7 @@ static int write_header(const char *output, const char *symbol, const File *file
     return fine;
 }
 
-/* "gen/render_text.c" and "a/pool.layout.def" -> "gen/pool_layout.h" */
+/* Derives a layout's header: "gen/render_text.c" and "a/pool.layout.def" -> "gen/pool_layout.h". */
 static char *layout_path(const char *output, const File *layout)
 {
     const char *slash = strrchr(output, '/');

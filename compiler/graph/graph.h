@@ -28,7 +28,7 @@ typedef enum {
 typedef struct {
     const char *name;
     Type type;         /* the default's type as written; the slot may convert it to int */
-    double initial[4]; /* the default */
+    double initial[4]; /* default value */
     Span span;
     int index; /* index in the document's list of uniforms */
 } Uniform;
@@ -70,7 +70,7 @@ typedef struct Value {
         const struct Transform *transform;
         const Image *image;
         const struct Items *items;
-        const struct Formula *formula; /* checked */
+        const struct Formula *formula; /* a formula that passed the check */
     };
 } Value;
 
@@ -102,7 +102,7 @@ static inline const char *node_written_param(const Node *node, int i)
 }
 
 typedef struct {
-    Value value;       /* Float */
+    Value value;       /* position in the blend; a Float */
     const Node *input; /* NULL: the surface itself */
     Span span;
     int8_t width; /* components in which a formula reads the input; 0: the input's own */
@@ -135,9 +135,9 @@ typedef enum {
 typedef struct Transform {
     TransformKind kind;
     Value scale;       /* Float for TRANSFORM_scale, Vec3 for components */
-    Value translation; /* Vec3 */
-    Value rotation;    /* Vec3 */
-    Value shear;       /* Vec3 */
+    Value translation; /* a Vec3 */
+    Value rotation;    /* Euler angles in radians; a Vec3 */
+    Value shear;       /* a Vec3 */
     double matrix[16];
 } Transform;
 

@@ -96,7 +96,7 @@ static bool is_opaque_type(const char *name)
 
 static bool is_size(char c) { return c >= '2' && c <= '4'; }
 
-/* vec2, dvec3, mat4, dmat2x3. */
+/* True for vector and matrix types: vec2, dvec3, mat4, dmat2x3. */
 static bool is_number_type(const char *name)
 {
     const char *start = *name && strchr("bdfhiu", *name) ? name + 1 : name,
@@ -141,7 +141,7 @@ bool reserved_is_word(const char *name)
         is_type(name))
         return true;
     for (int i = 0; i < INPUT_COUNT; i++)
-        /* most differ in the first letter */
+        /* fast path: most names differ in the first letter */
         if (*input_table[i].glsl == *name && !strcmp(input_table[i].glsl, name))
             return true;
     for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++)

@@ -127,7 +127,7 @@ bool hint_document(Session *session, const Tree *document)
     return hint_type(session, document, true);
 }
 
-/* - map: Checker */
+/* Reports a list in the place of a map or material: - map: Checker */
 bool hint_listed(Session *session, const Tree *list)
 {
     const Tree *first = list->kind == TREE_list && list->count ? list->items[0] : NULL;

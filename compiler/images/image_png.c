@@ -13,9 +13,9 @@ typedef struct {
     ImageFile *file;
     png_structp png;
     png_infop info;
-    png_bytep *rows; /* in the order of the file */
+    png_bytep *rows; /* pointers to the rows, in the order of the file */
     png_bytep first; /* the first row, if it was decoded before the others were allocated */
-    const char *why; /* the fault */
+    const char *why; /* message of the fault */
 } PngReader;
 
 enum { MOST_DEFLATED = 1032 }; /* max expansion ratio of deflate */

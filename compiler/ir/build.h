@@ -109,7 +109,7 @@ Ref build_attribute(Ir *ir, int attribute, AttributePart part);
 /* Builds a leaf: a uniform, texture or constant with the given index. */
 Ref build_leaf(Ir *ir, Op op, Type type, int index);
 
-/* a factor; a a */
+/* Returns the products a * factor and a * a. */
 Ref build_scale(Ir *ir, Ref a, double factor);
 Ref build_square(Ir *ir, Ref a);
 /* Selects a where the condition holds, otherwise b; a and b have one type. */

@@ -30,7 +30,7 @@ Ir *ir_new(Session *session, const Graph *graph)
     ir->table = ARENA_ARRAY(session->arena, Ref, FIRST_TABLE);
     ir->mask = FIRST_TABLE - 1;
     const IrNode none = {0};
-    ARENA_PUSH(session->arena, ir->nodes, ir->count, ir->room, none); /* node 0 */
+    ARENA_PUSH(session->arena, ir->nodes, ir->count, ir->room, none); /* node 0 is the null node */
     return ir;
 }
 

@@ -32,7 +32,7 @@ typedef enum {
      * read: build_guard. */
     PAYLOAD_none,
     PAYLOAD_numbers, /* index of its first number */
-    PAYLOAD_input,   /* an Input */
+    PAYLOAD_input,   /* an Input of inputs.def */
     /* ATTRIBUTE_PARTS times the attribute's index in the graph, plus an AttributePart */
     PAYLOAD_attribute,
     PAYLOAD_uniform,  /* index of a uniform in the graph */
@@ -40,7 +40,7 @@ typedef enum {
     PAYLOAD_argument, /* argument set << 8 | index in the set */
     PAYLOAD_texture,  /* index of a texture of the IR */
     PAYLOAD_lanes,    /* a swizzle, two bits per component */
-    PAYLOAD_library,  /* a Function */
+    PAYLOAD_library,  /* a library Function */
     PAYLOAD_function  /* index of a function of the program: ir_applies */
 } Payload;
 extern const uint8_t op_payload[]; /* the Payload kind of each operation */
@@ -72,7 +72,7 @@ enum {
 
 typedef struct {
     uint8_t op, type, count; /* Op, Type, operands */
-    uint8_t flags;           /* NODE_ */
+    uint8_t flags;           /* NODE_ flags */
     uint32_t origin;         /* map or slot that created it; for names and comments only */
     uint32_t first;          /* index of its first operand in args */
     uint32_t payload;        /* meaning: op_payload */
@@ -167,7 +167,7 @@ typedef struct Ir {
     HashIndex texture_index; /* by content; lower_surface.c */
     IrConstant *constants;
     size_t constant_count, constant_room;
-    HashIndex constant_index; /* by source */
+    HashIndex constant_index; /* finds constants by their source */
     const Graph *graph;       /* supplies the names of uniforms */
     IrOutput outputs[MOST_OUTPUTS];
     int output_count;
@@ -282,7 +282,7 @@ typedef struct {
     Arena *arena;
     Ref *at;
     size_t count, room;
-    uint8_t *inside; /* by Ref */
+    uint8_t *inside; /* by Ref: the node is in the list */
 } IrReach;
 IrReach ir_reach_new(const Ir *ir, Arena *arena);
 void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *reach);

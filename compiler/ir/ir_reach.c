@@ -5,8 +5,8 @@
 
 enum {
     SPARSE = 8
-    /* numbers for each node from which on sorting the nodes is less work than looking at all
-       numbers */
+    /* Ratio of the range of node numbers to the nodes found, above which sorting the nodes is
+     * cheaper than scanning the range. */
 };
 
 static int falling(const void *a, const void *b)

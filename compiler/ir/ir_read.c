@@ -239,7 +239,7 @@ static bool read_line(Scanner *s)
 {
     char text[LIMIT_NAME];
     if (!word(s, text, sizeof text))
-        return true; /* an empty line */
+        return true; /* an empty line is allowed */
     if (!strcmp(text, "out"))
         return read_output(s);
     if (!strcmp(text, "function"))

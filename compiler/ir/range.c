@@ -19,7 +19,7 @@ typedef struct Guards {
     Guard at[MOST_GUARDS];
     int count;
     uint32_t set; /* id of this set of guards; every set ever active has its own id */
-    int steps;    /* remaining */
+    int steps;    /* remaining reexaminations */
     int depth;    /* recursion depth of reexamined nodes */
 } Guards;
 

@@ -38,7 +38,7 @@ typedef struct {
     unsigned slots[MOST_AUTO_CASES]; /* 1 << slot; fewest slots first */
     /* number of materials per case; all of MatcRanges.others count together */
     int materials[MOST_AUTO_CASES];
-    int words;        /* per pixel */
+    int words;        /* words per pixel */
     int words_of_one; /* with a single case */
 } Division;
 

@@ -29,7 +29,7 @@ static bool run_rounds(Session *session, Ir *ir)
 {
     static const OptPass polish = {"polish", opt_polish}, range = {"range", opt_range},
                          function = {"function", opt_function};
-    bool found = true; /* by ranges and functions */
+    bool found = true; /* ranges or functions changed something */
     for (int round = 0; round < MOST_ROUNDS; round++) {
         bool polished = false;
         if (!run(session, ir, &polish, &polished))

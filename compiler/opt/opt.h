@@ -8,7 +8,7 @@
 bool opt_run(Session *session, Ir *ir);
 
 bool opt_fold(Ir *ir);    /* constant folding */
-bool opt_algebra(Ir *ir); /* grammar/rules.def */
+bool opt_algebra(Ir *ir); /* the rules of grammar/rules.def */
 bool opt_swizzle(Ir *ir); /* swizzles of swizzles and vectors; narrows operations early */
 bool opt_select(Ir *ir);  /* known conditions, equal arms, operations on constant arms */
 bool opt_power(Ir *ir);   /* integer exponents -> products */

@@ -21,9 +21,9 @@ enum {
 };
 
 typedef struct {
-    const uint32_t *uses; /* by Ref */
+    const uint32_t *uses; /* by Ref: number of uses */
     Ref *first;           /* by condition: its guards, linked by `next` */
-    Ref *next;            /* by guard */
+    Ref *next;            /* by guard: the next guard of its condition */
     /* By Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;
     Ref *met; /* nodes with nonzero `own` */

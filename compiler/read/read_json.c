@@ -75,7 +75,7 @@ static bool skip_digits(Json *j)
     return true;
 }
 
-/* number: -? (0 | [1-9] digit*) (. digit+)? ([eE] [+-]? digit+)? */
+/* Scans a number: -? (0 | [1-9] digit*) (. digit+)? ([eE] [+-]? digit+)? */
 static bool skip_number(Json *j)
 {
     j->at += *j->at == '-';
@@ -286,7 +286,7 @@ static bool at_end_of_empty(Json *j, char close)
 
 static Tree *read_value(Json *j, int depth);
 
-/* list: [ (value (, value)*)? ] */
+/* Parses a list: [ (value (, value)*)? ] */
 static bool read_list(Json *j, Tree *list, int depth)
 {
     const size_t from = j->b->item_count;
@@ -324,7 +324,7 @@ static bool read_member(Json *j, int depth)
     return true;
 }
 
-/* object: { (member (, member)*)? } */
+/* Parses an object: { (member (, member)*)? } */
 static bool read_object(Json *j, Tree *object, int depth)
 {
     const size_t from = j->b->member_count;

@@ -23,7 +23,7 @@ typedef struct {
     size_t characters; /* length of the whole text */
     Anchor *anchors;
     size_t anchor_count, anchor_room;
-    HashIndex anchor_index; /* by name */
+    HashIndex anchor_index; /* finds anchors by name */
 } Reader;
 
 /* Prepares the conversion of positions: libyaml counts characters, a Span bytes. */
@@ -74,7 +74,8 @@ static bool next_event(Reader *r, yaml_event_t *event)
     yaml_mark_t mark = r->parser.problem_mark;
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
-        at = r->b->start + (uint32_t)r->parser.problem_offset; /* in bytes, and without a mark */
+        /* a position in bytes, without a mark */
+        at = r->b->start + (uint32_t)r->parser.problem_offset;
     const YamlFault fault = {
         problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
     if (read_mistake(r->session, &fault))
@@ -136,7 +137,7 @@ static Tree *find_anchor(Reader *r, const char *name, Span span)
 
 static Tree *read_value(Reader *r, yaml_event_t *event, int depth);
 
-/* list: [ value, ... ] */
+/* Reads a list: [ value, ... ] */
 static bool read_list(Reader *r, Tree *list, int depth)
 {
     const size_t from = r->b->item_count;
@@ -196,7 +197,7 @@ static bool merge_members(Reader *r, Tree *object, Tree *base)
                                    : tree_build_merge(r->b, object, &base, 1);
 }
 
-/* object: { name: value, ... } */
+/* Reads an object: { name: value, ... } */
 static bool read_object(Reader *r, Tree *object, int depth)
 {
     const size_t from = r->b->member_count;
@@ -241,7 +242,7 @@ static Tree *read_collection(Reader *r, TreeKind kind, Span span, const yaml_cha
     return fine ? tree : NULL;
 }
 
-/* value: scalar | list | object | alias. Deletes the event. */
+/* Reads a value: scalar | list | object | alias. Deletes the event. */
 static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
 {
     Tree *tree = NULL;
@@ -272,7 +273,7 @@ static Tree *read_value(Reader *r, yaml_event_t *event, int depth)
     return tree;
 }
 
-/* stream: [ document ] */
+/* Reads the stream: [ document ] */
 static Tree *read_stream(Reader *r)
 {
     Tree *tree = NULL;

@@ -5,9 +5,9 @@
 #include "compiler/base/session.h"
 
 typedef enum {
-    TREE_scalar, /* text, plain */
-    TREE_list,   /* items, count */
-    TREE_object, /* members, count */
+    TREE_scalar, /* a scalar: `text`, `plain` */
+    TREE_list,   /* a list: `items`, `count` */
+    TREE_object, /* an object: `members`, `count` */
 } TreeKind;
 
 /* Result of resolving a subtree, so that a shared subtree is resolved once. */
@@ -24,7 +24,7 @@ typedef struct {
 /* Documents have up to LIMIT_TREE_NODES trees: each byte of the struct counts in
  * docs/reference/stability.md, Memory. */
 struct Tree {
-    uint8_t kind; /* TreeKind */
+    uint8_t kind; /* a TreeKind */
     uint8_t made; /* Made: selects the last union; MADE_nothing: `name` may be set */
     bool plain;   /* scalar: unquoted, so it may be a number, a boolean or null */
     bool open;    /* being read or resolved; a visit meanwhile means a cycle */

@@ -10,8 +10,8 @@
 #include <string.h>
 
 typedef struct {
-    const char *at, *end; /* in the source */
-    char quote;           /* '"', '\'', or 0 */
+    const char *at, *end; /* position in the source */
+    char quote;           /* kind of quotes: '"', '\'', or 0 for a plain scalar */
     const char *text, *text_end;
 } Walk;
 

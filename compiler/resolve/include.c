@@ -109,7 +109,7 @@ static const char *shipped_file(const void *user, int i)
     return library_table[i].name;
 }
 
-/* "bricks" -> "bricks.yaml" */
+/* Appends the default extension: "bricks" -> "bricks.yaml". */
 static const char *with_ending(Session *session, const char *name)
 {
     Text text = text_new(session->arena);

@@ -63,7 +63,7 @@ static bool find_kind(Resolver *r, const Tree *name, bool material, Kind *kind, 
     bool other = false;
     for (int i = 0; i < kind_name_count(); i++) {
         const char *known = kind_name(i, kind);
-        /* most differ in the first letter */
+        /* fast path: most names differ in the first letter */
         if (*known != *name->text || strcmp(known, name->text) != 0)
             continue;
         other |= is_material(*kind) != material;
@@ -182,7 +182,7 @@ static const char *slot_name(const char *param)
     return NULL;
 }
 
-/* Author's name of a tree; reads the union before the tree is resolved. */
+/* Returns the author's name of a tree, which is stored until the tree is resolved. */
 static const char *own_name(const Tree *tree)
 {
     return tree->made == MADE_nothing ? tree->name : NULL;

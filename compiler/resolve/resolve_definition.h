@@ -1,4 +1,4 @@
-/* Definitions with parameters. */
+/* Instantiation of definitions with parameters. */
 #ifndef MATC_RESOLVE_DEFINITION_H
 #define MATC_RESOLVE_DEFINITION_H
 #include "compiler/resolve/resolve.h"

@@ -20,7 +20,7 @@ bool resolve_is_name(const char *name)
     return true;
 }
 
-/* "dir/rock.yaml" -> "rock"; "<stdin>" -> "stdin" */
+/* Returns a file's stem: "dir/rock.yaml" -> "rock"; "<stdin>" -> "stdin". */
 static const char *stem(Session *session, const char *path)
 {
     if (path[0] == '<' && path[strlen(path) - 1] == '>')

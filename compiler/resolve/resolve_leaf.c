@@ -51,7 +51,7 @@ static bool resolve_bool(Resolver *r, const ParamRow *row, const Tree *tree, Val
     return true;
 }
 
-/* "r, g, b or a" */
+/* Lists the keywords of a list: "r, g, b or a". */
 static const char *names_of_words(Resolver *r, ParamKind list)
 {
     Text text = text_new(r->session->arena);

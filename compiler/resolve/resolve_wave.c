@@ -71,8 +71,8 @@ static bool has_length(Resolver *r, const Tree *tree, Wave *wave)
     return false;
 }
 
-/* wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift: number,
- * second: wave } */
+/* Resolves wave: name | { wave: name } | { wave: Chain, first: wave, factor: number, shift:
+ * number, second: wave } */
 static bool make_wave(Resolver *r, const Tree *tree, Wave *wave)
 {
     const Member *name = tree_find(tree, "wave");

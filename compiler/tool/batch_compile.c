@@ -95,7 +95,7 @@ static void compile_request(Batch *b, BatchDocument *document, BatchMaterial *ow
     MatcProgram *program = compile(b, document, unit, NULL);
     if (!program)
         return;
-    /* warnings */
+    /* the diagnostics are warnings only */
     batch_say_of(b, document, unit->material,
                  matc_program_diagnostics(program, b->line->diagnostics));
     unit->pass = unit_pass(program);

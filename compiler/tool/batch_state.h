@@ -17,9 +17,9 @@ typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
     char *name;
-    const char *opacity; /* matc_opacity */
+    const char *opacity; /* opacity class, as matc_opacity returns */
     Bytes said;          /* diagnostics, printed after those of the document */
-    Unit *units;         /* by request */
+    Unit *units;         /* one unit per request */
 } BatchMaterial;
 
 typedef struct {
@@ -41,7 +41,7 @@ typedef struct {
     bool spoke;
     bool unreadable; /* which was reported */
     bool once;       /* a pipe, which can be read only once: its text is kept */
-    Bytes said;      /* diagnostics */
+    Bytes said;      /* diagnostics of the document */
     bool closed;
     int *again, again_count; /* programs to be rewritten for its materials, once all are known */
     pthread_mutex_t mutex;   /* guards `parsed` */
@@ -84,7 +84,7 @@ typedef struct {
     /* Stagings of the folder and of --textures, possibly the same; NULL: none. */
     Staging *staging, *textures;
     MatcLinked *linked;    /* shared by all options */
-    Cache *cache;          /* NULL: none */
+    Cache *cache;          /* the cache; NULL: disabled */
     pthread_mutex_t mutex; /* guards the members below */
     /* Input files in the output folder, by their names there. */
     StringSet within;

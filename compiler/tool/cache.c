@@ -16,7 +16,7 @@
 #include <unistd.h>
 #include <xxhash.h>
 
-enum { VERSION = 1, LARGEST_BLOB = 256 << 20, ABOVE = 3 /* "ab/" */ };
+enum { VERSION = 1, LARGEST_BLOB = 256 << 20, ABOVE = 3 /* ABOVE: length of the prefix "ab/" */ };
 /* Permissions that exclude writes by others whatever the umask, since entries are trusted when
  * read. */
 enum { READABLE = 0644, PASSABLE = 0755, BY_OTHERS = S_IWGRP | S_IWOTH };

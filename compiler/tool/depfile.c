@@ -43,7 +43,8 @@ static bool is_readable(const char *name)
     return !home && !of_archive;
 }
 
-/* `a=b` at the start of a line is a variable, `a%b` a pattern, `.PHONY` a special target. */
+/* True for a valid target name: `a=b` at the start of a line is a variable, `a%b` a pattern,
+ * `.PHONY` a special target. */
 static bool can_be_target(const char *name)
 {
     const char *start = without_here(name);
@@ -51,7 +52,7 @@ static bool can_be_target(const char *name)
            !(start[0] == '.' && text_is_upper(start[1]));
 }
 
-/* `out: a=b` and `out: a =b` set a variable. */
+/* True for a valid dependency name: `out: a=b` and `out: a =b` would set a variable. */
 static bool can_be_file(const char *name)
 {
     return is_readable(name) && name[strspn(name, "!+")] != '=';

@@ -17,7 +17,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PROGRESS_STEP = 16 }; /* documents */
+enum { PROGRESS_STEP = 16 }; /* documents between updates of the progress line */
 
 /* -- A batch */
 

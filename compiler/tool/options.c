@@ -61,7 +61,7 @@ static const char *level_name(const void *user, int i)
     return names[i];
 }
 
-/* "-O", "-O0" to "-O3", "-Os" */
+/* Sets the level of "-O", "-O0" to "-O3", "-Os". */
 static const char *set_level(void *to, const Option *option, const char *level)
 {
     CommandLine *line = to;

@@ -52,19 +52,19 @@ typedef struct {
     int pass_count;
     char *pass_list;         /* buffer of the passes */
     int threads;             /* -j; 0: the number of processors */
-    const char *output;      /* -o */
-    const char *folder;      /* -d */
-    const char *depfile;     /* -MF */
-    const char *target;      /* -MT */
-    bool depend;             /* -MD */
-    bool emit[EMIT_COUNT];   /* --emit */
+    const char *output;      /* -o: output file */
+    const char *folder;      /* -d: output folder */
+    const char *depfile;     /* -MF: path of the depfile */
+    const char *target;      /* -MT: target in the depfile */
+    bool depend;             /* -MD: write a depfile */
+    bool emit[EMIT_COUNT];   /* --emit: requested outputs */
     bool emit_named;         /* given by --emit; otherwise the default */
-    const char *material;    /* --material */
-    const char *eval;        /* --eval */
-    const char *explain;     /* --explain */
-    const char *textures;    /* --textures */
+    const char *material;    /* --material: name of the material */
+    const char *eval;        /* --eval: point to evaluate */
+    const char *explain;     /* --explain: name to explain */
+    const char *textures;    /* --textures: folder of generated textures */
     double max_error, range; /* --max-error, --range; 0: not given */
-    GlKind gl;               /* --gl */
+    GlKind gl;               /* --gl: the OpenGL context that measures */
     double layout_error;     /* --layout-error; 0: not given */
     const char *cases;       /* --cases: used or all; NULL: used */
     bool pareto, stats, watch, help, version;

@@ -31,7 +31,7 @@ typedef struct Unit {
     int bit_count;
     /* Members of the manifest's JSON: uniforms and textures, each preceded by ", ". */
     char *own;
-    UnitFiles *files; /* NULL: none */
+    UnitFiles *files; /* cached programs; NULL: none */
     int file_count;
     bool changed;                    /* the cache entry does not list the last of `files` */
     Written *written;                /* NULL: its program was not written for this material */

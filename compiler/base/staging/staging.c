@@ -88,7 +88,8 @@ static int open_regular(const Staging *s, const char *name, size_t *size)
     struct stat info;
     int file = openat(s->folder, name, O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
     if (file < 0) {
-        errno = errno == ELOOP || errno == ENXIO ? ENOENT : errno; /* a link, a socket */
+        /* ELOOP: a symbolic link; ENXIO: a socket */
+        errno = errno == ELOOP || errno == ENXIO ? ENOENT : errno;
         return -1;
     }
     int error = fstat(file, &info)      ? errno

@@ -16,8 +16,8 @@ typedef enum {
 typedef struct {
     IntentKind kind;
     int number;       /* staged file, see intent_file(); for hide: the new index */
-    Key hash;         /* for remove */
-    const char *name; /* in the output folder */
+    Key hash;         /* INTENT_remove: hash of the file to be removed */
+    const char *name; /* file name in the output folder */
 } Intent;
 
 enum { STAGED_NAME = 16 };

@@ -171,7 +171,8 @@ int stage_hash(int folder, const char *name, Key *hash)
     ssize_t got = -1;
     int file = openat(folder, name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (file < 0)
-        return errno == ELOOP || errno == ENXIO ? EINVAL : errno; /* a link, a socket */
+        /* ELOOP: a symbolic link; ENXIO: a socket */
+        return errno == ELOOP || errno == ENXIO ? EINVAL : errno;
     XXH3_128bits_reset(&state);
     int error = fstat(file, &info) ? errno : S_ISREG(info.st_mode) ? 0 : EINVAL;
     while (!error && (got = read(file, chunk, sizeof chunk)) != 0) {
