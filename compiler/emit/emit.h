@@ -25,7 +25,7 @@ typedef struct {
     const struct VertexMove *compute;
     /* Textures of the fragment program, if the vertex stages have others. */
     const bool *fragment_textures;
-    Chunks fragment_chunks; /* chunks of the fragment program, likewise */
+    Chunks fragment_chunks; /* chunks of the fragment program, if the vertex stages have others */
 } Interface;
 
 /* Code of the vertex stages for a material with displacement, without attributes and main(). */

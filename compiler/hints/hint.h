@@ -28,7 +28,7 @@ bool hint_map_name(Resolver *r, const Tree *tree);
  *     { type: Checker }        `map: Checker`
  *     { image: f.png }         { map: ImageMap, image: ... } */
 bool hint_object(Resolver *r, const Tree *object, bool material);
-/* Reports such a key for a whole document: `type: Principled`. */
+/* Reports a top-level key such as `type: Principled` in the place of `material:`. */
 bool hint_document(Session *session, const Tree *document);
 /* Returns "; it comes with matc: `include: rust.yaml`" for a name that a library file defines
  * but no file of the document; otherwise NULL. hint_library.c */

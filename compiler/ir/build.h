@@ -140,7 +140,7 @@ Type build_lanes_type(int lanes);
 Ref build_vec_of(Ir *ir, Type type, const Ref *parts, int count);
 /* Copies a float into every component of the type; a value of that type is returned unchanged. */
 Ref build_splat(Ir *ir, Ref a, Type type);
-/* Converts between types by the table of conversions (semantics.md). */
+/* Converts between types by the width rules of docs/reference/semantics.md. */
 Ref build_convert(Ir *ir, Ref a, Type type);
 
 /* Calls: build_call() of a library function, build_apply() of a function of the program.

@@ -97,7 +97,7 @@ static void put_settings(Bytes *to, const Batch *b)
 void batch_stored_key(const Batch *b, BatchDocument *document)
 {
     Bytes bytes = {0};
-    if (!b->cache) { /* lets a change be detected when the file is read again */
+    if (!b->cache) { /* lets a change be detected when the file is reread */
         document->key = key_of_bytes(document->text, document->size);
         return;
     }

@@ -174,7 +174,7 @@ static int open_above(const Cache *cache, const char *name)
     return openat(cache->folder, above, how);
 }
 
-/* May remove a valid entry that was stored meanwhile: it is then stored again later. */
+/* May remove a valid entry that was stored meanwhile; the entry is then regenerated later. */
 static void remove_entry(const Cache *cache, const char *name)
 {
     int above = open_above(cache, name);
