@@ -128,7 +128,7 @@ static bool read_comma(FormulaReader *r)
     return false;
 }
 
-/* Handles ":". */
+/* Handles the ":" of a conditional. */
 static void read_colon(FormulaReader *r)
 {
     for (FormulaWait *wait = formula_top(r);

@@ -11,7 +11,7 @@ typedef struct {
     uint32_t start, end;
 } Part;
 
-/* if CONDITION then YES else NO, and the token after it. */
+/* Parts of `if CONDITION then YES else NO`, and the token after the construct. */
 typedef struct {
     Part condition, yes, no;
     Token behind;

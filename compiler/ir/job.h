@@ -10,7 +10,7 @@ typedef struct {
     Pass pass;
     const LayoutRow *layout;
     Slot slot;
-    Normals normals; /* encoding of normals in a G-buffer */
+    Normals normals; /* space of the normals in a G-buffer: eye or world */
     bool all_slots;  /* pass `value` only: each slot is an output with the slot's number */
     Choice choice[AXIS_COUNT];
     bool from_buffer; /* numbers of the document are read from a uniform block */

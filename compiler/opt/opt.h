@@ -16,7 +16,7 @@ bool opt_range(Ir *ir);   /* clamps without effect, comparisons with a known res
 /* Unused arguments of functions, functions without arguments, and unread components of results. */
 bool opt_function(Ir *ir);
 bool opt_merge(Ir *ir);        /* a value whose gradient is also computed -> its fourth component */
-bool opt_centre(Ir *ir);       /* half a texel that is subtracted and added -> neither */
+bool opt_centre(Ir *ir);       /* cancels half a texel that is subtracted and added again */
 bool opt_group(Ir *ir);        /* constants of a sum or of a product are combined */
 bool opt_trigonometry(Ir *ir); /* trigonometric functions -> functions with bounded error */
 /* Guards that save nothing -> their value; the others are selects from then on. */

@@ -74,7 +74,7 @@ static bool next_event(Reader *r, yaml_event_t *event)
     yaml_mark_t mark = r->parser.problem_mark;
     uint32_t at = offset_of(r, mark);
     if (r->parser.error == YAML_READER_ERROR)
-        /* a position in bytes, without a mark */
+        /* reader errors have a byte offset and no mark */
         at = r->b->start + (uint32_t)r->parser.problem_offset;
     const YamlFault fault = {
         problem, at, r->parser.context ? offset_of(r, r->parser.context_mark) : at, r->b->file};
