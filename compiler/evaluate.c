@@ -159,7 +159,7 @@ char *matc_eval(const MatcDocument *d, int material, const char *point, const Ma
     return result;
 }
 
-/* Whether a displacement reads inputs that change when the object moves. */
+/* True if a displacement reads inputs that change when the object moves. */
 static bool reads_world(const Ir *ir)
 {
     Arena arena = {0};

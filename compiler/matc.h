@@ -63,7 +63,7 @@ typedef struct {
     const char *target;
     /* "gbuffer" (default), "plane", "sky", "shadow", "depth", "value", "displacement" */
     const char *pass;
-    const char *slot; /* for the pass "value": "diffuse" (default), "normal", ... */
+    const char *slot; /* slot of the pass "value": "diffuse" (default), "normal", ... */
     /* "compact" (default; "thin" for glsl110), "thesis", "radix", "integer", ... */
     const char *layout;
     /* "fast" (default), "balanced", "exact": sets the following choices that are NULL */
@@ -78,7 +78,7 @@ typedef struct {
         /* "baked" (default; also "auto", which applies to batches), "uniform": the document's
          * constants are read from a uniform block */
         constants;
-    /* By place (matc_place): the uniform block member that replaces the literal, -1 for none; or
+    /* Per place (matc_place): the uniform block member that replaces the literal, -1 for none; or
      * NULL. */
     const int *members;
     int member_count;
@@ -86,7 +86,7 @@ typedef struct {
     bool validate; /* validate the output by glslang (default) */
     bool measure;  /* collect times for MATC_STATS */
     unsigned
-        /* For MATC_STATS: a bit for each of noise ... trigonometry, in this order, that
+        /* Bits for MATC_STATS, one for each of noise ... trigonometry in this order, that
          * measuring selected. */
         measured;
     /* Check the IR after every pass of the optimizer (default in debug builds). */
@@ -409,7 +409,7 @@ MATC_API void matc_layout_free(MatcLayout *layout);
  * in other versions. */
 enum { MATC_SLOTS = 30, MATC_SETS = 256 };
 typedef struct {
-    double low[4], high[4]; /* of each component, over the counted materials */
+    double low[4], high[4]; /* range of each component over the counted materials */
     int counted;            /* materials in which the slot has an effect */
     int absent;             /* counted materials without the slot */
     int alike;              /* counted materials whose components are equal */
@@ -423,7 +423,7 @@ typedef struct {
 typedef struct {
     int materials;
     int set_count;
-    MatcSlotRange slot[MATC_SLOTS]; /* in the order of --list */
+    MatcSlotRange slot[MATC_SLOTS]; /* one per slot, in the order of --list */
     MatcSlotSet sets[MATC_SETS];    /* all different, sets with the most slots first */
     MatcSlotSet others;             /* union of sets that do not fit into `sets` */
 } MatcRanges;

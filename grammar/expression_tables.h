@@ -23,7 +23,7 @@ typedef struct {
     int count, least;                   /* number of arguments, and its min if some are optional */
     double initial[TERM_MOST_DEFAULTS]; /* defaults of the optional ones */
     int whole_low, whole_high;          /* range of a literal integer argument */
-    bool callable;                      /* by its name; otherwise by its symbol only */
+    bool callable;                      /* called by its name; otherwise by its symbol only */
     bool jumps;
     bool noisy; /* depends on --noise */
 } TermRow;

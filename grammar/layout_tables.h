@@ -52,8 +52,8 @@ typedef struct {
     double low, high;
 } FieldRow;
 /* Properties of a field that depend on its bits and range. */
-int field_size(const FieldRow *field);     /* of a group: components of a float target, or bits */
-double field_error(const FieldRow *field); /* in the encoding's unit */
+int field_size(const FieldRow *field);     /* size of a group: components, or bits */
+double field_error(const FieldRow *field); /* max error in the encoding's unit */
 double field_low(const FieldRow *field);
 double field_high(const FieldRow *field);
 bool field_has_range(const FieldRow *field);
@@ -112,7 +112,7 @@ typedef struct {
 } ErrorClassRow;
 extern const ErrorClassRow class_table[CLASS_COUNT];
 typedef struct {
-    ErrorClass kind, above; /* for a slot up to 1, and for one that exceeds 1 */
+    ErrorClass kind, above; /* class of a slot up to 1, and of a slot above 1 */
     /* A bit for each slot of which at least one must be present for the slot to have an effect;
      * 0: always has an effect. */
     unsigned matters;

@@ -11,7 +11,7 @@ typedef enum {
 } Type;
 
 typedef struct {
-    const char *name; /* as in the IR's text and in GLSL */
+    const char *name; /* name in the IR's text and in GLSL */
     int lanes;        /* number of components */
     const char *doc;
 } TypeRow;
@@ -295,7 +295,7 @@ typedef struct {
     const char *name, *doc;
     const char *version;   /* text of the #version line */
     const char *enables;   /* an extension, or NULL */
-    const char *precision; /* of floats, integers and samplers; NULL: GLSL's default */
+    const char *precision; /* precision of floats, integers and samplers; NULL: default */
     const char *index;     /* built-in vertex index, or NULL */
     const char *library;   /* suffix of its own library files, or NULL */
     int number;            /* number of the GLSL version */

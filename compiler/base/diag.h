@@ -41,7 +41,7 @@ enum { MOST_DIAGS = 100 };
 #define NO_SPAN ((Span){0, 0, NO_FILE})
 
 typedef struct {
-    const char *name; /* as in diags.def, "unknown_map" */
+    const char *name; /* name in diags.def: "unknown_map" */
     Severity severity;
     const char *format;
     const char *doc;

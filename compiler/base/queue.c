@@ -136,7 +136,7 @@ void queue_run(const Queue *queue)
     pthread_cond_init(&run.changed, NULL);
     while (started < threads - 1 && !pthread_create(&thread[started], NULL, work, &run))
         started++;
-    work(&run); /* with fewer threads than wanted the run only takes longer */
+    work(&run); /* a failure to start threads only slows the run down */
     for (int i = 0; i < started; i++)
         pthread_join(thread[i], NULL);
     pthread_cond_destroy(&run.changed);

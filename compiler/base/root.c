@@ -68,7 +68,7 @@ static char *absolute(const char *path)
     return whole;
 }
 
-/* Whether the path's text leads below the root, either as the user wrote the root or with its
+/* True if the path's text leads below the root, either as the user wrote the root or with its
  * links resolved. */
 static bool text_lies_below(const char *root, const char *canonical, const char *path)
 {

@@ -12,7 +12,7 @@ typedef struct {
 } Span;
 
 typedef struct {
-    const char *name; /* as the user wrote it */
+    const char *name; /* name as the user wrote it */
     const char *text; /* zero-terminated */
     size_t size;
     const char *binary; /* binary chunk of a container (.glb); NULL: absent */
@@ -20,7 +20,7 @@ typedef struct {
 } Source;
 
 typedef struct {
-    int line, column; /* from 1; the column counts bytes, as in gcc */
+    int line, column; /* counted from 1; the column counts bytes, as in gcc */
     const char *line_start;
     int line_length; /* bytes, without the line break */
 } SourcePosition;

@@ -6,7 +6,7 @@
 #include <signal.h>
 #include <stdlib.h>
 
-enum { LEAST_KIB = 256 }; /* for functions that do not recurse */
+enum { LEAST_KIB = 256 }; /* stack of functions that do not recurse */
 
 typedef struct {
     void (*run)(void *user);

@@ -76,7 +76,7 @@ static void put_plain(Text *text, const char *format, va_list args)
         text_add(text, format, (size_t)(at - format));
         const char *string = at[1] == 's' ? va_arg(args, const char *) : NULL;
         if (at[1] == 's')
-            text_put(text, string ? string : "(null)"); /* as printf writes NULL */
+            text_put(text, string ? string : "(null)"); /* printf's text for NULL */
         else if (at[1] == 'd')
             text_int(text, va_arg(args, int));
         else

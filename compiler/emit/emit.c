@@ -30,7 +30,7 @@ static int expression_size(const Scope *e, Ref ref)
     return size;
 }
 
-/* Whether a node gets its own statement: it has several uses, is a branch or a map's value, is
+/* True if a node gets its own statement: it has several uses, is a branch or a map's value, is
  * too long to be inlined, or must be evaluated before a condition. */
 static bool needs_name(const Scope *e, Ref ref, int size)
 {
@@ -109,7 +109,7 @@ static void put_side(Scope *e, Text *out, Ref region, int side, int depth)
     } while ((ref = e->s.mate[ref]) != region);
 }
 
-/* Whether a block has statements other than those of a branch. */
+/* True if a block has statements other than those of a branch. */
 static bool has_statements(Scope *e, int block, Ref tail)
 {
     for (Ref ref = e->s.blocks[block].first; ref; ref = e->s.next[ref]) {

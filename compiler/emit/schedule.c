@@ -57,7 +57,7 @@ static Condition *condition_of(const Ir *ir, const Schedule *s, Ref branch)
     return &s->conditions[ir_arg(ir, branch, 0)];
 }
 
-/* Whether a branch, all of whose users were visited, may join the open region. */
+/* True if a branch, all of whose users were visited, may join the open region. */
 static bool joins(const Schedule *s, const Condition *condition, Ref ref)
 {
     return condition->open && s->block[condition->open] == s->block[ref] &&

@@ -21,20 +21,20 @@ typedef struct {
     size_t block_count, block_room;
     bool regions; /* the scope has regions */
     bool derives; /* the program has implicit derivatives */
-    /* By Ref: an implicit derivative that gets its own statement, since it would otherwise be
+    /* Per Ref: an implicit derivative that gets its own statement, since it would otherwise be
      * inlined in a condition. NULL: none. */
     uint8_t *hoisted;
-    int *block;     /* by Ref: the node's block */
-    Ref *next;      /* by Ref: the next node of the same block */
-    uint32_t *uses; /* by Ref: number of uses in this scope */
-    /* By Ref of a select written as if/else: its block for true, followed by that for false;
+    int *block;     /* per Ref: the node's block */
+    Ref *next;      /* per Ref: the next node of the same block */
+    uint32_t *uses; /* per Ref: number of uses in this scope */
+    /* Per Ref of a select written as if/else: its block for true, followed by that for false;
      * otherwise 0. */
     int *arm;
-    /* By Ref: circular list of a region's selects, in increasing order; the node itself outside
+    /* Per Ref: circular list of a region's selects, in increasing order; the node itself outside
      * regions. */
     Ref *mate;
-    uint8_t *branch; /* by Ref: a select that is written as if/else */
-    /* By Ref: max number of successive regions after the node; schedule.c. */
+    uint8_t *branch; /* per Ref: a select that is written as if/else */
+    /* Per Ref: max number of successive regions after the node; schedule.c. */
     uint32_t *stage;
     struct Condition *conditions; /* by Ref of a condition; schedule.c */
 } Schedule;

@@ -5,7 +5,7 @@
 #include "compiler/layout/layout.h"
 #include <string.h>
 
-/* Whether unpacking yields the slot: constant in the layout, or stored or constant in a case
+/* True if unpacking yields the slot: constant in the layout, or stored or constant in a case
  * that is read. */
 static bool comes_back(const Job *job, Slot slot)
 {

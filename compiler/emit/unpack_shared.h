@@ -10,7 +10,7 @@
 #include "compiler/layout/layout.h"
 
 typedef struct {
-    /* by slot and component; the first may hold all components */
+    /* indexed by slot and component; the first may hold all */
     Piece pieces[SLOT_COUNT][FIELD_LANES];
     bool has[SLOT_COUNT][FIELD_LANES];
 } UnpackShared;

@@ -44,7 +44,7 @@ typedef struct Formula {
     uint32_t *arguments;
     size_t argument_count, argument_room;
     uint32_t result;
-    int width;       /* of the result, 1 to 4 */
+    int width;       /* width of the result, 1 to 4 */
     int inputs;      /* number of inputs in use */
     bool jumps;      /* a varying part is discontinuous or infinitely steep */
     bool varies;     /* reads a point or an input */

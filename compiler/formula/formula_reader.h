@@ -33,7 +33,7 @@ typedef struct {
     FormulaWait *waits;
     size_t wait_count, wait_room;
     Names locals;
-    uint32_t *local_steps; /* by number of a local */
+    uint32_t *local_steps; /* step of each local */
     size_t local_count, local_room;
     int faults;
     bool in_local; /* parsing a local's value, which ends with ';' */

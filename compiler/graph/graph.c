@@ -29,7 +29,7 @@ void value_number(const Value *value, Type want, double result[4])
     graph_convert(type_table[value->type].lanes, from, type_table[want].lanes, result);
 }
 
-/* By kind: the first parameter of DISPLACEMENT_PARAMS. */
+/* Per kind: the first parameter of DISPLACEMENT_PARAMS. */
 static const int displacement_param[KIND_COUNT] = {
 #define MATERIAL(name, sort, doc) [KIND_##name] = P_##name##_displacement,
 #include "grammar/materials.def"

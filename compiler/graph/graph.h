@@ -43,7 +43,7 @@ typedef struct {
 } MeshAttribute;
 
 typedef struct {
-    const char *path; /* as written, joined to the document's folder */
+    const char *path; /* path as written, joined to the document's folder */
     int width, height;
     int bits;     /* bits of a component: 8 or 16 (normalized), or 32 (float) */
     void *texels; /* RGBA, uint8_t, uint16_t or float; row 0 is the bottom row; NULL: not read */
@@ -58,8 +58,8 @@ typedef struct Value {
     bool given; /* written in the document; false: the default */
     /* A number written as a color: "#ff8800", red; also such a default of a param. */
     bool color;
-    /* In a material translated from another model: 1 + the author's parameter from which it was
-     * made; 0: the author's own value. */
+    /* Set in a material translated from another model: 1 + the author's parameter from which the
+     * value was made; 0: the author's own value. */
     int16_t written;
     Span span;
     union {
@@ -77,7 +77,7 @@ typedef struct Value {
 /* A map or a material. params[i] belongs to param_table[kind_table[kind].first + i]. */
 struct Node {
     Kind kind;
-    int index; /* in the document's list of nodes: dense, inputs before users */
+    int index; /* position in the document's list of nodes: dense, inputs before users */
     Span span;
     const Value *params;
     int depth;         /* depth of the graph below it, 0 for a node without inputs; limited */
@@ -106,8 +106,8 @@ typedef struct {
     const Node *input; /* NULL: the surface itself */
     Span span;
     int8_t width; /* components in which a formula reads the input; 0: the input's own */
-    /* In a material translated from another model: the parameter is no color, whatever the type
-     * of the formula. */
+    /* Set in a material translated from another model: the parameter is no color, whatever the
+     * type of the formula. */
     bool numbers;
 } Item;
 typedef struct Items {
@@ -152,15 +152,15 @@ typedef struct {
     struct Tree **defs; /* `defs:` objects: the document's, then those of its includes */
     int def_count;
     int node_count;
-    /* By node index: 1 << Model of the material's surface model, MODEL_LOBE of its possible
+    /* Per node index: 1 << Model of the material's surface model, MODEL_LOBE of its possible
      * lobes, MODEL_EMITS and MODEL_RELIEF. */
     unsigned *models;
     Uniform *const *uniforms; /* their defaults may change: matc_set_default */
     int uniform_count;
-    Names uniform_names;              /* in the order of `uniforms` */
-    MeshAttribute *const *attributes; /* at most LIMIT_ATTRIBUTES */
+    Names uniform_names;              /* names in the order of `uniforms` */
+    MeshAttribute *const *attributes; /* max LIMIT_ATTRIBUTES entries */
     int attribute_count;
-    Names attribute_names; /* in the order of `attributes` */
+    Names attribute_names; /* names in the order of `attributes` */
     const Image *const *images;
     int image_count;
 } Graph;

@@ -59,7 +59,7 @@ static const char own[] = "Constants Draw Levels Material Surface VULKAN carpent
                           "fragment4 fragment5 fragment6 fragment7 main matc normal p position st "
                           "tangentU tangentV texcoord";
 
-/* Whether a list of words separated by spaces contains a word. */
+/* True if a list of words separated by spaces contains a word. */
 static bool has_word(const char *list, const char *word)
 {
     const size_t size = strlen(word);
@@ -112,7 +112,7 @@ static bool is_type(const char *name) { return is_opaque_type(name) || is_number
 
 static bool is_letter(char c) { return text_is_alphanumeric(c) || c == '_'; }
 
-/* Whether a text calls or defines a function of that name. */
+/* True if a text calls or defines a function of that name. */
 static bool calls(const char *text, const char *name)
 {
     size_t size = strlen(name);
@@ -122,7 +122,7 @@ static bool calls(const char *text, const char *name)
     return false;
 }
 
-/* Whether the name is a function of the library or a helper, in any variant. */
+/* True if the name is a function of the library or a helper, in any variant. */
 static bool is_function(const char *name)
 {
     for (int i = 0; i < chunk_count; i++)

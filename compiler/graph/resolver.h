@@ -45,7 +45,7 @@ typedef struct {
     UndecidedPicture *undecided;
     size_t undecided_count, undecided_room;
     int node_count;
-    /* By parameter: its default map; NULL until a node needs it. */
+    /* Per parameter: its default map; NULL until a node needs it. */
     const Node *defaults[PARAM_COUNT];
     const Node **nodes; /* all nodes except plain numbers */
     size_t named_count, named_room;

@@ -140,7 +140,7 @@ static void doubt_lost(Session *session, const Node *material)
     }
 }
 
-static const double LEAST_FUZZ = .2; /* as in surface_principled.glsl */
+static const double LEAST_FUZZ = .2; /* minimum in surface_principled.glsl */
 /* min value of a color's largest component for which integer components look like bytes */
 enum { LOOKS_LIKE_BYTE = 16, BYTE = 255 };
 
@@ -160,7 +160,7 @@ typedef enum {
 typedef struct {
     Session *session;
     unsigned *asked;        /* by node's index: Asked */
-    const Node **reader;    /* by node index: one of the nodes that query it */
+    const Node **reader;    /* per node index: one of the nodes that query it */
     const unsigned *models; /* the graph's models */
     bool saying;            /* all queries are known */
 } Doubts;

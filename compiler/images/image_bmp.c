@@ -11,7 +11,7 @@ enum {
     FILE_HEADER = 14,
     CORE_HEADER = 12,
     INFO_HEADER = 40,
-    MASKED_HEADER = 52, /* from this version on the header includes the masks */
+    MASKED_HEADER = 52, /* first header version that includes the masks */
     ALPHA_HEADER = 56,
     LARGEST_HEADER = 1 << 12,
     BI_RGB = 0,

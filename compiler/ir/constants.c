@@ -246,7 +246,7 @@ void constants_finish(Session *session, Ir *ir, const int *list, size_t count)
 
 uint32_t constant_bits(double value, bool word)
 {
-    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* as text_float prints it */
+    float number = (float)fmin(fmax(value, -FLT_MAX), FLT_MAX); /* rounds like text_float() */
     uint32_t bits;
     if (word)
         return (uint32_t)value;

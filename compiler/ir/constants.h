@@ -16,7 +16,7 @@ void constants_hoist(Ir *ir);
 /* A use of a numeric literal: an operand of a node, or an output (user 0). */
 typedef struct {
     Ref user;
-    int operand; /* for an output, its index in the Ir */
+    int operand; /* operand index; for an output, its index in the Ir */
     Ref value;   /* a literal of a float or word type */
 } NumberPlace;
 /* Replaces the literal at places[i] by member[i] of the block; -1 keeps it. Places that share a

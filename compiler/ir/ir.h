@@ -104,8 +104,8 @@ typedef struct {
 typedef enum { TEXTURE_image, TEXTURE_carpenter } TextureKind;
 typedef struct {
     TextureKind kind;
-    const Image *image; /* for TEXTURE_image */
-    const Node *node;   /* for TEXTURE_carpenter */
+    const Image *image; /* image of a TEXTURE_image */
+    const Node *node;   /* map of a TEXTURE_carpenter */
     int width, height;
     bool sampled; /* read through a sampler with mipmaps; false: texel fetch */
     /* sRGB image: red, green and blue are decoded by the sampler or in advance. */
@@ -120,12 +120,12 @@ typedef struct {
 typedef struct {
     Type type;
     double numbers[4]; /* values in this material */
-    uint32_t origin;   /* as IrNode.origin */
+    uint32_t origin;   /* see IrNode.origin */
     /* The number's place in the document; NULL for hoisted expressions and literals. */
     const Value *source;
     const char *name; /* name in the shader; constants_finish sets name and offset */
     int member;       /* member of MatcOptions, or -1 */
-    int offset;       /* in the std140 block, in bytes */
+    int offset;       /* offset in the std140 block in bytes */
 } IrConstant;
 
 /* Transparency, as far as lowering can decide it. */
@@ -164,7 +164,7 @@ typedef struct Ir {
     size_t function_count, function_room;
     IrTexture *textures;
     size_t texture_count, texture_room;
-    HashIndex texture_index; /* by content; lower_surface.c */
+    HashIndex texture_index; /* finds textures by content; lower_surface.c */
     IrConstant *constants;
     size_t constant_count, constant_room;
     HashIndex constant_index; /* finds constants by their source */
@@ -180,7 +180,7 @@ typedef struct Ir {
     ReferenceNoise noise; /* noise variant that constant folding uses */
     Ref *held;            /* operand stack of nested builder calls: REFS of build.h */
     size_t held_count, held_room;
-    /* by Ref: the last function with that result, from 1; used by ir_function only */
+    /* per Ref: the last function with that result, from 1; used by ir_function only */
     int *function_of;
     size_t function_of_room;
     const Node **maps; /* maps that created nodes; origin.c */
@@ -282,7 +282,7 @@ typedef struct {
     Arena *arena;
     Ref *at;
     size_t count, room;
-    uint8_t *inside; /* by Ref: the node is in the list */
+    uint8_t *inside; /* per Ref: the node is in the list */
 } IrReach;
 IrReach ir_reach_new(const Ir *ir, Arena *arena);
 void ir_reach(const Ir *ir, const Ref *roots, int count, IrReach *reach);

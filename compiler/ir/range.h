@@ -21,7 +21,7 @@ typedef struct Ranges {
     struct Guards *guards; /* active guards: range.c */
     uint64_t guarded;      /* marks of the nodes that the guards compare; 0: no guards */
     struct Seen *seen;     /* cache of guarded intervals; NULL: none */
-    /* By Ref: marks of the compared nodes on which a node depends, see range_mark(). NULL: no
+    /* Per Ref: marks of the compared nodes on which a node depends, see range_mark(). NULL: no
      * node is compared. */
     uint64_t *marks;
 } Ranges;

@@ -15,7 +15,7 @@
 
 enum {
     MOST_WORDS = 4 * LAYOUT_TARGETS,
-    MOST_STEPS = 20000, /* of one search: eight sets have 4,140 partitions in all */
+    MOST_STEPS = 20000, /* limit of a search: eight sets have 4,140 partitions */
     TRIED = 1 << 12,
 };
 
@@ -27,7 +27,7 @@ typedef struct {
 
 /* State of partitioning the sets into a given number of cases of a given number of words. */
 typedef struct {
-    const FieldRow *fields; /* by decreasing size */
+    const FieldRow *fields; /* fields by decreasing size */
     int field_count;
     /* Sets of which none contains another, by decreasing number of bits. */
     unsigned sets[MATC_SETS + 1];

@@ -39,7 +39,7 @@ typedef struct {
     /* number of materials per case; all of MatcRanges.others count together */
     int materials[MOST_AUTO_CASES];
     int words;        /* words per pixel */
-    int words_of_one; /* with a single case */
+    int words_of_one; /* words per pixel with a single case */
 } Division;
 
 /* Finds the fewest words that hold the fields (one slot each), then the fewest cases. Each

@@ -40,7 +40,7 @@ void matc_ranges_join(MatcRanges *ranges, const MatcRanges *other)
     auto_sets_join(ranges, other);
 }
 
-/* Whether a node's components are equal by construction, given the same for its operands: the
+/* True if a node's components are equal by construction, given the same for its operands: the
  * SAME lines of ops.def. */
 static bool same_numbers(const Ir *ir, Ref ref, const uint8_t *same)
 {

@@ -16,7 +16,7 @@ typedef struct {
 } Piece;
 
 typedef struct {
-    Piece pieces[MOST_PIECES]; /* in the order of the rows */
+    Piece pieces[MOST_PIECES]; /* pieces in the order of the rows */
     int count;
 } Placement;
 
@@ -48,9 +48,9 @@ bool layout_has_words(const LayoutRow *row);
 const FixedRow *layout_case_fixed(const CaseRow *row, Slot slot);
 /* Returns a bit for each slot that unpacking yields: stored by some case, or constant. */
 unsigned layout_slots(const LayoutRow *row);
-/* Whether unpacking the layout yields the slot. */
+/* True if unpacking the layout yields the slot. */
 bool layout_has_slot(const LayoutRow *row, Slot slot);
-/* Whether the case stores at least one component of the slot; layout_case_slots() returns a bit
+/* True if the case stores at least one component of the slot; layout_case_slots() returns a bit
  * for each such slot. */
 bool layout_case_has_slot(const CaseRow *row, Slot slot);
 unsigned layout_case_slots(const CaseRow *row);

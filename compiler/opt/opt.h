@@ -68,7 +68,7 @@ static inline bool opt_may_group(const Ir *ir, Ref ref)
 typedef struct {
     const uint32_t *uses;
     Ref count; /* number of nodes when the uses were counted */
-    /* By Ref: the last node that opt_group created since with a single user, and its
+    /* Per Ref: the last node that opt_group created since with a single user, and its
      * replacement; NULL: not needed. */
     Ref *grouped;
 } Uses;

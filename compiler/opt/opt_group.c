@@ -80,7 +80,7 @@ static Ref sum_of(Ir *ir, const Term *outer, const Term *inner)
     const bool minus_x = outer->inverted != inner->inverted,
                minus_inner = inner->opposite != outer->inverted;
     const Ref a = outer->constant, b = inner->constant;
-    Ref sum; /* of the constants */
+    Ref sum; /* sum of the constants */
     if (outer->opposite)
         sum = minus_inner ? build_neg(ir, build_add(ir, a, b)) : build_sub(ir, b, a);
     else

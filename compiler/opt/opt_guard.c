@@ -21,10 +21,10 @@ enum {
 };
 
 typedef struct {
-    const uint32_t *uses; /* by Ref: number of uses */
-    Ref *first;           /* by condition: its guards, linked by `next` */
-    Ref *next;            /* by guard: the next guard of its condition */
-    /* By Ref: number of uses by exclusive nodes; zeroed between conditions. */
+    const uint32_t *uses; /* per Ref: number of uses */
+    Ref *first;           /* per condition: its guards, linked by `next` */
+    Ref *next;            /* per guard: the next guard of its condition */
+    /* Per Ref: number of uses by exclusive nodes; zeroed between conditions. */
     uint32_t *own;
     Ref *met; /* nodes with nonzero `own` */
     size_t met_count, met_room;

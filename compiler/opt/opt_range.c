@@ -13,7 +13,7 @@ enum { MOST_LANES = 4 };
 typedef struct {
     const Ranges *ranges;
     const bool **
-        /* By Ref: the value depends on floor, ceil or sign, which rounding at an interval's end
+        /* Per Ref: the value depends on floor, ceil or sign, which rounding at an interval's end
          * may move by a whole step; NULL: not computed yet. */
         steps;
 } Known;
@@ -29,7 +29,7 @@ static Interval range_at(const Site *s, Ref ref)
     return range_of(s->ranges, s->ir, ref, s->lane);
 }
 
-/* Whether a value is certainly in [low, high]; for a rounded value with a margin for rounding
+/* True if a value is certainly in [low, high]; for a rounded value with a margin for rounding
  * errors. */
 static bool lies_within(const Site *s, Ref ref, double low, double high)
 {
@@ -101,7 +101,7 @@ static Ref decide(Ir *ir, Ref ref, const void *user)
 {
     const Known *known = user;
     Site site = {ir, known->ranges, 0};
-    bool holds; /* for all components */
+    bool holds; /* all components satisfy the condition */
     int lanes;
     const IrNode node = *ir_at(ir, ref);
     Ref a = node.count > 0 ? ir_arg(ir, ref, 0) : 0, b = node.count > 1 ? ir_arg(ir, ref, 1) : 0;

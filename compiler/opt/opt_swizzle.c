@@ -88,7 +88,7 @@ static bool known_alike(const Ir *ir, Ref ref, uint32_t lane, int depth, double 
            known_lane(ir, ir_arg(ir, ref, first + 1), lane, depth, &other) && *value == other;
 }
 
-/* Whether a component of a vector is a known number whatever the other components are, for
+/* True if a component of a vector is a known number whatever the other components are, for
  * instance a product with 0. */
 static bool known_lane(const Ir *ir, Ref ref, uint32_t lane, int depth, double *value)
 {

@@ -24,10 +24,10 @@ typedef struct {
     size_t beside_count, beside_room;
     Names beside_paths;
     Names source_paths; /* paths of the session's first `indexed` sources */
-    uint32_t *sources;  /* by index in source_paths: the first source with that path */
+    uint32_t *sources;  /* per index in source_paths: the first source with that path */
     size_t source_count, source_room, indexed;
 } GltfFiles;
-/* Whether a path refers to an image inside a glTF file. */
+/* True if a path refers to an image inside a glTF file. */
 bool gltf_file_has(const char *path);
 /* Reads the image with this path. Returns false and *why on failure. */
 bool gltf_file_picture(Session *session, GltfFiles *files, const char *path, GltfBytes *picture,

@@ -30,9 +30,9 @@ typedef struct {
     const Tree *root;
     Names names; /* names of the materials so far */
     Names stems; /* names that several materials of the file share */
-    int *last;   /* by stem: the number of the last duplicate */
+    int *last;   /* per stem: the number of the last duplicate */
     size_t last_count, last_room;
-    /* By material: a primitive with this material has vertex colors. The last entry is for
+    /* Per material: a primitive with this material has vertex colors. The last entry is for
      * primitives without a material. */
     bool *colored;
     uint32_t material_count;

@@ -28,7 +28,7 @@ const char *resolve_parameter_type(ParameterType type);
 /* Parses name: default, or name: { default, type, doc, min, max }. Returns false after reporting
  * a fault. */
 bool resolve_parameter(Resolver *r, const Member *member, Parameter *parameter);
-/* Whether the parameter of a definition accepts an argument. Returns false after reporting a
+/* True if the parameter of a definition accepts an argument. Returns false after reporting a
  * fault. */
 bool resolve_argument(Resolver *r, const Member *definition, const Parameter *parameter,
                       const Tree *argument);

@@ -279,7 +279,7 @@ const Node *resolve_translate(Resolver *r, Node of)
             *value = as_number(*value);
         fine &= value->kind != VALUE_none || !param_table[rule->to].lanes;
     }
-    doubt_units(r->session, &of); /* in the units of the author's material */
+    doubt_units(r->session, &of); /* checked in the author's units */
     say_losses(&s);
     of.written = of.kind;
     of.kind = KIND_Principled;

@@ -67,7 +67,7 @@ bool batch_stored_open(Batch *b)
     b->options.read_file = read_noted;
     b->options.user = b;
     if (!line->cache || b->textures || line->max_error || line->emit[EMIT_tree])
-        return true; /* these outputs are not cached */
+        return true; /* outputs of these options are not cached */
     b->cache = cache_open(
         line->cache, (uint64_t)(line->cache_limit ? line->cache_limit : DEFAULT_LIMIT_MIB) << 20,
         &why);
@@ -108,7 +108,7 @@ void batch_stored_key(const Batch *b, BatchDocument *document)
     bytes_free(&bytes);
 }
 
-/* Whether all files are unchanged. */
+/* True if all files are unchanged. */
 static bool same_files(Batch *b, BytesReader *from, int count)
 {
     for (int i = 1; i < count; i++) {

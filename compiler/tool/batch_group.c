@@ -24,7 +24,7 @@ static void add_unit(Batch *b, KeySet *keys, Key key, Unit *unit)
     b->programs[unit->program].unit_count++;
 }
 
-/* Whether all units of the program have equal numbers at a place. */
+/* True if all units of the program have equal numbers at a place. */
 static bool is_same(const BatchProgram *program, int at, int lanes)
 {
     size_t size = (size_t)lanes * sizeof(uint32_t);

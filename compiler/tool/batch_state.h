@@ -11,8 +11,8 @@
 
 enum { LONGEST_NAME = 256, LONGEST_PATH = 4096 };
 
-/* Where a batch stores constants: in programs; in a uniform block, for all of the document; or
- * in a uniform block for those in which materials of one shape differ. */
+/* Storage of constants in a batch: in programs; in a uniform block, for all of the document; or
+ * in a uniform block, for those in which materials of one shape differ. */
 typedef enum { NUMBERS_baked, NUMBERS_uniform, NUMBERS_auto } Numbers;
 
 typedef struct {
@@ -35,11 +35,11 @@ typedef struct {
     int offset;     /* index of the first material; --material selects one */
     char **depends; /* the document and its included files */
     int depend_count;
-    MatcRanges *ranges; /* with --layout=auto, while the document is open */
+    MatcRanges *ranges; /* set with --layout=auto, while the document is open */
     bool stored;        /* loaded from the cache */
     /* Diagnostics were printed, so the document is not cached: a cached run would print none. */
     bool spoke;
-    bool unreadable; /* which was reported */
+    bool unreadable; /* reading failed, which was reported */
     bool once;       /* a pipe, which can be read only once: its text is kept */
     Bytes said;      /* diagnostics of the document */
     bool closed;
@@ -50,7 +50,7 @@ typedef struct {
 typedef struct {
     Unit *first, *last; /* linked list of its materials; the first one names the program */
     int unit_count;
-    int *members; /* by place: the member that replaces it; NULL: all numbers are literals */
+    int *members; /* per place: the member that replaces it; NULL: all numbers are literals */
     char *name;   /* name of its files without suffix */
 } BatchProgram;
 
@@ -138,11 +138,11 @@ void batch_phase(Batch *batch, int (*open)(void *, int), void (*work)(void *, in
 void batch_inputs(const Batch *batch, StringSet *files);
 /* Reports each output that would replace an input. Call it when all outputs are staged. */
 void batch_spare_inputs(Batch *batch);
-/* Whether the folder's file of that name is an input. Call it after batch_spare_inputs(). */
+/* True if the folder's file of that name is an input. Call it after batch_spare_inputs(). */
 bool batch_reads(const Batch *batch, const char *name);
 
 /* -- batch_layout.c */
-void batch_make_layout(Batch *batch); /* with --layout=auto */
+void batch_make_layout(Batch *batch); /* used with --layout=auto */
 /* Writes the files that all programs share: the unpacking GLSL, and the layout itself. */
 void batch_write_layout(Batch *batch);
 /* Returns the layout cases that the materials write, 1 << case; 0: all are read back. */

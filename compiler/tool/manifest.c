@@ -56,7 +56,7 @@ static void put_layout(Text *out, const Batch *b)
     text_put(out, "}");
 }
 
-/* By emit: the member of a program that names the file; NULL: none. */
+/* Per emit: the member of a program that names the file; NULL: none. */
 static const char *const file_keys[EMIT_COUNT] = {
     [EMIT_glsl] = "fragment",
     [EMIT_vertex] = "vertex",

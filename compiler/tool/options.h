@@ -39,7 +39,7 @@ extern const EmitRow emit_table[EMIT_COUNT];
 typedef struct {
     MatcOptions compile;
     Arena words;         /* owns strings derived from arguments, and messages about them */
-    const char **inputs; /* from the arguments and their lists */
+    const char **inputs; /* documents from the arguments and their lists */
     int input_count;
     const char **lists; /* files with lists of inputs, "@list.txt" */
     char **list_texts;  /* buffers of the inputs from lists */
@@ -70,7 +70,7 @@ typedef struct {
     bool pareto, stats, watch, help, version;
     const char *list;          /* --list: the kind, "" for all; NULL: not given */
     const char *schema;        /* --schema: the file type; NULL: not given */
-    struct WatchList *watched; /* with --watch: files that a run read or looked for */
+    struct WatchList *watched; /* set with --watch: files that a run read or looked for */
     MatcForm diagnostics;
 } CommandLine;
 

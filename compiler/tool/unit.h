@@ -9,7 +9,7 @@
 /* Data about a written program, in addition to its files. */
 typedef struct {
     char *json;   /* members of the manifest's program: constants, tables; "" for none */
-    int *members; /* by index in the block: index of the unit's number */
+    int *members; /* per index in the block: index of the unit's number */
     int member_count;
 } Written;
 
@@ -22,7 +22,7 @@ typedef struct {
 enum { UNIT_WORDS = 4, MOST_UNIT_FILES = 4 /* max cached programs, newest first */ };
 
 typedef struct Unit {
-    Key key, shape;  /* of the program: matc_key and matc_shape */
+    Key key, shape;  /* keys of the program: matc_key and matc_shape */
     int pass;        /* pass of the program: depth for an opaque material's shadow */
     int layout_case; /* layout case that it writes; -1: none */
     int count;       /* numbers that may be in a uniform block: places, or members already */

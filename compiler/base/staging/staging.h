@@ -22,7 +22,7 @@ typedef struct {
 /* Opens a folder. Returns NULL and *why (not to be freed) on failure. An interrupted commit of
  * an earlier process is finished first. */
 Staging *staging_open(const char *folder, unsigned how, const char **why);
-/* Whether two stagings have the same folder, perhaps under different paths; the second must then
+/* True if two stagings have the same folder, perhaps under different paths; the second must then
  * not be used. */
 bool staging_same(const Staging *a, const Staging *b);
 /* Stages a file, on any thread; each name at most once. Returns NULL or a fault. */
@@ -32,7 +32,7 @@ const char *staging_put(Staging *staging, const char *name, const void *bytes, s
 const char *staging_put_index(Staging *staging, const char *name, const void *bytes, size_t size);
 /* Removes a staged file from the staging. */
 void staging_drop(Staging *staging, const char *name);
-/* Whether the file is staged, to be moved into the folder. */
+/* True if the file is staged, to be moved into the folder. */
 bool staging_holds(const Staging *staging, const char *name);
 /* Returns this run's files of the folder, sorted by name; from malloc. */
 StagingFile *staging_list(const Staging *staging, int *count);

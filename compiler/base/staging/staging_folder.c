@@ -88,7 +88,7 @@ void stage_remove(Stage *s)
     stage_leave(s);
 }
 
-/* Whether the error means that the file system has no locks. No other process can then lock and
+/* True if the error means that the file system has no locks. No other process can then lock and
  * remove the folder either. */
 static bool has_no_locks(int error)
 {
