@@ -1,4 +1,4 @@
-/* The sweep that implements most passes. */
+/* Rebuilds the live nodes in one sweep, operands first; most optimizer passes are sweeps. */
 #include "compiler/ir/ir.h"
 
 /* Replacements of nodes and functions during a sweep. */

@@ -32,7 +32,7 @@ void tree_build_member(TreeBuilder *b, Member member);
 /* Pops the items or members from index `from` on, and makes them the content of a list or
  * object. */
 void tree_build_list(TreeBuilder *b, Tree *list, size_t from);
-/* Reports duplicate keys. */
+/* Builds an object like tree_build_list(), and reports duplicate keys. */
 void tree_build_object(TreeBuilder *b, Tree *object, size_t from);
 /* Appends the members of `bases` that the object lacks. Returns false after reporting a base
  * that is no object, or an exceeded limit. */
