@@ -13,7 +13,7 @@ void emit_declarations(Session *session, Text *out, const Ir *ir, const Job *job
 void emit_move_declarations(Session *session, Text *out, const Ir *ir, const Job *job,
                             Declared declared);
 /* Binding points, for targets that have them: a block of plain uniforms per program; textures
- * use the points between the blocks. */
+ * use the remaining points. */
 enum { MATERIAL_BLOCK = 0, FIRST_TEXTURE_BINDING = 1, DRAW_BLOCK = 16, CONSTANT_BLOCK = 17 };
 /* Storage buffers of instanced programs: matrices, and the constants of all materials that share
  * the program. */

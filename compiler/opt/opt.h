@@ -68,8 +68,8 @@ static inline bool opt_may_group(const Ir *ir, Ref ref)
 typedef struct {
     const uint32_t *uses;
     Ref count; /* number of nodes when the uses were counted */
-    /* Per Ref: the last node that opt_group created since with a single user, and its
-     * replacement; NULL: not needed. */
+    /* The newest node that opt_group created, which has a single user like the node that it
+     * replaced. NULL: not tracked. */
     Ref *grouped;
 } Uses;
 /* Counts the uses of each node by live nodes, outputs and functions, and updates ir_live_kept(). */

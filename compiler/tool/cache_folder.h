@@ -46,8 +46,9 @@ CacheCounts cache_counts(int folder);
 /* Adds counts and returns the new sums. `scanned` and `limit` are replaced, not added; with
  * `scanned`, `bytes` is replaced, too. */
 CacheCounts cache_count(int folder, const CacheCounts *more);
-/* Scans the folder and sums up entries and bytes. Above the limit, removes the least recently
- * used entries, and stale temporary files. Returns false if another process is trimming. */
+/* Scans the folder: sums up entries and bytes, and removes stale temporary files. Above the
+ * limit, also removes the least recently used entries. Returns false if another process is
+ * trimming. */
 typedef struct {
     uint64_t entries, bytes, removed;
 } CacheTrim;
