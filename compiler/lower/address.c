@@ -1,35 +1,36 @@
-/* The addresses of pictures but for `repeat`, as a change of the coordinate. A texel's value stands
- * at its lower corner, so the four that are mixed at u lie around the sampler's place u + 1/2
- * texel:
+/* Texture addressing other than `repeat`, as a change of the coordinate. A texel's value is
+ * located at its lower corner, so the four texels mixed at u surround the sampler's position u +
+ * 1/2 texel:
  *
- *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last one, and no way
- *               round to the first
- *     mirror    the sampler's place is folded into [0, 1], 1 - |1 - x| of x mod 2, then as clamp
- *     border    as clamp, times how much of the box that is one texel wide, or as wide as the
- *               pixel, lies in the picture
+ *     clamp     u' = clamp(u, 0, 1 - 1 texel): from the first texel to the last, without
+ *     wrapping around to the first
+ *     mirror    the sampler's position is folded into [0, 1], 1 - |1 - x| of x mod 2, then
+ *     clamped
+ *     border    as clamp, times the share of the box, one texel wide or as wide as the pixel,
+ *     that lies in the picture
  *
- * A picture of 4 texels at u = -.1: the sampler's place is .025, .1 texel; clamp reads u' = 0; the
- * box from -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as GL mixes
- * it with its border. */
+ * A picture of 4 texels at u = -.1: the sampler's position is .025, .1 texel; clamp reads u' =
+ * 0; the box from -.4 to .6 texels has .6 in the picture, so border is .6 of the first texel, as
+ * GL mixes a texel with its border color. */
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 
-/* So many texels, in u and v. */
+/* `count` texels as a coordinate, in u and v. */
 static Ref texels(Ir *ir, const Addressed *picture, double count)
 {
     return build_div(ir, build_all(ir, TYPE_vec2, count), picture->size);
 }
 
-/* The middle of the texel at uv. */
+/* The center of the texel at uv. */
 static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
 {
     Ref texel = build_floor(ir, build_mul(ir, uv, picture->size));
     return build_div(ir, build_add(ir, texel, build_all(ir, TYPE_vec2, 0.5)), picture->size);
 }
 
-/* u + shift folded into [0, 1]. Two whole turns go before the shift is added, which would be lost
- * far from the origin. Where the sum is above 2 it comes out below 0, and is kept at the edge like
- * its mirror image. 0: no shift. */
+/* u + shift folded into [0, 1]. Multiples of 2, the period, are dropped before the shift is
+ * added, which would be lost to rounding far from the origin. A sum above 2 comes out below 0,
+ * and is clamped to the edge like its mirror image. Shift 0: none. */
 static Ref folded(Ir *ir, Ref u, Ref shift)
 {
     Ref one = build_all(ir, TYPE_vec2, 1);
@@ -58,8 +59,8 @@ Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
     return build_clamp(ir, place, least, most);
 }
 
-/* The part of a box that lies in the picture, over the box, by lane. One texel wide it begins at u,
- * in texels; a wider one has the same middle. */
+/* Share of a box that lies in the picture, per component. A box of one texel begins at u, in
+ * texels; a wider one has the same center. */
 static Ref overlap(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 {
     Ref zero = build_all(ir, TYPE_vec2, 0), one = build_all(ir, TYPE_vec2, 1);

@@ -1,25 +1,24 @@
-/* Keeps coordinates exact far from the origin. Affine chains of constants are followed back, in
- * double, to the value they start from, and GLSL computes M root + offset as a whole number and a
- * fraction, each good to the last bit.
+/* Keeps coordinates exact far from the origin. Chains of affine operations with constants are
+ * traced back, in double, to the value they start from. GLSL then computes M root + offset as an
+ * integer and a fraction, each good to the last bit.
  *
- *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x -
- *                                         492.7
+ *     add(mul(sub(x, 0.5), 1000), 7.3)    the lines are x - 0.5, then 1000 x - 500, then 1000 x
+ *     - 492.7
  *     GLSL gets 1000 = 1000 + 0 + 0 and 492.7 = 492.625 + 2457 / 2^15 + 1.8e-5: two parts of 12
- *         bits, and what is left. So no
- *     product rounds, where 1000 (x - 0.5) + 7.3 in floats loses 3e-5 of the fraction by which a
- *         noise goes */
+ *     bits, and the remainder. So no product rounds, where 1000 (x - 0.5) + 7.3 in floats loses
+ *     3e-5 of the fraction that a noise reads */
 #include "compiler/lower/footprint.h"
 #include <float.h>
 #include <math.h>
 
 enum { LANES = AFFINE_LANES };
-/* of a factor or an offset: twice of it is a float yet */
+/* Bound of a factor or an offset: twice its value is still a float. */
 static const double GREATEST = FLT_MAX / 4;
 
 static Line constant(double value) { return (Line){.offset = value}; }
 
-/* A node that is nothing affine: it is what others start from. Of a vec4 only the first three lanes
- * can be that. */
+/* The identity: a node that is not affine is a root. Only the first three components of a vec4
+ * can be roots. */
 static Line start(Ref ref, int lane)
 {
     Line line = {.root = ref, .closed = lane >= LANES};
@@ -28,7 +27,7 @@ static Line start(Ref ref, int lane)
     return line;
 }
 
-/* a + sign b; false where they start from different values. */
+/* Computes a + sign b; false if they have different roots. */
 static bool combined(const Line *a, const Line *b, double sign, Line *sum)
 {
     if (a->closed || b->closed || (a->root && b->root && a->root != b->root))
@@ -47,7 +46,7 @@ static Line scaled(Line line, double factor)
     return line;
 }
 
-/* The affine form of one component; a scalar stands for all components of a vector. */
+/* The affine form of one component; a scalar is repeated over the components of a vector. */
 static Line line_of(const Lower *l, Ref ref, int lane)
 {
     if (ir_lanes(l->ir, ref) == 1)
@@ -73,7 +72,7 @@ static Line product_line(const Lower *l, Ref ref, int lane)
     return b.root ? start(ref, lane) : scaled(a, b.offset);
 }
 
-/* A matrix by its columns, all constant, times a vector. */
+/* Product of a matrix, given by constant columns, and a vector. */
 static Line linear_line(const Lower *l, Ref ref, int lane)
 {
     Line total = constant(0);
@@ -112,7 +111,7 @@ static Line swizzle_line(const Lower *l, Ref ref, int lane)
     return line_of(l, ir_arg(l->ir, ref, 0), (int)(ir_at(l->ir, ref)->payload >> 2 * lane & 3));
 }
 
-/* By the lines of the operands: the AFFINE lines of ops.def. */
+/* Affine form of a new node from those of its operands: the AFFINE lines of ops.def. */
 static Line new_line(const Lower *l, Ref ref, int lane)
 {
     switch (ir_at(l->ir, ref)->op) {
@@ -136,7 +135,7 @@ static bool is_affine(const IrNode *node)
     }
 }
 
-/* Products that no float holds are not followed. */
+/* Products that overflow a float are not followed. */
 static bool is_finite(const Line *line)
 {
     double greatest = fabs(line->offset);
@@ -145,8 +144,8 @@ static bool is_finite(const Line *line)
     return greatest <= GREATEST && !isnan(line->offset);
 }
 
-/* Finds the lines of all nodes up to this one that have none yet. Operands have lower numbers, so
- * theirs are there. */
+/* Finds the affine forms of all nodes up to `last` that have none yet. Operands have lower
+ * numbers, so their forms are known. */
 static void follow(Lower *l, Ref last)
 {
     Affine *affine = &l->affine;
@@ -167,7 +166,7 @@ static void follow(Lower *l, Ref last)
     }
 }
 
-/* Nothing rounds: a whole power of two times one lane, and no offset. */
+/* True if nothing rounds: one component times a power of two, without an offset. */
 static bool is_exact(const Line *line)
 {
     int terms = 0, exponent;
@@ -188,14 +187,15 @@ static double upper_bits(double x)
     return ldexp(trunc(ldexp(mantissa, BITS)), exponent - BITS);
 }
 
-/* A coordinate as lines of one root, a lane each, which are to be taken `scale` times. */
+/* A coordinate as affine forms of one root, one per component, to be multiplied by `scale`. */
 typedef struct {
     Line line[LANES];
     int lanes;
     double scale;
 } Lines;
 
-/* A column, or the offset, as three vectors that add up to it: two of 12 bits, and what is left. */
+/* Splits a column, or the offset, into three vectors that add up to it: two of 12 bits, and the
+ * remainder. */
 static void put_column(Lower *l, const Lines *lines, int column, Ref parts[3])
 {
     double value[3][4] = {{0}};
@@ -223,7 +223,7 @@ static Ref as_vec3(Lower *l, Ref value)
     return build_vec(ir, TYPE_vec3, value, rest);
 }
 
-/* The lanes as lines from one root; false if there is nothing to gain. */
+/* Affine forms of the components with one common root; false if nothing is gained. */
 static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
 {
     int lanes = ir_lanes(l->ir, coordinate);
@@ -260,7 +260,7 @@ bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *p
         parts->whole = build_swizzle(ir, parts->whole, lanes_of[lanes]);
         parts->fraction = build_swizzle(ir, parts->fraction, lanes_of[lanes]);
     }
-    for (int d = 0; d < DIRECTION_COUNT; d++) { /* the sum changes as the coordinate does */
+    for (int d = 0; d < DIRECTION_COUNT; d++) { /* the whole part changes as the coordinate does */
         Ref slope = slope_of(l, coordinate, (Direction)d);
         slope_set(l, parts->whole, (Direction)d,
                   slope && scale != 1 ? build_scale(ir, slope, scale) : slope);

@@ -1,5 +1,5 @@
-/* Means and their variances: those of sums add, those of products with a number are multiplied by
- * its square. */
+/* Means and their variances: variances of sums add, those of products with a number are
+ * multiplied by its square. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"
 
@@ -19,7 +19,7 @@ Answer answer_swizzle(Lower *l, Answer a, const char *lanes)
     return part;
 }
 
-/* An alpha that the conversion adds does not vary. */
+/* An alpha that the conversion adds is constant. */
 Answer answer_widened(Lower *l, Answer a, Type type)
 {
     Ir *ir = l->ir;
@@ -79,8 +79,8 @@ Ref answer_mean(Lower *l, Ref by, Ref a, Ref b)
     return ir_type(ir, by) == TYPE_bool ? build_select(ir, by, a, b) : build_mix(ir, b, a, by);
 }
 
-/* Both variances, each by its share; how far the two are apart is the split's to tell. A share may
- * be a rounding beyond 0 or 1, a variance never below 0. */
+/* Variance of both sides, each by its share; the distance between their means is left to the
+ * split. A share may exceed [0, 1] by rounding, but a variance is never negative. */
 static Ref either_variance(Lower *l, Ref by, const Answer *a, const Answer *b)
 {
     Ir *ir = l->ir;
@@ -100,8 +100,8 @@ Ref answer_alpha(Lower *l, Ref color)
     return ir_is(l->ir, alpha, OP_const) ? alpha : 0;
 }
 
-/* An alpha that both have is their mean's: a picture without one and a colour are opaque together,
- * and three lanes are mixed. */
+/* A constant alpha that both colors have is kept as it is, and only three components are mixed:
+ * an opaque picture and a color stay opaque. */
 static Ref mean_of_colors(Lower *l, Ref by, Ref a, Ref b)
 {
     Ir *ir = l->ir;

@@ -1,34 +1,34 @@
-/* Answers of maps under the operations that make others of them: the value, and beside it what it
- * leaves out of the pixel.
+/* Arithmetic on map values (Answer): computes the value and the variance that its mean leaves
+ * out of the pixel.
  *   granite: value %7, variance %9; twice of it: value mul %7 2, variance mul %9 mul 2 2 */
 #ifndef MATC_ANSWER_H
 #define MATC_ANSWER_H
 #include "compiler/lower/lower.h"
 
-/* A value of which no more is known. */
+/* A value without variance or split. */
 static inline Answer answer_of(Ref value) { return (Answer){value, 0, NULL}; }
-/* Lanes, by letters of "xyz". */
+/* Components, by letters of "xyz". */
 Answer answer_swizzle(Lower *l, Answer a, const char *lanes);
-/* The type that holds colours of both types lane by lane. A float stands for all lanes and a vec2
- * for two, hence a vec3. */
+/* The type that holds colors of both types per component. A float fills all components and a
+ * vec2 two of them, hence a vec3. */
 Type answer_common_type(Type a, Type b);
-/* As a type of as many lanes or more, by the conversion table. */
+/* Converts to a type of as many components or more, by the conversion table. */
 Answer answer_widened(Lower *l, Answer a, Type type);
-/* A float or three lanes as another group's value, as lower_as_group. */
+/* Converts a float or three components to another group's value, as lower_as_group() does. */
 Answer answer_as_group(Lower *l, Answer a, Group group);
-/* Sum and product, by lane, with what is the same all over the pixel. */
+/* Sum and product, per component, with a value that is constant over the pixel. */
 Answer answer_moved(Lower *l, Answer a, Ref by);
 Answer answer_scaled(Lower *l, Answer a, Ref factor);
-/* Products by lane, added up. */
+/* Dot product with constant factors. */
 Answer answer_dot(Lower *l, Answer a, Ref factors);
-/* The alpha that a colour has wherever it is asked, a number; 0: it varies, or the colour has none,
- * or -O0 leaves it as written. */
+/* The color's alpha if it is a constant; 0: it varies, the color has no alpha, or -O0 leaves it
+ * as written. */
 Ref answer_alpha(Lower *l, Ref color);
-/* Sum of two values that vary independently. */
+/* Sum of two values that vary independently; their variances add. */
 Answer answer_sum(Lower *l, Answer a, Answer b);
-/* As much of the pixel as `by` says has a's value, the rest b's; or `by` is a bool, and all of it
- * has a's or all b's. Both are widened to the type that holds both. */
+/* Mean of two values: `by` is the share of the pixel that has a's value, the rest has b's. If
+ * `by` is a bool, the whole pixel has one of them. Both are widened to their common type. */
 Answer answer_either(Lower *l, Ref by, Answer a, Answer b);
-/* Mean of values computed from both sides of a split, by its share. */
+/* Mean, weighted by a split's share, of values computed from both of its sides. */
 Ref answer_mean(Lower *l, Ref by, Ref a, Ref b);
 #endif

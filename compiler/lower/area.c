@@ -1,13 +1,13 @@
-/* Filtered forms of the maps: closed means over boxes where there are any, fading octaves for
+/* Filtered forms of the maps: closed-form means over boxes where they exist, fading octaves for
  * noise, samples for the rest. */
 #include "compiler/lower/address.h"
 #include "compiler/lower/area.h"
 #include "compiler/lower/cells.h"
 #include <math.h>
 
-enum { MOST_ARGUMENTS = 8 }; /* of a function */
+enum { MOST_ARGUMENTS = 8 }; /* of a library function */
 
-/* The mean of what the taps gave. */
+/* The mean of the values at all taps. */
 static Ref mean_of(Lower *l, const Ref *values, int count)
 {
     Ir *ir = l->ir;
@@ -17,7 +17,7 @@ static Ref mean_of(Lower *l, const Ref *values, int count)
     return count > 1 ? build_scale(ir, sum, 1.0 / count) : sum;
 }
 
-/* A function of a position and what follows it. */
+/* Calls a function of a position and further arguments. */
 static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int count)
 {
     Ref all[MOST_ARGUMENTS] = {position};
@@ -26,11 +26,12 @@ static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int co
     return build_call_of(l->ir, function, all, count + 1);
 }
 
-/* Functions (middle, rest, args, edge) and, of the variance that it leaves out, (args, edge). */
+/* Library functions of a fading noise: the mean (middle, rest, args, edge), and the variance
+ * that it leaves out (args, edge). */
 typedef struct {
     Function filtered, variance;
     Type type;
-    double factor; /* on the variance */
+    double factor; /* applied to the variance */
 } Octaves;
 
 static Ref octaves_variance(Lower *l, const Octaves *o, const Ref *args, int count, Ref edge)
@@ -78,7 +79,7 @@ static bool is_plain(Lower *l, Answer p)
     return !footprint_edges(l, p) && !affine_coordinate(l, p.value, 1, &parts);
 }
 
-/* Noise, by its function where nothing is filtered. */
+/* Noise; its plain function where nothing is filtered. */
 static Answer noise(Lower *l, int plain, const Octaves *o, Answer p, const Ref args[3])
 {
     return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3))
@@ -93,7 +94,8 @@ Answer area_turbulence(Lower *l, Answer p, const Ref args[3])
 
 Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
 {
-    /* a lane has the variance 0.26^2, the scalar noise 1/4; of simplex noise 0.256^2, 0.232 */
+    /* Variance of a component 0.26^2, of the scalar noise 1/4; for simplex noise 0.256^2 and
+     * 0.232. */
     static const Octaves lattice = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
                                     0.26 * 0.26 / 0.25};
     static const Octaves simplex = {FN_vectorTurbulenceFiltered, FN_turbulenceVariance, TYPE_vec3,
@@ -102,14 +104,14 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
     return noise(l, FN_vectorTurbulence, is_simplex ? &simplex : &lattice, p, args);
 }
 
-/* The map's own function. */
+/* The map's own function at a point. */
 static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
-/* Four samples of cells finer than a pixel know less than the mean of all cells: they fade into it
- * from 1.5 cells a pixel on, and are gone at 3.5. */
+/* Four samples of cells finer than a pixel are noisier than the mean of all cells: they fade to
+ * it from 1.5 cells per pixel on, completely at 3.5. */
 static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
 {
     Ir *ir = l->ir;
@@ -126,7 +128,7 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
 }
 
 /* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are
- * alike. */
+ * equal. */
 static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
@@ -144,7 +146,7 @@ static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return far_away(l, kind, p, args, (Answer){mean, mean_of(l, squares, point_count), NULL});
 }
 
-/* Closed means over boxes, functions (middle, edges, args). */
+/* Closed-form means over boxes, by functions (middle, edges, args). */
 static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Tap taps[MOST_TAPS];
@@ -176,8 +178,8 @@ Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return filters[kind_table[kind].filter](l, kind, p, args, count);
 }
 
-/* q without its whole part. It changes as q does, also where the parts of a long coordinate leave
- * the change to the whole one. */
+/* q without its integer part. Its derivative is q's, also if the parts of a long coordinate
+ * assign the derivative to the integer part. */
 static Ref within_period(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -211,7 +213,8 @@ Ref area_odd_share(Lower *l, Answer q)
     return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
 
-/* A varying, or lanes of one: every pixel of a quad has it, helper invocations too. */
+/* True for a varying, or components of one: every pixel of a quad has the same value, helper
+ * invocations too. */
 static bool is_varying(const Ir *ir, Ref uv)
 {
     while (ir_is(ir, uv, OP_swizzle))
@@ -219,19 +222,19 @@ static bool is_varying(const Ir *ir, Ref uv)
     return ir_is(ir, uv, OP_input) || ir_is(ir, uv, OP_attribute);
 }
 
-/* A number of the coordinate may come to lie in a storage buffer that materials share. Mesa's
- * llvmpipe reads 0 from it in helper invocations, so a quad at a triangle's edge would span the
- * whole picture, and its coarsest mipmap would be drawn. */
+/* The coordinate may depend on a number in a storage buffer that materials share. Mesa's
+ * llvmpipe reads 0 from the buffer in helper invocations, so a quad at a triangle's edge would
+ * span the whole picture, and its coarsest mipmap would be drawn. */
 static bool may_read_buffer(const Lower *l, Ref uv)
 {
     return l->job->instances && !is_varying(l->ir, uv);
 }
 
-/* The sampler takes the footprint from the neighboring pixels (texture) where these surely
- * compute the same coordinate and no seam lies between them. Elsewhere the program passes it
- * (textureGrad): in branches, in the functions of filters, where the view ray makes the texture
- * coordinate, and where a buffer has its numbers. GLSL 1.10 has no textureGrad, no filter
- * functions by sampler therefore, and no buffers. */
+/* The sampler derives the footprint from the neighboring pixels (texture) if these surely
+ * compute the same coordinate without a seam between them. Otherwise the program passes the
+ * footprint (textureGrad): in branches, in the functions of filters, where the view ray makes
+ * the texture coordinate, and where numbers come from a buffer. GLSL 1.10 lacks textureGrad, so
+ * it has no sampler in filter functions, and no buffers. */
 Function area_picture_function(const Lower *l, Ref uv, bool smooth)
 {
     const bool by_ray = l->job->pass == PASS_sky || l->job->pass == PASS_plane;
@@ -255,14 +258,14 @@ static Addressed addressed(const Picture *p)
     return (Addressed){p->address, p->function != FN_imageNearest, p->size};
 }
 
-/* Where the function reads what stands at uv; the sampler is told uv. */
+/* The coordinate that the function reads for uv; a sampler gets uv itself. */
 static Ref place_of(Lower *l, const Picture *p, Ref uv)
 {
     const Addressed a = addressed(p);
     return is_sampler(p->function) ? uv : address_place(l->ir, &a, uv);
 }
 
-/* A border's share of it is black. */
+/* Multiplies by the picture's share for a border, which is black. */
 static Ref with_border(Lower *l, const Picture *p, Ref value, const Ref at[2])
 {
     const Addressed a = addressed(p);
@@ -271,7 +274,7 @@ static Ref with_border(Lower *l, const Picture *p, Ref value, const Ref at[2])
 }
 
 typedef struct {
-    Ref right, up; /* by how much uv changes to the neighbouring pixels; 0: not at all */
+    Ref right, up; /* change of uv to the neighboring pixels; 0: none */
 } Spread;
 
 static Spread spread_of(Lower *l, Ref uv)
@@ -288,7 +291,7 @@ static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point
     return build_call(ir, function, p->sampler, point, p->size, right, up);
 }
 
-/* The texels that a pixel covers, by lane; 0: it covers none, or no border has to know. */
+/* Texels that a pixel covers, per component; 0: none, or the address is no border. */
 static Ref texels_across(Lower *l, const Picture *p, Spread spread)
 {
     Ir *ir = l->ir;
@@ -313,9 +316,9 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     return with_border(l, p, value, (Ref[]){point, wide});
 }
 
-/* Slope of a picture whose sampler does all addressing. With the neighbors' footprint it is read
- * outside of every branch, which is faster than passing a footprint within one: on an H100 three
- * reads take 0.2 ns a pixel, with passed footprints 0.8. */
+/* Slope of a picture whose sampler does all addressing. With the neighbors' footprint the
+ * picture is read outside of every branch, which is faster than passing a footprint within one:
+ * on an H100 three reads take 0.2 ns a pixel, with passed footprints 0.8. */
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
 {
     Ir *ir = l->ir;
@@ -335,7 +338,7 @@ static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
     return build_call_of(ir, FN_imageRiseNear, args, count);
 }
 
-/* GLSL 1.10 fetches no texels beside mipmaps. */
+/* GLSL 1.10 cannot fetch texels of a texture with mipmaps. */
 Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int lane, Ref shown)
 {
     Ir *ir = l->ir;
@@ -349,7 +352,8 @@ Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int lane, Ref shown)
     return rise_over(l, p, uv, number, shown);
 }
 
-/* By mipmaps: the spread is that of the picture, which is turned round where it is mirrored. */
+/* Reads mipmaps. The footprint is that of the unfolded coordinate, which is reversed where the
+ * picture is mirrored. */
 static Ref picture_filtered(Lower *l, const Picture *p, Ref uv, Spread spread)
 {
     const Addressed a = addressed(p);
@@ -386,7 +390,7 @@ Ref area_known_inverse(Lower *l, Ref low, Ref high)
     return build_div(ir, build_float(ir, 1), build_sub(ir, high, low));
 }
 
-/* A step: the share of the box that is not below it; of no box, whether t is. */
+/* A step: the share of the box that is not below it; without a box, 1 or 0 by the point t. */
 static Ref step_share(Lower *l, Ref from, Ref edge)
 {
     Ir *ir = l->ir;
@@ -398,8 +402,8 @@ static Ref step_share(Lower *l, Ref from, Ref edge)
 }
 
 /* The mean of a ramp of width w over a box of edge b is a ramp too, as wide as the wider of the
- * two, with both its bends rounded over the narrower one: nothing cancels, whichever is how many
- * times the other. Of the bends only one is near.
+ * two, with both its bends rounded over the narrower one. Nothing cancels, whatever the ratio of
+ * both widths. At most one bend is near.
  *   w = 1, b = 4: the ramp begins at low - 3/2 and ends at high + 3/2; where it begins the box
  *   reaches to low + 1/2, and its mean is 1/32: a bend's share of 1/8, over 4 */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high)

@@ -1,25 +1,22 @@
-/* Blends by weights: how much of a pixel's box of t, or of a point, every item is.
+/* Blends by weights: the share of every item in a pixel's box of t, or at a point.
  *
- *     items at 0, .3 and 1 answering a, b, c; the pixel's t is in [.25, .45]. The step from a to b
- *         has gone 47 / 48 of its
- *     way on the mean, that from b to c 9 / 112:
+ *     items at 0, .3 and 1 with values a, b, c; the pixel's t is in [.25, .45]. On average 47 /
+ *     48 of the step from a to b has been passed, and 9 / 112 of that from b to c:
  *     area:    a + (b - a) 47 / 48 + (c - b) 9 / 112
  *     weights: a (1 - 47 / 48) + b (47 / 48 - 9 / 112) + c 9 / 112, which loses no small item
- *         behind a great one
- *     guards:  the same, a costly c standing as w != 0 ? c : 0 by its weight w. With t in [.1, .2]
- *              that is 0 */
+ *     next to a great one
+ *     guards:  as weights, with a costly c as w != 0 ? c : 0 for its weight w. With t in [.1,
+ *     .2] that is 0 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/area.h"
 #include <math.h>
 #include <string.h>
 
 enum {
-    ALIKE = 16,      /* how many times the least of alike items the greatest is at most */
-    KNOWN_DEPTH = 6, /* operations that are looked through for a value's bounds */
+    ALIKE = 16,      /* maximum ratio of the greatest to the least of alike items */
+    KNOWN_DEPTH = 6, /* depth of operations searched for a value's bounds */
 };
 
-/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never
- * taken. */
 Ref blend_position(Lower *l, Ref t, Ref low, Ref high)
 {
     Ir *ir = l->ir;
@@ -32,7 +29,7 @@ Ref blend_position(Lower *l, Ref t, Ref low, Ref high)
     return build_div(ir, along, build_select(ir, flat, build_float(ir, 1), width));
 }
 
-/* The guard is called as what it guards. */
+/* The guard gets the name of the guarded value. */
 Ref blend_guarded(Lower *l, Ref shown, Ref value)
 {
     Ir *ir = l->ir;
@@ -47,8 +44,8 @@ bool blend_is_costly(const Ir *ir, Ref result)
     return lower_cost_below(ir, result, BLEND_CHEAP) >= BLEND_CHEAP;
 }
 
-/* The first of the operands that have to be in [0, 1] for the value to be there too, by the UNIT
- * lines of ops.def; -1: it may be anywhere. */
+/* First operand that has to be in [0, 1], with all that follow, for the value to be in [0, 1]
+ * too, by the UNIT lines of ops.def; -1: the value may be anything. */
 static int first_in_unit(Op op)
 {
     switch (op) {
@@ -61,7 +58,7 @@ static int first_in_unit(Op op)
     }
 }
 
-/* Every lane of a value is surely in [0, 1]. */
+/* True if every component of a value is surely in [0, 1]. */
 static bool within_unit(const Ir *ir, Ref ref, int depth)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -78,7 +75,7 @@ static bool within_unit(const Ir *ir, Ref ref, int depth)
     return true;
 }
 
-/* Constants of which none is ALIKE times another. */
+/* True for constants whose magnitudes differ by a factor of at most ALIKE. */
 static bool alike_constants(const Ir *ir, const Stop *stops, int count)
 {
     double least = INFINITY, greatest = 0;
@@ -95,7 +92,7 @@ static bool alike_constants(const Ir *ir, const Stop *stops, int count)
 }
 
 /* Drivers compute mix(a, b, t) as a + t (b - a), which errs by a rounding of the greater one: a
- * small item behind a great one would be lost. */
+ * small item would be lost next to a great one. */
 bool blend_alike(const Ir *ir, const Stop *stops, int count)
 {
     bool unit = true;
@@ -104,14 +101,14 @@ bool blend_alike(const Ir *ir, const Stop *stops, int count)
     return unit || alike_constants(ir, stops, count);
 }
 
-/* Items first..last of so many. */
+/* Items first..last of `count`. */
 typedef struct {
     const Stop *stops;
     int count, first, last;
 } Run;
 
-/* Where the items first..last of so many show: above the value before them and below the one
- * behind; closed: on these, too. 0: everywhere. */
+/* Condition under which the items first..last show: above the value before them and below the
+ * one after; `closed`: also exactly there. 0: everywhere. */
 static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
 {
     Ir *ir = l->ir;
@@ -124,7 +121,8 @@ static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
     return above && below ? build_and(ir, above, below) : above ? above : below;
 }
 
-/* Where any of the items applies that have the value of item i; i is the first of them. */
+/* Condition under which any item with the value of item s.first shows; s.first is the first such
+ * item. 0: everywhere. */
 static Ref where_result(Lower *l, Ref t, Run s, bool closed)
 {
     const Ref result = s.stops[s.first].result;
@@ -170,14 +168,14 @@ Ref blend_share(Lower *l, Ref t, const Stop *stop)
     return build_clamp(l->ir, at, build_float(l->ir, 0), build_float(l->ir, 1));
 }
 
-/* How much of a box of t has the step from a stop to the next behind it; no edge: of a point. */
+/* Share of the step from a stop to the next that a box of t has passed; edge 0: a point. */
 static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 {
     return edge ? area_ramp(l, t, edge, stop[0].value, stop[1].value) : blend_share(l, t, stop);
 }
 
-/* The mean over a box of t: every step from one item to the next counts by how much of it the box
- * has behind it. */
+/* The mean over a box of t: every step from one item to the next counts by the share of it that
+ * the box has passed. */
 static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -191,7 +189,7 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 }
 
 /* For each item, the share of the box, or of the point, that has reached it: all for the first,
- * none beyond the last. */
+ * 0 after the last. */
 static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
@@ -219,8 +217,8 @@ static bool has_costly(const Ir *ir, const Stop *stops, int count)
     return false;
 }
 
-/* Weight of all items that have the value of item i, if i is the first of them; otherwise 0.
- * Adjacent items are one run, so that those that cover everything weigh 1. */
+/* Total weight of all items that have the value of item i, if i is the first of them; otherwise
+ * 0. Adjacent items form one run, so that items that cover everything weigh exactly 1. */
 static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int count, int i)
 {
     const Ref result = stops[i].result;
@@ -237,9 +235,8 @@ static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int c
     return sum;
 }
 
-/* The mean over a box of t, its costly items behind guards: an item counts by its weight, so where
- * that is 0 it may be anything, and is not computed. The condition is the weight itself, whatever
- * rounding made of it. */
+/* The mean over a box of t, with costly items behind guards: where an item's weight is 0 it is
+ * not computed. The condition is the weight itself, after rounding. */
 static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -256,7 +253,7 @@ static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int 
     return result;
 }
 
-/* The mean of items that are not alike. */
+/* Weighted sum, for items that are not alike. */
 Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -267,7 +264,6 @@ Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* Variance of a weighted sum, in any of its forms; `edge` is optional. */
 Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -282,7 +278,6 @@ Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return variance;
 }
 
-/* Over a box of t. */
 Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     if (l->cheap && count <= BLEND_MOST_MIXES && has_costly(l->ir, stops, count))

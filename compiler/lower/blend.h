@@ -1,52 +1,56 @@
-/* Blends: their items, weighted sums of them, and their slopes. blend.c, blend_slope.c; the map
- * itself is lower_blend.c. */
+/* Blends: their items, weighted sums of items, and the sums' slopes. blend.c, blend_slope.c; the
+ * map itself is in lower_blend.c. */
 #ifndef MATC_BLEND_H
 #define MATC_BLEND_H
 #include "compiler/lower/lower.h"
 
 enum {
     BLEND_CHEAP =
-        /* scalar operations: an item that takes as many is costly; all items together below it are
-         * cheap */
+        /* Scalar operations from which on one item counts as costly; below it, all items of a
+         * Blend together count as cheap. */
     40,
-    /* items up to which mixing, and a branch for each costly one, beat searching */
+    /* Number of items up to which mixing, with a branch for each costly item, is cheaper than a
+     * binary search. */
     BLEND_MOST_MIXES = 8,
 };
 
 typedef struct {
-    /* of an item: where it lies on t, its answer and what that leaves out */
+    /* An item: its position on t, its value, and the variance that the value leaves out. */
     Ref value, result, variance;
 } Stop;
 
-/* How far t is between two stops. The divisor is guarded: equal values make a segment that is never
- * taken. */
+/* Position of t between two stops, 0 at `low` and 1 at `high`. The divisor is guarded: equal
+ * values make a segment that is never taken. */
 Ref blend_position(Lower *l, Ref t, Ref low, Ref high);
-/* How much of the way from a stop to the next t has behind it: 0 before both, 1 behind them. */
+/* Share of the step from a stop to the next that t has passed: 0 before both stops, 1 after
+ * them. */
 Ref blend_share(Lower *l, Ref t, const Stop *stop);
 bool blend_is_costly(const Ir *ir, Ref result);
-/* shown ? value : 0, called as the value: a branch where that pays (opt_guard.c). */
+/* shown ? value : 0, with the value's name: a branch where that pays (opt_guard.c). */
 Ref blend_guarded(Lower *l, Ref shown, Ref value);
-/* The items, each costly one behind a guard, so that it is computed only where it shows: between
- * its neighbours' values, or closed, on them, too. The items themselves where none is costly. */
+/* The items, each costly item behind a guard, so that it is computed only where it shows:
+ * between its neighbors' values; `closed`: also exactly at them. Returns `stops` itself if no
+ * item is costly. */
 const Stop *blend_guarded_items(Lower *l, Ref t, const Stop *stops, int count, bool closed);
-/* No item is lost beside a greater one where they are mixed as a + t (b - a): all are in [0, 1], or
- * constants of one size. */
+/* True if mixing as a + t (b - a) loses no item to rounding against a greater one: all items are
+ * in [0, 1], or are constants of similar size. */
 bool blend_alike(const Ir *ir, const Stop *stops, int count);
-/* Items times their weights, at a point of t. */
+/* Sum of items times their weights, at a point of t (edge 0) or over a box. */
 Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
-/* The mean over a box of t of that edge. A costly item is computed where its weight is not 0. */
+/* Mean over a box of t with that edge. A costly item is computed only where its weight is not 0. */
 Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
-/* Variance of such a sum, in any of its forms; `edge` is optional. 0: nothing was left out. */
+/* Variance of a weighted sum of items, in any of its forms; `edge` 0: at a point. Returns 0 if
+ * no item has a variance. */
 Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
 
-/* A sum of ascending items, by their shares at a point of t. */
+/* A sum of ascending items, weighted by their shares at a point of t. */
 typedef struct Blended {
     Ref t;
     const Stop *stops;
-    const Stop *within; /* the same; costly ones may be 0 where they do not show */
+    const Stop *within; /* the same items; costly ones may be 0 where they do not show */
     int count;
 } Blended;
-/* Tells slope.c that the value is that. False: the same value is another Blend already, which may
- * have other slopes. blend_slope.c */
+/* Records for slope.c that `value` is this sum. Returns false if the same value already is
+ * another Blend, whose slopes may differ. blend_slope.c */
 bool blend_note(Lower *l, Ref value, const Blended *blend);
 #endif

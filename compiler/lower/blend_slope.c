@@ -1,8 +1,8 @@
-/* Slopes of Blends at a point. The shares of both segments that meet at an item bend there, and
- * where rounding lets one of them end late the other has begun; so each segment's slope counts from
- * its item on, below the next one's value, as the walk and the search say it.
+/* Slopes of Blends at a point. The weights of both segments that meet at an item have a kink
+ * there, and by rounding one segment may end after the next has begun. So each segment's slope
+ * counts from its item on, below the next item's value, as the walk and the search decide.
  *
- *     items at 0, .3 and 1 answering a, b, c; with s = clamp(t / .3), r = clamp((t - .3) / .7)
+ *     items at 0, .3 and 1 with values a, b, c; with s = clamp(t / .3), r = clamp((t - .3) / .7)
  *     within:  da (1 - s) + db (s - r) + dc r
  *     along t: ((b - a) / .3 (0 <= t and t < .3) + (c - b) / .7 (.3 <= t and t <= 1)) dt */
 #include "compiler/lower/area.h"
@@ -16,7 +16,7 @@ static bool is_same(const Blended *a, const Blended *b)
            !memcmp(a->stops, b->stops, sizeof *a->stops * (size_t)a->count);
 }
 
-/* Made of the items and t, and none of them. */
+/* True if `value` was made from the items and t, and is not one of them. */
 static bool is_new(Ref value, const Blended *blend)
 {
     for (int i = 0; i < blend->count; i++)
@@ -25,8 +25,8 @@ static bool is_new(Ref value, const Blended *blend)
     return value > blend->t;
 }
 
-/* 1 where t is in the segment that ends at item i. The last one has its end, too (lower_blend.c,
- * is_below). */
+/* 1 where t is in the segment that ends at item i. The last segment includes its end
+ * (lower_blend.c, is_below). */
 static Ref is_along(Lower *l, const Blended *blend, int i)
 {
     Ir *ir = l->ir;
@@ -36,7 +36,7 @@ static Ref is_along(Lower *l, const Blended *blend, int i)
                                  : build_sub(ir, begun, build_step(ir, stops[i].value, blend->t));
 }
 
-/* How the Blend rises with t. Exactly at an item its neighbour counts, which does not show
+/* The Blend's derivative by t. Exactly at an item the neighbor counts, although it does not show
  * there. */
 static Ref rate(Lower *l, const Blended *blend)
 {

@@ -1,25 +1,28 @@
-/* --aa=auto: which maps are averaged over the pixel. Those whose means are closed forms, as long as
- * the program costs at most a tenth more than without any, by the costs of grammar/. It is measured
- * on IR that is always simplified, so that all levels of -O average the same maps; what is measured
- * and fits is the program, which is not lowered again but for -O0.
+/* --aa=auto: selects the maps that are averaged over the pixel. Candidates have closed-form
+ * means; they are taken as long as the program costs at most a tenth more than without any, by
+ * the costs of grammar/. Costs are measured on IR that is always simplified, so that all levels
+ * of -O average the same maps. A measured program that fits is the result, and is lowered again
+ * only for -O0.
  *
  *     wood with a sine: 109 operations without a mean, 174 with that of the sine. A GPU takes as
- *         long for the one as for the other, and for a constant (docs/results/accuracy-gpu.md),
- *         since there is other work to a pixel: FREE_COST counts at least, and 174 <= 1.1 * 200
- *     a checker beside much noise: 1124 without, 1183 with it, and 1183 <= 1.1 * 1124
+ *     long for either, and for a constant (docs/results/accuracy-gpu.md), since a pixel has
+ *     other work too: at least FREE_COST counts, and 174 <= 1.1 * 200
+ *     a checker next to much noise: 1124 without, 1183 with its mean, and 1183 <= 1.1 * 1124
  *
- * Where the tables of grammar/ say that all means may fit, a program with them is made first. It is
- * taken if they are free, or cost at most a tenth more than points. What points cost is counted in
- * a fork of its IR, in which only what a mean is part of is lowered again. Any other program is
- * made of points first. What the mean of each map costs beside its point is known without a program
- * of it (price.h), and only what should fit is tried: all means, or those that come first in the
- * document. Most programs are lowered once, also where none fits; where some fit, about twice.
+ * If the tables of grammar/ estimate that all means may fit, a program with all of them is made
+ * first. It is taken if its means are free, or cost at most a tenth more than points. The cost
+ * of points is measured on a fork of its IR, in which only values that contain a mean are
+ * lowered again. Otherwise the program of points is made first. The additional cost of each
+ * map's mean is known without a program of it (price.h), and only what should fit is tried: all
+ * means, or those that come first in the document. Most programs are lowered once, also if no
+ * mean fits; if some fit, about twice.
  *
- * Every pass by its own program, so that another slot's noise pays for nothing. The shadow pass
- * averages none: it compares with a threshold, and of a mean that loses what is finer than a texel.
- * A leaf of holes, half of it transparent by 0.7 and half by 0.1:
- *     at points: half of the texels are held, and the light's filter over the map makes a half
- *     shadow of that of means: 0.4 everywhere, and all are held
+ * Every pass is decided by its own program, so that noise in another slot does not raise the
+ * budget. The shadow pass averages no map: it compares with a threshold, and a mean would lose
+ * detail finer than a texel. A leaf with holes, half of it transparent by 0.7 and half by 0.1:
+ *     at points: half of the texels are kept, and the light's filter over the map makes a half
+ *     shadow of them
+ *     means: 0.4 everywhere, and all texels are kept
  *
  * A plane reaches the horizon, where every map is finer than a pixel: its pass may cost twice as
  * much. */
@@ -29,26 +32,26 @@
 #include <string.h>
 
 enum {
-    /* operations that a pixel has the time for anyway: 234 were measured to take none */
+    /* operations that are hidden behind a pixel's other work: 234 took no measurable time */
     FREE_COST = 200,
     MEAN_COST = 30,         /* estimated operations that a mean adds: 32 for a Checker */
-    LARGEST_GUESSED = 1000, /* estimated operations of a program above which no guess is made */
+    LARGEST_GUESSED = 1000, /* estimated cost of a program above which no guess is made */
     MOST_SLOW = 2           /* consecutive guesses that may leave more than half of the range */
 };
-/* times what is left, by a mean's price: it does not fit */
+/* A mean whose price exceeds the remaining budget by this factor does not fit. */
 static const double SURELY = 1.1, SURELY_MINGLED = 3;
 static const double most_growth = 1.1, most_growth_of_plane = 2;
 
-/* A lowering in memory of its own, with diagnostics of its own, which goes without a trace unless
- * it is taken. It stays where it is. */
+/* A tentative lowering with its own memory and diagnostics, which are discarded unless the
+ * result is taken. A Trial must not be moved. */
 typedef struct {
     Arena arena;
     Session session;
     Lower lower;
-    Ir *ir;       /* NULL: it failed, or went */
+    Ir *ir;       /* NULL: failed, or dropped */
     MapList seen; /* the maps that may be averaged */
-    int below;    /* which index they are */
-    int cost;     /* where there are any */
+    int below;    /* maps below this index are averaged */
+    int cost;     /* cost in operations, if `seen` has any map */
 } Trial;
 
 static DiagList copy_of_diags(Arena *arena, const DiagList *diags)
@@ -85,7 +88,7 @@ static void drop(Trial *trial)
     arena_free(&trial->arena);
 }
 
-/* The program of a trial, which moves into the session. */
+/* Moves a trial's program into the session. */
 static Ir *take(Trial *trial, Session *session)
 {
     Ir *ir = trial->ir;
@@ -106,22 +109,23 @@ static void swap(Trial **a, Trial **b)
     *b = c;
 }
 
-/* Between how many means the last one that fits lies, and what programs with so many cost. */
+/* Bounds of the number of means that fit: `fit` means fit, `beyond` do not; and the cost of
+ * programs with as many. */
 typedef struct {
     int fit, beyond;
     double cost_fit, cost_beyond;
-    const double *upto; /* by how many means: what the first so many add, about */
-    double surely;      /* so many times what is left */
+    const double *upto; /* by number of means n: approximate additional cost of the first n */
+    double surely;      /* factor on the remaining budget */
 } Bracket;
 
-/* Means cost as their prices say, in proportion to what programs at both ends of the bracket were
- * found to cost. Where two guesses have left more than half, the middle is next.
+/* Number of means to try next: interpolates by their prices, scaled to the measured costs at
+ * both ends of the bracket. After MOST_SLOW guesses that left more than half of the range,
+ * bisects.
  *
- *     none of 100 costs 200, all cost 2,200, each as much, and 220 may be spent: 1 is tried, and
- *         fits; 2 cost 240, and that is known
+ *     without means 200, with all 100 means 2,200, each costs as much, and 220 may be spent: 1
+ *     is tried, and fits; 2 cost 240, which is then known
  *
- * So many as fit already: the next one alone costs surely more than what is left, and is not
- * tried. */
+ * Returns `fit` if the next mean alone surely costs more than the remaining budget. */
 static int guess(const Bracket *b, double most, bool halve)
 {
     const int between = b->beyond - b->fit;
@@ -138,19 +142,19 @@ static int guess(const Bracket *b, double most, bool halve)
     return b->fit + step;
 }
 
-/* The one with as many means as fit, of those between, beside one that has `fit`. The others are
- * dropped. */
+/* The trial with the most means that fit, within the bracket; trials[1] has b.fit means. The
+ * other trials are dropped. */
 static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, Bracket b,
                             const int *ends)
 {
     Trial *next = &trials[0], *best = &trials[1];
-    int slow = 0; /* guesses that left more than half */
+    int slow = 0; /* consecutive guesses that left more than half of the range */
     while (b.fit + 1 < b.beyond) {
         const int before = b.beyond - b.fit, tried = guess(&b, most, slow == MOST_SLOW);
         if (tried == b.fit)
             break;
         try_below(next, what, ends[tried - 1]);
-        const double cost = next->ir ? next->cost : 0; /* of one that failed nothing is known */
+        const double cost = next->ir ? next->cost : 0; /* the cost of a failed trial is unknown */
         if (fits(next, most)) {
             swap(&best, &next);
             b.fit = tried, b.cost_fit = cost;
@@ -163,15 +167,15 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     return best;
 }
 
-/* Operations that means may add to a program without means. */
+/* Maximum cost of a program with means if it costs `plain` without them. */
 static double most_beside(const LowerRequest *what, int plain)
 {
     const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;
     return growth * (plain > FREE_COST ? plain : FREE_COST);
 }
 
-/* Estimate from the cost tables: the means of all maps are free, fit into a tenth of the rest, or
- * are too many. */
+/* Estimate from the cost tables: the means of all maps are free, fit into a tenth of the rest,
+ * or are too many. */
 typedef enum { GUESS_many, GUESS_free, GUESS_fit } Guess;
 
 static Guess guess_by_tables(const Node *material)
@@ -197,8 +201,8 @@ static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
     return plain >= 0 && fits(all, most_beside(what, plain));
 }
 
-/* The one to take, where points are made; of all means it is known what they cost; NAN: they were
- * not tried. */
+/* Chooses between the program of points in trials[1] and programs with means; `cost_of_all` is
+ * the cost with all means, NAN if that was not tried. */
 static Trial *beside_points(const LowerRequest *what, Trial trials[2], double cost_of_all)
 {
     Trial *all = &trials[0], *plain = &trials[1];
@@ -242,7 +246,7 @@ static Trial *first_of_two(const LowerRequest *what, Trial trials[2])
     return fit ? one : plain;
 }
 
-/* The one to take, of two that are made here; the other one is dropped. */
+/* Makes the two trials, returns the better one and drops the other. */
 static Trial *affordable(const LowerRequest *what, Trial trials[2])
 {
     Trial *all = &trials[0], *plain = &trials[1];
@@ -261,7 +265,7 @@ static Trial *affordable(const LowerRequest *what, Trial trials[2])
         return all;
     }
     drop(all);
-    /* there is none, or one, which costs too much */
+    /* no map to average, or a single one whose mean costs too much */
     const bool known = plain->seen.count <= (size_t)first;
     if (!plain->ir || known)
         return plain;

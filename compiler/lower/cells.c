@@ -1,14 +1,14 @@
-/* Cells of a coordinate. Where cells are finer than a pixel, their mean stands for them, by the
- * factors of grammar/cells.def:
+/* Cellular noise. Where cells are finer than a pixel, their mean replaces them, by the factors
+ * of grammar/cells.def:
  *
- *     F1 of squares, a pixel .7 cells wide: F1's factor is .62, of which 1.43 * .62 - .43 = .46 is
- *         kept: .43 + .46 (F1(q) - .43)
- *     from 1.8 cells on nothing is kept, and no point is searched for */
+ *     F1 of squares, a pixel .7 cells wide: F1's factor is .62, of which 1.43 * .62 - .43 = .46
+ *     is kept: .43 + .46 (F1(q) - .43)
+ *     from 1.8 cells per pixel on only the mean is left, and no point is searched for */
 #include "compiler/lower/cells.h"
 #include "compiler/lower/area.h"
 
-/* Statistics of F1 and similar values, with jitter 0, 1/2 and 1, and how they fade: a row of
- * cells.def. */
+/* Statistics of F1 and similar values at jitter 0, 1/2 and 1, and the widths at which they fade:
+ * a row of cells.def. */
 typedef struct {
     double mean[3], variance[3], slope[3], narrow, wide;
 } Statistics;
@@ -61,7 +61,7 @@ Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside)
     return call(l, cells, parts.whole, build_or_zero(ir, rest, ir_type(ir, q)));
 }
 
-/* In the middle of a box of the footprint. */
+/* Value at the center of one box of the footprint. */
 static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
 {
     LongCoordinate parts;
@@ -70,8 +70,8 @@ static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
                  : cells_at(l, cells, middle, 0);
 }
 
-/* For a mean over a square of that edge: the share that is left of a value's distance from the
- * mean, and the variance that is left out beside its slope. */
+/* For a mean over a square of that edge: the factor on a value's distance from the mean, and the
+ * variance left out in addition to the slope. */
 typedef struct {
     Ref share, variance;
 } Fading;
@@ -79,7 +79,7 @@ typedef struct {
 static Fading fading(Lower *l, const Cells *cells, Ref edge)
 {
     Ir *ir = l->ir;
-    const double widest = 64; /* cells: nothing is kept long before */
+    const double widest = 64; /* in cells: the value has faded completely long before */
     const Statistics *s =
         &statistics[cells->dimensions - CELLS_FEWEST_DIMENSIONS][cells->distance][cells->measure];
     Ref one = build_float(ir, 1), width = build_min(ir, edge, build_float(ir, widest)),
@@ -139,7 +139,7 @@ bool cells_far(Lower *l, Far far, const Ref *args, Answer *made)
         !ir_is(ir, args[DIMENSIONS], OP_const))
         return false;
     if (ir_known(ir, args[STYLE])[0] != 0)
-        return true; /* a number of the nearest point's cell */
+        return true; /* style 1: a random number of the nearest point's cell */
     const int flat = ir_known(ir, args[DIMENSIONS])[0] < CELLS_MOST_DIMENSIONS;
     const Cells cells = {.jitter =
                              build_clamp(ir, args[JITTER], build_float(ir, 0), build_float(ir, 1))};

@@ -1,5 +1,4 @@
-/* Cells around random points: what the maps Cells and CellCentre are, and `cells` of formulas.
- * cells.c */
+/* Cellular noise (Worley): the maps Cells and CellCentre, and `cells` in formulas. cells.c */
 #ifndef MATC_CELLS_H
 #define MATC_CELLS_H
 #include "compiler/lower/lower.h"
@@ -14,20 +13,22 @@ enum {
 };
 enum { CELLS_FEWEST_DIMENSIONS = 2, CELLS_MOST_DIMENSIONS = 3 };
 
-/* Cells of a coordinate. */
+/* Settings of one cellular noise: dimensions, distance metric, measured value, jitter of the
+ * points. */
 typedef struct {
     int dimensions, distance, measure;
     Ref jitter;
 } Cells;
 
-/* At a place that lies `beside` the coordinate; 0: at itself. */
+/* Value at the position q + `beside`; beside 0: at q itself. */
 Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside);
-/* The mean over the pixel, a box or several. The centre's mean is the place itself. */
+/* Mean over the pixel, as one box or several. The mean of the cell center is the position
+ * itself. */
 Answer cells_over_pixel(Lower *l, const Cells *cells, Answer q);
-/* Statistics of distances to the points around a position, F1 or `edge`, as formulas have them. */
+/* Distances to the feature points around a position as formulas use them: F1 or `edge`. */
 Ref cells_of(Lower *l, Ref p, bool edge);
-/* The mean and the variance over many cells of a map of MaterialX's, by its arguments: for a number
- * none count but the last, `dimensions`; for a point `jitter`, `style`, `dimensions`. False: it is
- * not known what the map is before it is drawn. */
+/* Mean and variance over many cells of a MaterialX cell map, from its arguments: only the last,
+ * `dimensions`, for a number; `jitter`, `style`, `dimensions` for a point. Returns false if the
+ * arguments are not known at compile time. */
 bool cells_far(Lower *l, Far far, const Ref *args, Answer *made);
 #endif

@@ -1,13 +1,14 @@
-/* Footprints by differentiation: a width goes through every transform as a derivative does.
+/* Footprints by differentiation: a width passes through every transform as a derivative does.
  *
- *     u changes by .01 to the next pixel on the right, and by 0 to the one above; a Checker reads v
- *         = 8 u
- *     slopes of v:  .08 and 0 footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's coordinate
- *     had a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
+ *     u changes by .01 to the next pixel on the right, and by 0 to the one above; a Checker
+ *     reads v = 8 u
+ *     slopes of v:  .08 and 0
+ *     footprint_edges: sqrt(.08^2 + 0^2) = .08 of the checker's coordinate
+ *     if a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
 #include "compiler/lower/footprint.h"
 
 static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
-static const double LEAST_DIVISOR = 1e-37; /* a float that is no denormal */
+static const double LEAST_DIVISOR = 1e-37; /* a normal (not denormal) float */
 
 bool footprint_may_average(Kind kind)
 {
@@ -26,9 +27,9 @@ bool footprint_is_filtered(const Lower *l)
     return aa != CHOICE_aa_none && !l->filters;
 }
 
-/* The edge of one box that stands for two, one after the other. Of a number, whose box is all that
- * is known: their variances add. Of a coordinate by lane the greater one, which is as good for
- * checkers and noise, and cheaper. */
+/* Edge of one box that replaces the convolution of two. For a scalar, whose box is all that is
+ * known, the variances add. For a vector the greater edge is taken per component, which is as
+ * good for checkers and noise, and cheaper. */
 static Ref together(Lower *l, Ref a, Ref b)
 {
     Ir *ir = l->ir;
@@ -41,8 +42,8 @@ static Ref together(Lower *l, Ref a, Ref b)
     return build_sqrt(ir, build_add(ir, build_square(ir, a), build_square(ir, b)));
 }
 
-/* The edge of a box as far as slopes tell, and the box that varies as much as what they do not:
- * their variances add. */
+/* Edge of a box from the slopes, combined with the variance that the slopes do not account for:
+ * variances add. */
 static Ref with_variance(Lower *l, Ref edges, Ref variance)
 {
     Ir *ir = l->ir;
@@ -84,7 +85,7 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
     return MOST_TAPS;
 }
 
-/* A grid that is turned, so that every row and column of the pixel's sixteenths has a point. */
+/* A rotated grid, so that every row and column of the pixel's 4 x 4 subpixels has one point. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
 {
     Ir *ir = l->ir;
@@ -123,7 +124,7 @@ Ref footprint_greatest_lane(Lower *l, Ref value)
     return greatest;
 }
 
-/* max(b / 2 - |x|, 0): how far a box of edge b around x reaches over 0. */
+/* max(b / 2 - |x|, 0): the length by which a box of edge b around x reaches over 0. */
 static Ref footprint_over(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;
@@ -137,8 +138,8 @@ Ref footprint_over_edge(Lower *l, Ref part, Ref edge)
     return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
 }
 
-/* The quotient, at most 1/2, comes before the product, which is then neither too great nor too
- * small for a float. */
+/* The quotient, at most 1/2, is computed before the product, so that neither overflows or
+ * underflows a float. */
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;

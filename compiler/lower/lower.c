@@ -1,4 +1,4 @@
-/* The frame of lowering: asking maps, the memo, parameters as IR. */
+/* The framework of lowering: queries of maps, their memo table, parameters as IR. */
 #include "compiler/lower/area.h"
 #include "compiler/lower/relief.h"
 #include <string.h>
@@ -10,8 +10,7 @@ enum {
 
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
-/* A volume map's answer is the same on every channel: its function of the position, sent through
- * its wave. */
+/* A volume map has the same value on every channel: its function of the position, then its wave. */
 static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env);
 
 #define OWN_LOWERING(name)    lower_##name
@@ -27,7 +26,7 @@ const Node *lower_param_node(const Node *node, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-/* One uniform cannot be an int and a float. */
+/* Reports a uniform that is used both as an int and as a float. */
 static void note_use(Lower *l, const Value *value, bool count)
 {
     uint8_t *use = &l->uniform_use[value->uniform->index], now = count ? 1 : 2;
@@ -72,8 +71,8 @@ Ref lower_as_group(Lower *l, Ref value, Group group)
     return group == GROUP_IOR ? build_swizzle(ir, value, "x") : build_convert(ir, value, TYPE_vec3);
 }
 
-/* A table of its own kind: a slot holds the whole key and the answer, so that nothing else is
- * read. */
+/* A hash table of its own kind: an entry holds the whole key and the value, so a lookup reads no
+ * other memory. */
 static void memo_grow(Lower *l)
 {
     size_t size = l->memo ? 2 * (l->memo_mask + 1) : FIRST_MEMO;
@@ -110,7 +109,8 @@ static Ref repeated(const Ir *ir, Ref value)
     return node->op == OP_vec ? ir_arg(ir, value, 0) : value;
 }
 
-/* The node is the value of a map or slot. One that is another's value already keeps that name. */
+/* Marks the node as the value of a map or slot. A node that is another map's value already keeps
+ * its first name. */
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
 {
     value = repeated(ir, value);
@@ -156,7 +156,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
         ((uint64_t)(2 * env->number + env->relief) << 32 | (uint64_t)map->index) * GROUP_COUNT +
         group + 1;
     Memo *memo = memo_find(l, key);
-    /* without means: only values without a mean */
+    /* a lowering without means may reuse only values without a mean */
     if (memo->key && (l->averaged_below || !memo->averaged)) {
         l->averaged |= memo->averaged;
         return memo->answer;
@@ -187,7 +187,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-/* A material counts, too, so that of mixes of mixes no more than `limit` are looked at. */
+/* A material counts 1, so that in nested mixes at most `limit` nodes are visited. */
 static int own_cost(const Node *map)
 {
     return kind_table[map->kind].cost + (kind_table[map->kind].lowering == LOWERING_MATERIAL);
@@ -246,7 +246,7 @@ Answer lower_waved(Lower *l, const Node *node, Answer f)
 
 enum { MOST_OWN = 7 };
 
-/* A volume map and the parameters of its own. */
+/* A volume map and its own parameters. */
 typedef struct {
     const Node *node;
     Ref args[MOST_OWN];
@@ -289,7 +289,7 @@ Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
     return answer_as_group(l, lower_waved(l, node, answer_dot(l, p, direction)), group);
 }
 
-/* a = max(|omega|, 1)^(1 - n): keeps strong octaves from growing the sum. */
+/* a = max(|omega|, 1)^(1 - n): normalizes the sum of octaves that grow. */
 static Ref octave_scale(Lower *l, Ref omega, double octaves)
 {
     Ir *ir = l->ir;

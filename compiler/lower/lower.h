@@ -1,56 +1,58 @@
-/* Graph -> Ir. A map is asked for a group of channels in an environment; what it does not define it
- * passes on to its input, and no input is the surface. */
+/* Lowering: Graph -> Ir. A map is queried for a group of channels in an environment. It passes a
+ * group that it does not define on to its input; a missing input is the surface itself. */
 #ifndef MATC_LOWER_H
 #define MATC_LOWER_H
 #include "compiler/lower/affine.h"
 
-/* Values of the surface, where queries end. Filters evaluate their input in an environment of their
- * own. */
+/* Values of the surface, where the chain of queries ends. A filter evaluates its input in an
+ * environment of its own. */
 typedef struct {
     Ref root[GROUP_COUNT];
-    Ref front; /* bool: seen from the front */
-    bool seen; /* there is a viewer */
-    /* of a displacement, which goes by places alone: attributes have their defaults, and the
-     * object's random number is 0 */
+    Ref front; /* bool: front-facing */
+    bool seen; /* a viewer exists */
+    /* Set for a displacement, which depends on positions alone: attributes have their defaults,
+     * and the object's random number is 0. */
     bool shape;
-    Ref eye_n;  /* the root normal in eye space, 0 if only eyeFromWorld can tell */
-    int number; /* for the memo: of how many filters it is the inside, and at which place; Place */
-    /* for the memo too: within a displacement, whose slope by u and v is asked; relief.c */
+    Ref eye_n;  /* the root normal in eye space; 0: apply eyeFromWorld */
+    int number; /* memo key: depth of nested filters and Triplanar's Place */
+    /* Also part of the memo key: set within a displacement whose slopes by u and v are wanted;
+     * relief.c. */
     bool relief;
 } Env;
 
-/* Along what a value is differentiated: to the next pixel on the screen, and by the surface's own u
- * and v. */
+/* Directions of differentiation: to the next pixel on the screen (right, up), and along the
+ * surface's own u and v. */
 typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTION_COUNT } Direction;
 
-/* A map's value: with --aa its mean over the pixel, and what is known of its variation there. This
- * depends on the maps that were queried, never on nodes of the IR: where the builder merges two
- * values into one node, each keeps its own, and programs of all levels of -O antialias alike.
+/* A map's value: with --aa its mean over the pixel, and what is known of its variation there.
+ * The variation depends on the queried maps, never on IR nodes: where the builder merges two
+ * values into one node, each value keeps its own, so programs of all -O levels antialias alike.
  * answer.h */
 typedef struct {
     Ref value;
-    /* within the pixel, by lane, that the mean's slope does not show; of the value's type; 0 for
-     * none */
+    /* Variance within the pixel, per component, that the mean's slope does not account for; has
+     * the value's type; 0: none. */
     Ref variance;
-    const struct Split *split; /* NULL: it is not known to be one of two */
+    const struct Split *split; /* NULL: not known to be one of two values */
 } Answer;
 
-/* A value that is one of two all over the pixel: what is not linear has to be asked of both. */
+/* A value that is one of two everywhere in the pixel; nonlinear operations must be applied to
+ * both. */
 typedef struct Split {
-    Ref by; /* how much of the pixel has a's value; or a bool: whether all of it has */
+    Ref by; /* share of the pixel that has a's value; or a bool: all of the pixel has */
     Answer a, b;
 } Split;
 
 typedef struct {
     uint64_t key; /* node, group, environment; 0 is empty */
     Answer answer;
-    bool averaged; /* this map or one below it was averaged over the pixel */
+    bool averaged; /* this map, or one below, was averaged over the pixel */
 } Memo;
 
 /* The last result of lower_slot for a slot. */
 typedef struct {
     const Node *material;
-    int number;    /* of its environment */
+    int number;    /* of the material's environment */
     bool averaged; /* as in Memo */
     Ref value;     /* 0: not lowered yet */
 } SlotAnswer;
@@ -59,37 +61,39 @@ typedef struct {
     Ref u, v;
 } Slopes;
 
-/* Transform of slopes by a chain of UVTransforms: the product of all. */
+/* UV transform chain: the product of nested UVTransforms, applied to slopes. */
 typedef struct {
     bool known;
-    int count;             /* of transforms */
-    const Node *transform; /* of one */
-    Slopes column[2];      /* of several: what becomes of (1, 0) and of (0, 1) */
+    int count;             /* number of transforms */
+    const Node *transform; /* the transform, if count is 1 */
+    Slopes column[2];      /* if count > 1: images of (1, 0) and (0, 1) */
 } Turn;
 
-/* Where a Triplanar asks its maps: a texture coordinate, in an environment of that number. */
-/* above LIMIT_FILTERS: an environment's number is PLACE_STRIDE places + filters */
+/* An environment in which a Triplanar queries its maps: a texture coordinate within the
+ * environment of number `outer`. */
+/* An environment's number is PLACE_STRIDE * place + filter depth; above LIMIT_FILTERS. */
 enum { PLACE_STRIDE = 8 };
 typedef struct {
     Ref uv;
     int outer;
 } Place;
 
-/* A map that --aa=auto may average, as lowering met it: asked for a group. */
+/* A map that --aa=auto may average, with the group that was queried. */
 typedef struct {
     const Node *map;
     Group group;
-    bool outside; /* where the pass begins: not at a Triplanar's place, nor in a relief */
+    /* queried where the pass begins, not at a Triplanar's place or in a displacement */
+    bool outside;
 } MetMap;
 typedef struct {
     MetMap *at;
     size_t count, room;
-    bool mingled; /* with what else is computed: slopes and footprints that are asked for anyway */
+    bool mingled; /* means share slopes and footprints with other computations of the program */
 } MapList;
 
-/* How nodes are made. */
+/* Options of node construction. */
 typedef struct {
-    bool cheap;         /* forms that are cheaper but not the plainest: -O1 and up */
+    bool cheap;         /* -O1 and up: use cheaper forms instead of the plainest */
     Simplify *simplify; /* the local rules; NULL in the IR at -O0 */
 } Manner;
 
@@ -101,21 +105,21 @@ typedef struct {
     size_t memo_count, memo_mask;
     const Job *job;
     Simplify *simplify;  /* the local rules; NULL in the IR at -O0 */
-    int filters;         /* under way: Smooth3D, Laplace3D */
-    const Node *map;     /* under way */
+    int filters;         /* current nesting of Smooth3D and Laplace3D */
+    const Node *map;     /* the map that is being lowered */
     MapList averageable; /* with --aa=auto; budget.c */
-    int averaged_below;  /* of these, maps of a lower index are averaged */
-    bool averaged;       /* the map under way, or one below it, was averaged */
-    /* under way: maps of a choice that is likely to become a branch */
+    int averaged_below;  /* maps of a lower index in the document are averaged */
+    bool averaged;       /* the current map, or one below, was averaged */
+    /* Current nesting of alternatives that are likely to become a branch. */
     int arms;
-    bool relief;                    /* under way: a displacement of --derivatives=auto; relief.c */
-    Manner outside;                 /* of it */
-    bool cheap;                     /* forms that are cheaper but not the plainest: -O1 and up */
+    bool relief;                    /* within a displacement of --derivatives=auto; relief.c */
+    Manner outside;                 /* options outside of the displacement */
+    bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
     Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
     size_t slope_room;
-    struct LateSum **sums; /* by Ref: values whose derivatives are said as sums; slope_sum.c */
+    struct LateSum **sums; /* by Ref: values whose derivatives are given as sums; slope_sum.c */
     size_t sum_room;
-    Ref *to_differ; /* stack of values whose derivatives are under way; slope.c */
+    Ref *to_differ; /* stack of values to differentiate; slope.c */
     size_t to_differ_count, to_differ_room;
     Place *places; /* of all Triplanars; lower_triplanar.c */
     size_t place_count, place_room;
@@ -123,20 +127,20 @@ typedef struct {
     Turn *turns; /* by node; lower_normal.c */
     size_t turn_room;
     SlotAnswer asked[SLOT_COUNT];
-    struct SlotMemo *slots; /* by node and slot: what mixed materials answered; lower_material.c */
+    struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
     Affine affine;          /* affine.c */
     unsigned layout_slots;  /* layout_slots() of the job's layout */
-    uint8_t *uniform_use;   /* by uniform: 1 as a count, 2 as a number */
-    /* Blends whose coordinates are to be looked at, the last first; lower_doubt.c */
+    uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
+    /* Blends whose coordinates are checked at the end, last first; lower_doubt.c. */
     const struct Crossing *crossing;
-    const struct Relief *reliefs; /* displacements whose slopes are, the last first */
-    bool detached;                /* a footprint was asked for: it stands behind a mark */
-    bool failed;                  /* a diagnostic was made */
+    const struct Relief *reliefs; /* displacements whose slopes are checked, last first */
+    bool detached;                /* slopes were marked by OP_detach as a footprint's */
+    bool failed;                  /* a diagnostic was reported */
 } Lower;
 
-/* The point of a rasterised surface. lower_pass.c */
+/* Environment of a point of a rasterized surface. lower_pass.c */
 Env lower_surface_env(Lower *l);
-/* Lowers a material to the IR of a job's program. NULL: see the diagnostics. */
+/* Lowers a material to the IR of a job's program. NULL: failed, with diagnostics. */
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job,
           Simplify *simplify);
 
@@ -148,21 +152,22 @@ typedef struct {
     const Job *job;
     Simplify *simplify;
 } LowerRequest;
-/* Lowers with means for the maps below an index only, as --aa=auto does; optionally counts the maps
- * that could have one. lower_pass.c */
+/* Lowers with means for the maps of an index below `below` only, as --aa=auto does;
+ * l->averageable then lists the maps that could have a mean. lower_pass.c */
 Ir *lower_averaging(Lower *l, const LowerRequest *what, int below);
-/* Operations of the program without means, after `l` has lowered the program with means: values
- * that no mean is part of are reused. `l` cannot lower anything afterwards. Negative: failure.
- * lower_pass.c */
+/* Cost in operations of the program without means, after `l` has lowered the program with means:
+ * values that contain no mean are reused. `l` cannot lower anything afterwards. Negative:
+ * failure. lower_pass.c */
 int lower_cost_of_points(const Lower *l, const Node *material);
-/* A lowering of maps alone, and the environment that its pass begins with. lower_pass.c */
+/* Starts a lowering of single maps, and makes the environment that its pass begins with.
+ * lower_pass.c */
 Lower lower_start(const LowerRequest *what, int optimize);
 Env lower_pass_env(Lower *l);
 
-/* Group of channels of a map; NULL is the surface. R has the type its map makes, IOR is a float,
- * the rest are vec3. */
+/* Lowers a map's group of channels; a NULL map is the surface. R has the type that the map
+ * makes, IOR is a float, the others are vec3. */
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
-/* Its value. */
+/* The value alone of lower_answer(). */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
 /* Estimate from the cost tables: operations of a map or material without means, counted up to
  * `limit`, and the number of its maps that may be averaged. */
@@ -170,52 +175,53 @@ typedef struct {
     int points, averageable;
 } MapCosts;
 MapCosts lower_map_costs(const Node *map, int limit);
-bool lower_wants_branch(const Node *map); /* it costs enough to be computed only where it shows */
-/* lower_answer() for a map that is one of several to choose from: its evaluation may move into a
- * branch. */
+/* costly enough to be computed only where it is visible */
+bool lower_wants_branch(const Node *map);
+/* Calls lower_answer() for a map that is one of several alternatives, whose evaluation may move
+ * into a branch. */
 Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
-/* A colour as another group's value: lane 0 for IOR, three lanes otherwise. */
+/* Converts a color to another group's value: component 0 for IOR, otherwise three components. */
 Ref lower_as_group(Lower *l, Ref value, Group group);
-/* A parameter's value as IR, converted to the type. */
+/* A parameter's value as IR, converted to `type`. */
 Ref lower_param(Lower *l, const Value *value, Type type);
-/* The map in a parameter, NULL if it has none. */
+/* The map that is a parameter's value; NULL: none. */
 const Node *lower_param_node(const Node *node, int param);
-/* Reports a param where the value must be known. */
+/* Reports an error if a parameter whose value must be known is a uniform. */
 void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
-/* Cost of a value, up to `limit`: an upper bound, as shared parts count as often as they are met.
+/* Cost of a value, up to `limit`: an upper bound, since a shared part counts once per use.
  * lower_cost.c */
 int lower_cost_below(const Ir *ir, Ref ref, int limit);
-/* One material slot, by its name. lower_material.c */
+/* Lowers one slot of a material. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
-/* The material whose parameters displace a surface: itself, or through its switches that which
- * stands for it, of a SideSwitch in front; NULL: none. lower_material.c */
+/* The material whose parameters displace a surface: the material itself, or the one its switches
+ * choose, with a SideSwitch taken from the front; NULL: none. lower_material.c */
 const Node *lower_displaced(const Node *material);
-/* Displacement of a point (lower_displacement.c): a float along the normal, or a vec3 along dP/du,
- * dP/dv and the normal; for a volume a vec4, the two intervals along the normal that are solid. */
+/* Displacement of a point (lower_displacement.c): a float along the normal, or a vec3 along
+ * dP/du, dP/dv and the normal; for a volume a vec4, the two solid intervals along the normal. */
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env);
-/* The surface after it was displaced: its normal and tangents, by the slopes of what displaces it;
- * the rest of `env` as it was. */
+/* Environment of the displaced surface: normal and tangents follow the slopes of the
+ * displacement, all else is as in `env`. */
 Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env);
-/* Writes displacement and slopes as colours; or for the vertex stages, where there are no
- * derivatives on the screen. `displaced` may be NULL. */
+/* Writes displacement and slopes as colors; or, for vertex stages, without screen-space
+ * derivatives. `displaced` may be NULL. */
 void lower_write_displacement(Lower *l, const Node *displaced, const Env *env);
 void lower_displace_vertices(Lower *l, const Node *displaced);
-/* The normal of a surface with these tangents that rose by slopes along `unit`, on the side of
- * tangents as the mesh has them. lower_normal.c */
+/* Normal of a surface with these tangents that is displaced along `unit` with the given slopes.
+ * It points to the side that the mesh's tangents define. lower_normal.c */
 typedef struct {
-    Ref tu, tv; /* tangents, before they rise */
-    Ref unit;   /* n / |n|; 0 where that has no length */
-    Ref flat;   /* the cross product whose side counts; 0: that of tu and tv */
+    Ref tu, tv; /* tangents before displacement */
+    Ref unit;   /* n / |n|; 0 if |n| is 0 */
+    Ref flat;   /* vector whose side decides; 0: cross(tu, tv) */
 } Frame;
 Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2]);
-/* n / |n|; 0 where that has no length. */
+/* n / |n|; 0 if |n| is 0. */
 Ref lower_unit(Lower *l, Ref n);
-/* How that changes where n does: by what of the change is across n, over |n|. n = (0, 0, 2) and a
+/* Derivative of n / |n|: the part of `change` perpendicular to n, over |n|. n = (0, 0, 2) and a
  * change of (1, 0, 1): (.5, 0, 0). */
 Ref lower_unit_slope(Lower *l, Ref n, Ref change);
 
-/* The parameters of a coat: of a Principled, or of a Layer. lower_coat.c */
+/* Parameters of a clear coat, which belongs to a Principled or to a Layer. lower_coat.c */
 typedef struct {
     const Node *of;
     int weight, color, roughness, ior, darkening, roughening, normal;
@@ -225,93 +231,96 @@ typedef struct {
         node, P_##kind##_coat, P_##kind##_coatColor, P_##kind##_coatRoughness, P_##kind##_coatIor, \
             P_##kind##_coatDarkening, P_##kind##_coatRoughening, P_##kind##_coatNormal             \
     }
-/* One of its slots, over a base of that diffuse colour. */
+/* A slot of the coat over a base of the given diffuse color. */
 Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const Env *env);
-/* Its normal, a direction, where its weight is above 0; nothing where it has that of the base. */
+/* The coat's normal, a direction, where the coat's weight is above 0; (0, 0, 0) where the coat
+ * follows the base's normal. */
 Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env);
-/* The surface below a coat: its apparent roughness, its reflectance along the normal, its index of
- * refraction relative to that of air, and its emission. */
+/* Slots of the surface below a coat: its apparent roughness, its reflectance at normal incidence
+ * from its index of refraction relative to air, and its emission. */
 Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
 Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env);
-/* Index of refraction of a film below a coat, in its slot's range. */
+/* Index of refraction of a thin film below a coat, clamped to its slot's range. */
 Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_film_ior(Ir *ir, Ref ior);
-/* A slot of a lobe, absent where its weight is not above 0. */
+/* A slot of a lobe; its `absent` value where `weight` is not above 0. */
 Ref lower_where_there(Ir *ir, Ref weight, Slot slot, Ref value);
-/* ((ior - 1) / (ior + 1))^2 */
+/* Fresnel reflectance at normal incidence: ((ior - 1) / (ior + 1))^2. */
 Ref lower_reflectance(Ir *ir, Ref ior);
 
-/* The shading normal as a G-buffer holds it, of eye space or the world, unit length, turned to the
- * viewer. */
+/* The shading normal as the G-buffer stores it: in eye or world space, of unit length, facing
+ * the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
-/* The coat's own, the same, or nothing. */
+/* The coat's own normal, stored likewise; (0, 0, 0) if the coat has none of its own. */
 Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env);
-/* The slot anisotropy about that normal. lower_principled.c */
+/* The slot anisotropy about the stored normal. lower_principled.c */
 Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env);
-/* Writes every render target of the job's layout, by that case of it. lower_layout.c */
+/* Writes every render target of the job's layout, as case `number` of the layout packs them.
+ * lower_layout.c */
 void lower_layout(Lower *l, int number, const Node *material, const Env *env);
-/* The case of the layout that the material takes; their number: none stores all that it has. The IR
- * must simplify, so that constants are seen. */
+/* Number of the first case of the layout that stores all slots that the material has; the case
+ * count if no case does. Needs an IR with simplification, so that constants are recognized. */
 int lower_layout_case(Lower *l, const Node *material, const Env *env);
-/* The case that loses the fewest slots, which is said; their number: the layout is not for
- * everything, or none knows the model. */
+/* Number of the case that loses the fewest slots, which a warning lists; the case count if the
+ * layout is not for all materials, or no case stores the model. */
 int lower_nearest_case(Lower *l, const Node *material, const Env *env);
-/* A warning about what no case of a layout for all Principled materials has room for. */
+/* Warns of a slot that no case of a layout for all Principled materials stores. */
 void lower_left_out(Lower *l, const Node *material, const Env *env);
-/* Says that there is none. */
+/* Reports the error that no case of the layout stores the material. */
 void lower_no_case(Lower *l, const Node *material, const Env *env);
-/* The slots that a case of a layout made for a set must store for the material to take it, 1 <<
- * slot; alpha is in the transparency. */
+/* Bits (1 << slot) of the slots that a case of a layout made for a set must store to fit the
+ * material; alpha is part of the transparency. */
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
-/* Remembers the coordinate of a Blend with items, and the slopes of a displacement (0: none).
- * lower_doubt.c */
+/* Records the coordinate of a Blend with items, and the slopes of a displacement (0: none), for
+ * lower_doubt(). lower_doubt.c */
 void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate);
 void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
-/* When all is lowered: warns of those that never reach their items, and of those that are 0. */
+/* After lowering: warns of Blends whose items are never reached, and of displacements whose
+ * slopes are all 0. */
 void lower_doubt(Lower *l);
 Answer lower_wave(Lower *l, const Wave *wave, Answer v);
-/* w(frequency f + phase), w the node's wave, whose first four parameters are those of
- * VOLUME_PARAMS. */
+/* w(frequency f + phase), where w is the node's wave; the node's first four parameters are those
+ * of VOLUME_PARAMS. */
 Answer lower_waved(Lower *l, const Node *node, Answer f);
-/* Derivatives by u and v -> the one by the coordinate that a UVTransform makes: with J the inverse
- * of its matrix, d/du' = d/du J00 + d/dv J10, d/dv' likewise. Tangents or slopes; GROUP_DU or
- * GROUP_DV. */
+/* Converts derivatives by u and v to the one by the coordinate that a UVTransform makes. With J
+ * the inverse of its matrix, d/du' = d/du J00 + d/dv J10, and d/dv' = d/du J01 + d/dv J11.
+ * Applies to tangents and slopes; `group` is GROUP_DU or GROUP_DV. */
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 
-/* A slot of any material, as its map makes it; `principled`: what is a Phong becomes a
- * Principled. */
+/* A slot of any material, unconverted; `principled`: a Phong is converted to a Principled. */
 Ref lower_value_slot(Lower *l, const Node *material, bool principled, Slot slot, const Env *env);
-/* The surface model of a material. */
+/* The material's surface model is Principled, not Phong. */
 bool lower_is_principled(const Lower *l, const Node *material);
-/* Values of a Phong that a Principled is made of: the slot itself, the specular color (vec3) and
- * its exponent. */
+/* Values of a Phong from which a Principled is made: the queried slot itself, the specular color
+ * (vec3) and the exponent. */
 typedef struct {
     Ref own, specular, exponent;
 } PhongSlots;
-/* The Principled that stands for a Phong beside another Principled in a Mix. Along the normal both
- * reflect as much, s 2 / (n + 2) of a specular colour s and an exponent n, and as wide: roughness^4
- * = 2 / (n + 2). Ambient, diffuseTransparency and what goes with transparency are lost. n = 30 and
- * s = (.8, .4, .4): reflectance .05, tint (1, .5, .5), roughness .5. */
+/* Converts a slot of a Phong that is mixed with a Principled. Both have the same reflectance at
+ * normal incidence, s 2 / (n + 2) for a specular color s and an exponent n, and the same lobe
+ * width: roughness^4 = 2 / (n + 2). Ambient, diffuseTransparency and the transparency's lobe are
+ * lost. n = 30 and s = (.8, .4, .4): reflectance .05, tint (1, .5, .5), roughness .5. */
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong);
 
-/* The Phong that stands for a Principled in a layout without the slot `model`, which lights all
- * as Phongs. With base color b, metalness m, reflectance F, tint t and roughness r: exponent n =
- * (1 / r^4 - 1) / 2; specular s = min(R (n + 2) / 2, 1), R = mix(F t, b, m), of which 2 s / (n +
- * 2) is reflected along the normal; diffuse b (1 - m) (1 - F) and the rest of R. Other slots are
- * as they are. b = 1, m = 0, F = .04, r = .6: n = 3.4, specular .11, diffuse .96; r = .2: n =
- * 312, specular 1, of .04 .0064, diffuse .994. */
+/* Converts a slot of a Principled to a Phong, for a layout without the slot `model`, which
+ * lights all materials as Phongs. With base color b, metalness m, reflectance F, tint t and
+ * roughness r: exponent n = (1 / r^4 - 1) / 2; specular s = min(R (n + 2) / 2, 1), R = mix(F t,
+ * b, m), of which 2 s / (n + 2) is reflected at normal incidence; diffuse b (1 - m) (1 - F) plus
+ * the rest of R. Other slots are unchanged. b = 1, m = 0, F = .04, r = .6: n = 3.4, specular
+ * .11, diffuse .96; r = .2: n = 312, specular 1, of .04 .0064, diffuse .994. */
 Ref lower_phong_of_principled(Lower *l, const Node *material, Slot slot, const Env *env);
 
 #define MAP(name, function, lowering, cost, doc)                                                   \
     Answer lower_##name(Lower *l, const Node *node, Group group, const Env *env);
 #include "grammar/maps.def"
-/* Value of a material's slot; a normal is not of unit length and not yet flipped to a side. */
+/* Value of a material's slot; a normal has no unit length yet and is not flipped to the viewer's
+ * side. */
 #define DECLARE_SHADER(name)                                                                       \
     Ref lower_##name(Lower *l, const Node *material, Slot slot, const Env *env);
-/* The material that a switch stands for, seen of one side; NULL: it is missing. */
+/* The material that a switch chooses for one side; NULL: missing. */
 #define DECLARE_SWITCH(name)      const Node *lower_choose_##name(const Node *material, bool front);
-#define DECLARE_FOREIGN(name)     /* none is left: compiler/resolve/resolve_translation.c */
+#define DECLARE_FOREIGN(name)     /* translated: compiler/resolve/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"

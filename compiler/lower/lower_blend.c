@@ -1,36 +1,36 @@
-/* Blend: a walk along items of ascending value.
+/* Blend: piecewise linear interpolation between items of ascending value.
  *
- *     items at 0, .3 and 1 answering a, b, c, and t = .65: the first item that t is below is the
- *         third, at (.65 - .3) / (1 - .3) = 1/2
- *     of the way from the second: (b + c) / 2. Below 0 it is a, from 1 on c.
+ *     items at 0, .3 and 1 with values a, b, c, and t = .65: the first item above t is the
+ *     third, at (.65 - .3) / (1 - .3) = 1/2 of the segment that begins at the second: (b + c) /
+ *     2. Below 0 the result is a, from 1 on c.
  *     walk:    t < 0 ? a : t < .3 ? mix(a, b, ..) : t < 1 ? mix(b, c, ..) : c
  *     search:  t < .3 ? (t < 0 ? a : mix(a, b, ..)) : (t < 1 ? mix(b, c, ..) : c)
  *     mixes:   mix(mix(a, b, clamp(t / .3)), c, clamp((t - .3) / .7))
- *     guards:  a costly b shows between 0 and 1 only: it stands as 0 < t && t < 1 ? b : 0, and what
- *              is made of it needs no branch
- *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for guards
- *         whose values may be of any size
- * Over a pixel's box of t: blend.c. Slopes of the last three: blend_slope.c.
- * Ramps are Blends of two items, at 0 and at 1. A Switch over a box is one of two items at every
- * border, alike below and above it:
+ *     guards:  a costly b shows between 0 and 1 only: it becomes 0 < t && t < 1 ? b : 0, and
+ *     mixing it needs no branch
+ *     weights: a (1 - clamp(t / .3)) + b (clamp(t / .3) - clamp((t - .3) / .7)) + ..., for
+ *     guards whose values may be of any size
+ * Means over a pixel's box of t: blend.c. Slopes of the last three forms: blend_slope.c.
+ * Ramps are Blends of two items, at 0 and at 1. A Switch over a box has two items at every
+ * border between maps, one for the map below and one for the map above:
  *
- *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is (b +
- *         c) / 2 */
+ *     maps a, b, c: items a and b at 1/2, b and c at 3/2. A pixel whose number is in [1, 2] is
+ *     (b + c) / 2 */
 #include "compiler/lower/blend.h"
 #include "compiler/lower/answer.h"
 #include "compiler/lower/footprint.h"
 #include <string.h>
 
-enum { MOST_AREA_ITEMS = 64 }; /* items up to which a blend is averaged over the pixel */
+enum { MOST_AREA_ITEMS = 64 }; /* items up to which a Blend is averaged over the pixel */
 
-/* Items first..last of so many; as segments, each is what leads to its item, and segment `count` is
- * what holds beyond the end. */
+/* Segments first..last of a Blend: segment i ends at item i, and segment `count` is the constant
+ * after the last item. */
 typedef struct {
     const Stop *stops;
     int count, first, last;
 } Segments;
 
-/* Condition: t is below item i's value and not below the previous item's. */
+/* Value within segment i: t is below item i's value and not below the previous item's. */
 static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
 {
     if (i == 0)
@@ -39,7 +39,7 @@ static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
     return build_mix(l->ir, stops[i - 1].result, stops[i].result, at);
 }
 
-/* Known values of which none is below the one before; strictly: as floats, none is equal to it. */
+/* True for known values that ascend; `strictly`: no two are equal as floats. */
 static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
 {
     for (int i = 0; i < count; i++) {
@@ -52,9 +52,10 @@ static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
     return true;
 }
 
-/* Whether t has not come to item i of so many. The last segment has its end, too, which is as the
- * item, and has a slope: a wave that rises to 1 and falls again is 1 for many floats around its
- * peak, and at all but one of them it still rises or falls. */
+/* Condition: t has not reached item i of `count`. The last segment includes its end, where the
+ * value is the last item's but the slope is the segment's: a wave that rises to 1 and falls
+ * again is 1 for many floats around its peak, and at all but one of them it still rises or
+ * falls. */
 static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
 {
     Ir *ir = l->ir;
@@ -62,7 +63,7 @@ static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
     return closed ? build_le(ir, t, stops[i].value) : build_lt(ir, t, stops[i].value);
 }
 
-/* As written: the first item whose value is above t decides. */
+/* The form as written: the first item whose value is above t decides. */
 static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -87,15 +88,15 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
                         blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }
 
-/* Without branches, for values known to ascend: each item is mixed over the result of the items
- * before it. The weight is 1 where t has passed a segment, 0 where it has not reached it. */
+/* Form without branches, for values known to ascend: each item is mixed over the result of the
+ * items before it. The weight is 1 where t has passed a segment, 0 where t has not reached it. */
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
     Ref result = stops[0].result;
     for (int i = 1; i < count; i++) {
         if (stops[i].result == stops[i - 1].result)
-            continue; /* there the result is that already */
+            continue; /* the result already has this value */
         result = build_mix(ir, result, stops[i].result, blend_share(l, t, &stops[i - 1]));
     }
     return result;
@@ -109,7 +110,8 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < BLEND_CHEAP;
 }
 
-/* The sum, with slopes of its own. The search where the sum is another Blend, too. */
+/* The sum, with its slopes recorded. If the same node is another Blend already, returns the
+ * binary search instead. */
 static Ref noted(Lower *l, Ref sum, const Blended *blend)
 {
     return blend_note(l, sum, blend)
@@ -117,7 +119,7 @@ static Ref noted(Lower *l, Ref sum, const Blended *blend)
                : blend_search(l, blend->t, (Segments){blend->stops, blend->count, 0, blend->count});
 }
 
-/* At a point of t. */
+/* Value at a point of t. */
 static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 {
     const bool ordered = ascending(l->ir, stops, count, true);
@@ -129,8 +131,8 @@ static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
     return blend_walk(l, t, stops, count);
 }
 
-/* Mixes with each costly item behind a guard, which needs no branch around it; 0: none is costly,
- * or a binary search follows, which has branches already. */
+/* Mixes with each costly item behind a guard, which needs no further branch; 0: no item is
+ * costly, or a binary search follows, which has branches already. */
 static Ref blend_guards(Lower *l, Ref t, const Stop *stops, int count)
 {
     if (!l->cheap || count > BLEND_MOST_MIXES || !ascending(l->ir, stops, count, true))
@@ -155,7 +157,7 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
     return blend;
 }
 
-/* The alpha that all items have, a number; 0: they differ, or it is none. */
+/* The constant alpha that all items have; 0: it differs between items, or is no constant. */
 static Ref common_alpha(Lower *l, const Stop *stops, int count)
 {
     Ref alpha = 0;
@@ -168,8 +170,8 @@ static Ref common_alpha(Lower *l, const Stop *stops, int count)
     return alpha;
 }
 
-/* An alpha that all items have is the blend's, too: a picture without one and a colour are opaque
- * together. */
+/* Blends colors; an alpha that all items have is kept as it is, so that opaque items stay
+ * opaque. */
 static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -189,8 +191,8 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
     return whole;
 }
 
-/* Where the coordinate is one of two within the pixel, the blend is the mean of both blends: it is
- * not linear. */
+/* Where the coordinate is one of two values within the pixel, the mean of both blends: a Blend
+ * is not linear. */
 static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int depth)
 {
     if (!x.split || depth == 0)
@@ -200,7 +202,7 @@ static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int 
     return answer_either(l, x.split->by, a, b);
 }
 
-/* The items, as one type. */
+/* The items, converted to one type. */
 static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
 {
     const int count = blend->items->count;
@@ -231,7 +233,8 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     if (!count || l->failed)
         return lower_answer(l, input, group, env);
     Answer x = lower_answer(l, input, GROUP_X, env);
-    lower_note_crossing(l, node, build_swizzle(ir, x.value, "x")); /* before what the items make */
+    /* recorded before the items are lowered */
+    lower_note_crossing(l, node, build_swizzle(ir, x.value, "x"));
     const Stop *stops = stops_of(l, blend, group, env);
     if (count > LIMIT_WALK && !ascending(ir, stops, count, true)) {
         diag_add(l->session, blend->span, DIAG_long_walk, LIMIT_WALK);
@@ -239,19 +242,20 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
         return answer_of(stops[0].result);
     }
     Answer answer = blend_split(l, x, stops, count, MOST_SPLITS);
-    /* a Blend in a displacement is no more one of two: another one along it goes by its slope */
+    /* A Blend in a displacement is no split value any more: a Blend along it uses its slope. */
     if (l->relief)
         answer.split = NULL;
     return answer;
 }
 
-/* From one answer to another, where t goes from 0 to 1. */
+/* Linear from a to b as t goes from 0 to 1. */
 static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
 {
     const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
     a = answer_widened(l, a, type);
     b = answer_widened(l, b, type);
-    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2); /* slopes are asked for later */
+    /* on the arena: slopes are queried later */
+    Stop *stops = ARENA_ARRAY(l->session->arena, Stop, 2);
     stops[0] = (Stop){build_float(l->ir, 0), a.value, a.variance};
     stops[1] = (Stop){build_float(l->ir, 1), b.value, b.variance};
     return blend_at(l, t, stops, 2);
@@ -278,14 +282,14 @@ Answer lower_CornerRamp(Lower *l, const Node *node, Group group, const Env *env)
     return ramp(l, t, bottom, top);
 }
 
-/* Maps first..last, of which a number near enough chooses one. */
+/* Maps first..last; the map nearest to `number` is chosen. */
 typedef struct {
     Ref number;
     const Answer *maps;
     int first, last;
 } Choices;
 
-/* At a point, by halving. */
+/* The choice at a point, by bisection. */
 static Answer chosen_of(Lower *l, Choices c)
 {
     if (c.first == c.last)
@@ -297,7 +301,8 @@ static Answer chosen_of(Lower *l, Choices c)
                          chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
 }
 
-/* Over a box of the number; of more maps than a Blend is averaged of, at its middle. */
+/* The choice over a box of the number; with more maps than MOST_AREA_ITEMS allows, at its
+ * center. */
 static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
 {
     Ref edge = 2 * (count - 1) <= MOST_AREA_ITEMS ? footprint_edges(l, number) : 0;
@@ -315,8 +320,8 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
     return blend_at(l, number, stops, 2 * (count - 1));
 }
 
-/* Where the number is one of two within the pixel, the mean of what both choose; in a relief it
- * chooses at the point. */
+/* Where the number is one of two values within the pixel, the mean of both choices; in a
+ * displacement the choice is made at the point. */
 static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, int depth)
 {
     if (!x.split || depth == 0 || l->relief)

@@ -1,18 +1,19 @@
-/* Cells and CellCentre, by cells.h. */
+/* The maps Cells and CellCentre, by cells.h. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/cells.h"
 #include "compiler/lower/relief.h"
 
-/* A param may be set to anything; the search for points is complete, and its values are bounded,
- * from 0 to 1. */
+/* Jitter, clamped to [0, 1] since a uniform may have any value: within that range the search for
+ * points is complete and its values are bounded. */
 static Ref find_jitter(Lower *l, const Node *node, int param)
 {
     Ref jitter = lower_param(l, node_param(node, param), TYPE_float);
     return build_clamp(l->ir, jitter, build_float(l->ir, 0), build_float(l->ir, 1));
 }
 
-/* A value that jumps takes its slope from differences over a step of its own coordinate. The step
- * is added to the rest, so that it is not lost far from the origin. */
+/* Sets the slope of a discontinuous value by finite differences over a step of its own
+ * coordinate. The step is added to the remainder, so that it is not lost to rounding far from
+ * the origin. */
 static void note_steps(Lower *l, const Cells *cells, Ref value, Ref q)
 {
     Ir *ir = l->ir;

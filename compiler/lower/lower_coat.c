@@ -1,19 +1,19 @@
-/* A clear coat over a surface, as OpenPBR 1.1 has it: the slots of the coat, and what it changes of
- * those below: of a Principled, or of a Layer's base.
+/* A clear coat over a surface, as in OpenPBR 1.1: the slots of the coat, and the changes to the
+ * slots below it, which belong to a Principled or to a Layer's base.
  *
  *     w = coat in [0, 1], c = coatIor, base of index n and roughness r
- *     coatTint = mix(1, coatColor, w) mix(1, (1 - K) / (1 - diffuse K), w coatDarkening), K = 1 -
- *         (1 - F0(c)) / c^2: light that
- *         the coat's inner side sends back, again and again, is taken by the base
+ *     coatTint = mix(1, coatColor, w) mix(1, (1 - K) / (1 - diffuse K), w coatDarkening), K = 1
+ *     - (1 - F0(c)) / c^2: the base absorbs part of the light that the coat's inner side
+ *     reflects back repeatedly
  *     roughness = mix(r, min(max(r, 0)^4 + 2 coatRoughness^4, 1)^(1/4), w coatRoughening)
  *     reflectance = F0(mix(n, n / c or c / n, whichever is above 1, w)), F0(x) = ((x - 1) / (x +
- *         1))^2: of what lies against the coat, not air
+ *     1))^2: the base borders on the coat, not on air
  *
- * Worked example, w 1, c 1.6 and n 1.5: the base reflects F0(1.067) = 0.001 where it would reflect
- * 0.04 without, the coat 0.053; K is 0.63, so that a base of 0.5 is seen through 0.54. */
+ * Worked example, w 1, c 1.6 and n 1.5: the base reflects F0(1.067) = 0.001 instead of 0.04
+ * without a coat, the coat 0.053; K is 0.63, so that a base of 0.5 is tinted by 0.54. */
 #include "compiler/lower/lower.h"
 
-static const double LEAST = 1e-6; /* what is divided by */
+static const double LEAST = 1e-6; /* minimum divisor */
 
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
@@ -37,13 +37,13 @@ static Ref weight(Lower *l, const Coat *coat, const Env *env)
     return unit(l->ir, red(l, coat->of, coat->weight, env));
 }
 
-/* Without a bound below, -1 would divide by 0. */
+/* Clamped to 0, since an index of -1 would divide by 0. */
 static Ref coat_ior(Lower *l, const Coat *coat, const Env *env)
 {
     return build_max(l->ir, red(l, coat->of, coat->ior, env), build_float(l->ir, 0));
 }
 
-/* The coat's colour where it is, white elsewhere. */
+/* The coat's color by its weight, white where the weight is 0. */
 static Ref colored(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
@@ -52,7 +52,7 @@ static Ref colored(Lower *l, const Coat *coat, const Env *env)
     return build_mix(ir, build_all(ir, TYPE_vec3, 1), color, weight(l, coat, env));
 }
 
-/* K: how much of light that comes from below the coat's inner side sends back. */
+/* K: share of the light from below that the coat's inner side reflects back. */
 static Ref sent_back(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
@@ -115,7 +115,7 @@ Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env 
     Ref own = red(l, coat->of, coat->roughness, env);
     if (ir_is_number(ir, by, 0))
         return roughness;
-    if (ir_is_number(ir, own, 0)) /* what is beyond [0, 1], if anything is */
+    if (ir_is_number(ir, own, 0)) /* clamps a roughness outside [0, 1] */
         return build_mix(ir, roughness, unit(ir, roughness), by);
     Ref rough = build_max(ir, roughness, build_float(ir, 0));
     Ref below = build_square(ir, build_square(ir, rough)),
@@ -158,7 +158,7 @@ Ref lower_film_ior(Ir *ir, Ref ior)
                        build_float(ir, slot_table[SLOT_filmIor].high));
 }
 
-/* The index of refraction against air that reflects so much along the normal. */
+/* The index of refraction, relative to air, that has this reflectance at normal incidence. */
 static Ref ior_of(Ir *ir, Ref reflectance)
 {
     Ref root = build_sqrt(ir, unit(ir, reflectance)), one = build_float(ir, 1);
@@ -166,7 +166,7 @@ static Ref ior_of(Ir *ir, Ref reflectance)
                      build_max(ir, build_sub(ir, one, root), build_float(ir, LEAST)));
 }
 
-/* A slot of a Layer's base below its coat. */
+/* A slot of a Layer's base, changed by the coat above. */
 static Ref below(Lower *l, const Coat *coat, Slot slot, Ref base, const Env *env)
 {
     switch (slot) {
@@ -198,7 +198,7 @@ Ref lower_Layer(Lower *l, const Node *m, Slot slot, const Env *env)
                    ? base
                    : lower_where_there(ir, film, slot, lower_coated_film(l, &coat, base, env));
     }
-    if (slot == SLOT_coatNormal) /* of the base's coat, where that is seen */
+    if (slot == SLOT_coatNormal) /* the base's own coat shows where this coat has no weight */
         return build_select(ir, build_lt(ir, build_float(ir, 0), weight(l, &coat, env)),
                             lower_coat_normal(l, &coat, env), base);
     if (!own)

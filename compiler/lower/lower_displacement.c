@@ -1,25 +1,27 @@
-/* True displacement: the vertex stages move a point, and the normal that is shaded is that of the
- * surface which they approach.
+/* True displacement: the vertex stages move a point, and shading uses the normal of the exact
+ * displaced surface, which the triangles approximate.
  *
- *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red of
- *                                                  `displacement`, both times the scale
- *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do; Tu/|Tu|
- *         and Tv/|Tv| lean with it, and turn about it as the mesh's tangents do
+ *     P' = P + x Tu/|Tu| + y Tv/|Tv| + (z + h) n,  (x, y, z) the displacementVector, h the red
+ *     of `displacement`, both times the scale
+ *     N' = dP'/du x dP'/dv, in which n changes over the surface as the mesh's normals do;
+ *     Tu/|Tu| and Tv/|Tv| tilt with n, and rotate about it as the mesh's tangents do
  *
- * So the normal of a pixel has all of the slope, whatever the triangles carry of it: finer ones
- * move the surface and never the shading. A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0:
- * dP'/du = (1, 0, 0.1), N' = (-0.1, 0, 1). A ball of radius r has dn/du = Tu/r, so with h = r / 4 a
- * tangent is longer by a fourth, and leans by so much less: (1.25, 0, .1) along u, dv likewise, and
- * N' = (-.125, 0, 1.5625), parallel to (-.08, 0, 1).
- * Maps read the surface as its mesh has it: a colour stays where it is, however far that moves.
+ * So a pixel's normal has the full slope at any tessellation: finer triangles change the surface
+ * but not the shading. A plane z = 0, u = x, v = y, h = sin(u) / 10 at u = 0: dP'/du = (1, 0,
+ * 0.1), N' = (-0.1, 0, 1). A ball of radius r has dn/du = Tu/r, so with h = r / 4 a tangent is
+ * longer by a fourth, and tilts less by that factor: (1.25, 0, .1) along u, dv likewise, and N'
+ * = (-.125, 0, 1.5625), parallel to (-.08, 0, 1).
+ * Maps read the surface of the undisplaced mesh, so a color stays at its point however far that
+ * moves.
  *
- * Or a volume stands in its place: along n it is solid from the red of displacementVolume to its
- * green, and from blue to alpha; nothing of a pair whose second is no higher. Whoever makes its
- * triangles knows the normals of these, so that the fragment program has the mesh's. */
+ * Alternatively a volume replaces the surface: along n it is solid from the red of
+ * displacementVolume to its green, and from blue to alpha; a pair whose second value is not
+ * greater is empty. The mesher computes the volume's normals, so the fragment program uses the
+ * mesh's. */
 #include "compiler/lower/relief.h"
 #include "compiler/lower/slope.h"
 
-/* Environments of their own in the memo: beyond all that filters make of others. */
+/* Environment numbers in the memo, above all numbers that filters derive from others. */
 enum { ENV_DISPLACED = 16, ENV_VERTEX = 32, ENV_CORNER = 64 };
 
 static Ref height(Lower *l, const Displacement *d, const Env *env)
@@ -32,7 +34,7 @@ static Ref vector(Lower *l, const Displacement *d, const Env *env)
     return build_convert(l->ir, lower_ask(l, d->vector->node, GROUP_R, env), TYPE_vec3);
 }
 
-/* Both, where both are there. */
+/* The sum of height and vector, as far as both are present. */
 static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
 {
     Ir *ir = l->ir;
@@ -45,8 +47,8 @@ static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
     return build_add(ir, v, build_vec(ir, TYPE_vec3, zero, zero, height(l, d, env)));
 }
 
-/* At most `bound` long, whichever way its lanes lead: their sizes are added up; those of a volume
- * lead the same way. */
+/* Limits the displacement's length to `bound` in any direction, by the sum of its components'
+ * magnitudes; a volume's components lie along one direction, and are clamped each. */
 static Ref within(Lower *l, Ref value, double bound)
 {
     Ir *ir = l->ir;
@@ -60,7 +62,7 @@ static Ref within(Lower *l, Ref value, double bound)
         ir, value, build_min(ir, build_float(ir, 1), build_div(ir, build_float(ir, bound), size)));
 }
 
-/* Empties a volume that begins below the threshold: it ends where it begins. */
+/* Empties a volume whose beginning is below the threshold: its end becomes its beginning. */
 static Ref above(Lower *l, Ref heights, double threshold)
 {
     Ir *ir = l->ir;
@@ -100,15 +102,16 @@ Ref lower_displacement(Lower *l, const Node *displaced, const Env *env)
 
 static Ref tangent(const Env *env, bool by_v) { return env->root[by_v ? GROUP_DV : GROUP_DU]; }
 
-/* A displacement with its slopes, and how the unit normal of the mesh changes by u and by v, and
- * how the unit tangents by u (0) and by v (1) turn about it; 0: they do not. */
+/* A displacement with its slopes, and the derivatives by u and v of the mesh's unit normal
+ * (turns) and of its unit tangents' rotation about the normal (swings; index 0 for Tu, 1 for
+ * Tv); 0: constant. */
 typedef struct {
     Ref by;
     Slopes slopes, turns, swings[2];
 } Carried;
 
-/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, with s and t the turns of both unit
- * tangents: what of the tangent does not rise. */
+/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, where s and t are the rotations of
+ * both unit tangents: the part of the displaced tangent other than its rise along n. */
 static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -131,8 +134,8 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
     return whole;
 }
 
-/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: what moves along a tangent goes down where the surface
- * bends down. */
+/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: a point moved along a tangent sinks where the surface
+ * curves down. */
 static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -154,8 +157,8 @@ static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
     const Type type = d.volume->kind == VALUE_node   ? TYPE_vec4
                       : d.vector->kind == VALUE_node ? TYPE_vec3
                                                      : TYPE_float;
-    /* a shape is the same for all who look at it; nothing but displacement is asked in this
-     * environment */
+    /* The shape is independent of the viewer; only the displacement is queried in this
+     * environment. */
     Env unseen = *env;
     unseen.seen = false;
     unseen.shape = true;
@@ -165,7 +168,7 @@ static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
     return (Carried){.by = risen.value, .slopes = {by_u, by_v}};
 }
 
-/* 0: it does not change. */
+/* Derivative of the unit normal; 0: constant. */
 static Ref turn_of(Lower *l, Ref normal, Direction direction)
 {
     Ref change = slope_mesh_normal(l, normal, direction);
@@ -208,7 +211,7 @@ Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
     return moved;
 }
 
-/* Three lanes, of a height the last; of a volume four. */
+/* Three components, a height being the last; four for a volume. */
 static Ref as_vector(Lower *l, Ref value)
 {
     Ir *ir = l->ir;
@@ -225,7 +228,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 {
     Ref none = build_float(l->ir, 0);
     Slopes s = {none, none};
-    Env shape = *env; /* as its slopes have it */
+    Env shape = *env; /* as for the slopes */
     shape.shape = true;
     if (displaced)
         s = moved_of(l, displaced, env).slopes;
@@ -234,10 +237,10 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
     put(l, 2, s.v);
 }
 
-/* A vertex before displacement. Its inputs are not those of fragments, and displacement shares no
- * computation with shading. */
+/* A vertex before displacement. Its inputs differ from those of fragments, and displacement
+ * shares no computation with shading. */
 typedef struct {
-    int number; /* of its environment */
+    int number; /* of the environment */
     Input p, n, du, dv, u, x;
 } VertexInputs;
 static const VertexInputs displaced_inputs = {ENV_VERTEX,     INPUT_vertexP,  INPUT_vertexN,
@@ -262,7 +265,7 @@ static Env vertex_env(Lower *l, const VertexInputs *of)
     return env;
 }
 
-/* The normal that a fragment at this vertex has. */
+/* Outputs the normal that a fragment at this vertex would have. */
 static void output_normal(Lower *l, const Node *displaced)
 {
     Ir *ir = l->ir;
@@ -275,9 +278,9 @@ static void output_normal(Lower *l, const Node *displaced)
     ir->origin = origin;
 }
 
-/* Pictures are taken from their texels, at the full resolution: the height of a point depends on no
- * triangle, so that those on either side of an edge cannot differ. A compute program has the normal
- * as well, by the same slopes as a fragment's. */
+/* Pictures are read by texel fetches at full resolution: the height of a point must not depend
+ * on the triangle, so that triangles on both sides of an edge agree. A compute program also
+ * outputs the normal, by the same slopes as a fragment program. */
 void lower_displace_vertices(Lower *l, const Node *displaced)
 {
     const Job *whole = l->job;

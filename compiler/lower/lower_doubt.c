@@ -1,14 +1,13 @@
-/* Warnings about parts that show nothing, by the intervals of the lowered values.
+/* Lints for parts of a document that show nothing, by the intervals of the lowered values.
  *
  *     { map: Blend, blend: [{ value: -1, input: red }, { value: 0, input: blue }], input: { map:
- *         Wood } }
- *     Wood is a distance, at least 0: it is blue everywhere.
+ *     Wood } }
+ *     Wood is a distance, at least 0: the result is blue everywhere.
  *
  *     { map: BumpMap, displacement: { map: Checker, color1: 0.5, color2: 0.5 } }
- *     An edge has the slope (0.5 - 0.5) / 0.05: it is flat everywhere, as is a Blend beyond its
- *         items, or a map whose coordinate is
- *     scaled by 0. A picture may be of one colour: its texels are not read to compile it, and
- *         nothing is said. */
+ *     An edge has the slope (0.5 - 0.5) / 0.05: flat everywhere, as is a Blend outside its
+ *     items, or a map whose coordinate is scaled by 0. A picture may have a single color: its
+ *     texels are not read at compile time, and no warning is given. */
 #include "compiler/ir/range.h"
 #include "compiler/lower/lower.h"
 

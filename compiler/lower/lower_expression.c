@@ -1,14 +1,14 @@
-/* Expression: a formula's steps one after the other, each as IR.
+/* Expression: lowers a formula's steps one after the other.
  *
- * Filtered last, as a Blend is: its inputs are means already, noise fades its octaves, cells their
- * points, and all else is taken at the point, but where something jumps, or is steep without end,
- * as a root at 0: there the formula is computed at four points of the pixel, its inputs going along
- * their slopes, and the four are averaged.
+ * A formula is filtered last, as a Blend is: its inputs are means already, noise fades its
+ * octaves, cells fade to their mean, and all other terms are computed at the point. Where a term
+ * jumps, or has an infinite slope, as a root at 0, the formula is computed at four points of the
+ * pixel, its inputs extrapolated by their slopes, and the four results are averaged.
  *
- *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u - .0375,
- *         -.0125, .0125, .0375: a quarter of a 1
- *     sqrt(u) at u = 0, where the root of what is negative is 0: its mean is .236 sqrt(.1), at the
- *         point it is 0, by the four .242 sqrt(.1) */
+ *     step(.5, u), u changes by .1 to the next pixel: at u = .47 the four points are at u -
+ *     .0375, -.0125, .0125, .0375: a quarter of a 1
+ *     sqrt(u) at u = 0, where the root of a negative number is 0: its mean is .236 sqrt(.1), at
+ *     the point it is 0, by the four points .242 sqrt(.1) */
 #include "compiler/formula/formula.h"
 #include "compiler/lower/footprint.h"
 #include "compiler/lower/lower_term.h"
@@ -20,9 +20,9 @@ typedef struct {
     Ref attributes[LIMIT_ATTRIBUTES];
 } Leaves;
 
-/* V = E.xyz - E.w P, of unit length: the same of parallel rays and of those that meet in an eye. It
- * goes from the surface, wherever `input` moves. Both are relative to the same origin (Job.origin),
- * which cancels here and must not be added. */
+/* View direction V = E.xyz - E.w P, of unit length: one formula for orthographic and perspective
+ * cameras. It starts at the surface point, whatever coordinate `input` makes. Both are relative
+ * to the same origin (Job.origin), which cancels here and must not be added. */
 static Ref toward_viewer(Lower *l, const Env *env)
 {
     Ir *ir = l->ir;
@@ -47,7 +47,7 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
     return build_swizzle(l->ir, group, row->lanes);
 }
 
-/* A map's value in its lanes; one lane is the first, where its colour has more. */
+/* A map's value in the declared number of components; one component is the color's first. */
 static Ref input_at(Lower *l, const Item *item, const Env *env)
 {
     Ir *ir = l->ir;
@@ -102,7 +102,7 @@ static Ref step_of(Lower *l, const Formula *f, const FormulaStep *step, const Le
     }
 }
 
-/* Only what the value is made of: a local that nobody reads is not computed. */
+/* Marks the steps that the result depends on: an unused local is not computed. */
 static void mark_read(const Formula *f, bool *read)
 {
     read[f->result] = true;
@@ -119,7 +119,8 @@ static Ref value_at(Lower *l, const Formula *f, const bool *read, const Leaves *
     return refs[f->result];
 }
 
-/* Where a leaf is at the samples; the same everywhere, if it does not change. */
+/* The leaf's values at the samples, from its slopes. Returns false, with all values equal, if
+ * the leaf is constant. */
 static bool spread(Lower *l, Ref leaf, Ref at[MOST_TAPS])
 {
     const bool changes = footprint_points(l, leaf, at) > 0;
@@ -128,7 +129,7 @@ static bool spread(Lower *l, Ref leaf, Ref at[MOST_TAPS])
     return changes;
 }
 
-/* The formula, what it reads, and room for its steps. */
+/* A formula, the leaves that it reads, and storage for its steps' values. */
 typedef struct {
     const Formula *formula;
     const bool *read;
@@ -137,7 +138,7 @@ typedef struct {
     Ref *refs;
 } Reading;
 
-/* The mean of samples; 0: they are all alike. */
+/* The mean of the samples; 0: all samples are equal. */
 static Ref sampled(Lower *l, const Reading *r)
 {
     Ir *ir = l->ir;
@@ -168,7 +169,8 @@ static Ref sampled(Lower *l, const Reading *r)
     return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
 }
 
-/* An attribute of the mesh, which belongs to the shaded point, wherever `input` moves. */
+/* An attribute of the mesh, which belongs to the shaded point, whatever coordinate `input`
+ * makes. */
 static Ref attribute_at(Lower *l, int number, const Env *env)
 {
     const MeshAttribute *attribute = l->graph->attributes[number];

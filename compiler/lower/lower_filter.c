@@ -1,11 +1,11 @@
-/* Filters: the input as one function of the root position and texture coordinate, called at each
- * point of a 3x3x3 kernel. Filters within filters are functions that call functions: the program
- * grows by one function for each. All filters of one depth share their arguments, so that equal
- * inputs are equal nodes and one function. */
+/* Filters Smooth3D and Laplace3D: the input becomes one function of the root position and
+ * texture coordinate, which is called at each point of a 3x3x3 kernel. Nested filters are
+ * functions that call functions: the program grows by one function for each. All filters of one
+ * depth share their arguments, so that equal inputs are equal nodes and one function. */
 #include "compiler/lower/lower.h"
 #include "compiler/lower/footprint.h"
 
-/* scalar operations of an input from which on its 27 evaluations are a loop */
+/* Scalar operations of an input from which on its 27 evaluations become a loop. */
 enum { LOOP_COST = 100 };
 
 /* Environment whose position and texture coordinate are the function's arguments. */
@@ -19,7 +19,7 @@ static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
     return env;
 }
 
-/* A filter's alpha is always 1: colours keep three lanes at most. */
+/* Drops the alpha, which is always 1 in a filter: colors keep three components at most. */
 static Ref without_alpha(Lower *l, Ref value)
 {
     Ir *ir = l->ir;
@@ -33,7 +33,7 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
     ir_arguments(ir, env->number, (Type[]){TYPE_vec3, TYPE_vec2}, 2, arguments);
     Ref root[] = {env->root[GROUP_X], build_swizzle(ir, env->root[GROUP_U], "xy")};
     for (int i = 0; i < 2; i++)
-        for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point moves as the point does */
+        for (int d = 0; d < DIRECTION_COUNT; d++) /* a shifted point changes as the point does */
             slope_set(l, arguments[i], (Direction)d, slope_of(l, root[i], (Direction)d));
     Env inner = shifted_env(l, env, arguments);
     l->filters++;
@@ -52,7 +52,7 @@ static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, const 
     return build_apply(ir, function, REFS(ir, build_add(ir, env->root[GROUP_X], offset), uv));
 }
 
-/* The three sizes, which are the first parameters behind `input`. */
+/* The three sizes, the first parameters after `input`. */
 static Ref filter_size(Lower *l, const Node *node)
 {
     Ref size[3];
@@ -61,7 +61,7 @@ static Ref filter_size(Lower *l, const Node *node)
     return build_vec_of(l->ir, TYPE_vec3, size, 3);
 }
 
-/* The value as a constant for differentiation, so that not every one of its evaluations is
+/* Treats the value as constant in differentiation, so that its evaluations are not all
  * differentiated. */
 static Answer steady(Lower *l, Ref value)
 {
@@ -70,8 +70,8 @@ static Answer steady(Lower *l, Ref value)
     return answer_of(value);
 }
 
-/* A cheap input is written out, 27 calls. Drivers inline every one of them, so that a costly input
- * would take them minutes to compile: it is summed in a loop. */
+/* A cheap input is written out as 27 calls. Drivers inline every call, so a costly input would
+ * take minutes to compile: it is summed in a loop. */
 Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -90,8 +90,8 @@ Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     return steady(l, build_scale(ir, sum, 1.0 / KERNEL_POINTS));
 }
 
-/* 1/2 of the centre less 1/12 of each neighbour, as a sum of differences: exactly 0 where the input
- * is constant. */
+/* 1/2 of the center minus 1/12 of each neighbor, as a sum of differences: exactly 0 where the
+ * input is constant. */
 Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;

@@ -1,4 +1,4 @@
-/* The G-buffer: every slot of a layout, encoded, in its place of a render target. */
+/* Writes the G-buffer: every slot of a layout, encoded, at its place in a render target. */
 #include "compiler/ir/range.h"
 #include "compiler/layout/layout.h"
 #include "compiler/lower/lower.h"
@@ -6,14 +6,15 @@
 
 static const double greatest_half = 65504;
 
-/* A Principled, in a layout that cannot tell it from a Phong. */
+/* True for a Principled in a layout without the slot `model`, which cannot distinguish it from a
+ * Phong. */
 static bool is_lit_as_phong(Lower *l, const Node *material, const Env *env)
 {
     return !(l->layout_slots >> SLOT_model & 1) &&
            !ir_is_number(l->ir, lower_slot(l, material, SLOT_model, env), MODEL_Phong);
 }
 
-/* The slot as the G-buffer wants it. */
+/* The slot as the G-buffer stores it. */
 static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     if (slot == SLOT_anisotropy)
@@ -31,7 +32,7 @@ static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *
     return build_lane(l->ir, stored_slot(l, material, source.slot, env), source.lane);
 }
 
-/* Lanes of one slot side by side are a swizzle of it, others are put together. */
+/* Consecutive components of one slot are a swizzle of it, others are combined. */
 static Ref source_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
     const SlotLane *source = &piece->field->source[piece->first];
@@ -71,15 +72,15 @@ static Ref piece_value(Lower *l, const Piece *piece, const Node *material, const
     return build_call_of(ir, pack, args, 2);
 }
 
-/* A material, and where what is stored of it goes. */
+/* A material, and where its slots are stored. */
 typedef struct {
     const Placement *placement;
     const Node *material;
     const Env *env;
 } Packed;
 
-/* The pieces of a lane, each at its shift. `known` is what of it is known: constants come together
- * there. */
+/* Combines the pieces of one component of an integer target by shifts. Constant pieces are added
+ * to `known` at compile time. */
 static Ref word_value(Lower *l, const Packed *p, int target, int lane, double known)
 {
     Ir *ir = l->ir;
@@ -89,7 +90,7 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
         if (piece->target != target || piece->lane != lane)
             continue;
         Ref code = piece_value(l, piece, p->material, p->env);
-        ir->origin = ORIGIN_SURFACE; /* a word is no slot's */
+        ir->origin = ORIGIN_SURFACE; /* a word belongs to no single slot */
         if (ir_is(ir, code, OP_const)) {
             known += ldexp(ir_numbers(ir, code)[0], piece->shift);
             continue;
@@ -102,7 +103,8 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
     return !word ? rest : known != 0 ? build_join(ir, word, rest) : word;
 }
 
-/* The case's number is at the bottom of the first word; a further one marks the last. */
+/* The words of an integer target. The lowest bits of the first word hold the case's number; a
+ * `further` case also sets the highest bit of the last word. */
 static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
     Ref words[FIELD_LANES];
@@ -121,7 +123,7 @@ static const Piece *piece_at(const Placement *placement, int target, int lane)
     return NULL;
 }
 
-/* The pieces of a float target side by side. */
+/* The pieces of a float target, in order. */
 static Ref floats_value(Lower *l, const Packed *p, int target)
 {
     Ir *ir = l->ir;
@@ -135,13 +137,13 @@ static Ref floats_value(Lower *l, const Packed *p, int target)
     return count == 1 ? parts[0] : build_vec_of(ir, TYPE_vec4, parts, count);
 }
 
-/* The slot is a constant, that of a material that has nothing to say about it. */
+/* True if the slot is the constant of a material that does not use it. */
 static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     return ir_is_number(l->ir, lower_slot(l, material, slot, env), slot_table[slot].absent);
 }
 
-/* It is not absent, nor are all slots without which it changes nothing. */
+/* True if the slot is not absent, and neither are all slots without which it has no effect. */
 static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     const unsigned matters = slot_class_table[slot].matters;
@@ -153,7 +155,7 @@ static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
     return !matters;
 }
 
-/* Where a case is for everything, what changes nothing is stored too. */
+/* True if the slot must be stored; a case for all materials also stores slots without effect. */
 static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot,
                      const Env *env)
 {
@@ -161,7 +163,7 @@ static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot 
            (layout_is_whole(row) || is_needed(l, material, slot, env));
 }
 
-/* The slot is the constant that a case gives back. */
+/* True if the slot is the constant that the case restores when it is read. */
 static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, const Env *env)
 {
     const Ref value = lower_slot(l, material, fixed->slot, env);
@@ -171,7 +173,7 @@ static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, cons
     return true;
 }
 
-/* A case, which does not store the slot, does not give back either what the material has of it. */
+/* True if a case that does not store the slot does not restore the material's value either. */
 static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot, const Env *env)
 {
     const FixedRow *fixed = layout_case_fixed(of, slot);
@@ -185,7 +187,7 @@ static unsigned stored_slots(const Lower *l)
     return l->layout_slots & ~layout_fixed_slots(l->job->layout);
 }
 
-/* Slots of `stored`, which some case stores, that this case loses. */
+/* Slots of `stored` that case `number` loses for this material. */
 static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material,
                            const Env *env)
 {
@@ -270,7 +272,8 @@ void lower_no_case(Lower *l, const Node *material, const Env *env)
     l->failed = true;
 }
 
-/* A layout that the target's GLSL cannot write, or whose fields do not fit in, is refused. */
+/* Places the layout's fields; reports a layout that the target's GLSL cannot write, or whose
+ * fields do not fit. */
 static bool allocate(Lower *l, int number, Placement *placement)
 {
     const LayoutRow *row = l->job->layout;
@@ -284,8 +287,8 @@ static bool allocate(Lower *l, int number, Placement *placement)
     return !l->session->diags.errors;
 }
 
-/* The value surely differs from what the layout gives back; where it is not simplified, that is not
- * seen. */
+/* True if the value surely differs from what the layout restores; without simplification the
+ * value is not known to be constant. */
 static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const Env *env)
 {
     const double least = 1e-6;
@@ -297,8 +300,8 @@ static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const
     return false;
 }
 
-/* The exponent of a material without a lobe changes nothing: of slots without any of which this one
- * does not matter, none is ever above 0. */
+/* True if the slot has an effect: at least one slot on which it depends may be above 0. The
+ * exponent of a material without a lobe has no effect. */
 static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
 {
     const unsigned to = slot_class_table[slot].matters;
@@ -324,7 +327,7 @@ static void check_fixed(Lower *l, const LayoutRow *row, const Node *material, co
                      slot_table[row->fixed[i].slot].name);
 }
 
-/* A Principled in a layout that cannot tell it from a Phong: which of its slots are nowhere. */
+/* Warns of a Principled in a layout without the slot `model`, and lists the slots that are lost. */
 static void check_model(Lower *l, const LayoutRow *row, const Node *material, const Env *env)
 {
     Text slots = text_new(l->session->arena);

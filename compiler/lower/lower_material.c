@@ -1,12 +1,11 @@
-/* Materials: each answers for the shading slots. Only the slots that a pass stores are ever asked
- * for. */
+/* Materials: lowers their shading slots. Only slots that a pass stores are queried. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 #include "grammar/lobe_table.h"
 #include "compiler/library/sky.h"
 
-/* The surface where there is no material: GroIMP's grey. */
+/* GroIMP's gray for a surface without a material. */
 static const double missing_gray = 128.0 / 255;
 
 enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
@@ -45,7 +44,7 @@ static Ref color(Lower *l, const Node *map, const Env *env)
     return build_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
 }
 
-/* Alpha of a colour: only a vec4 has one, the conversion table makes 1 of all others. */
+/* Alpha of a color: only a vec4 has one, the conversion table makes 1 of all others. */
 static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 {
     Ir *ir = l->ir;
@@ -53,8 +52,8 @@ static Ref alpha_of(Lower *l, const Node *map, const Env *env)
     return ir_type(ir, value) == TYPE_vec4 ? build_swizzle(ir, value, "w") : build_float(ir, 1);
 }
 
-/* Exponent of a shininess that is one of two values within the pixel: the mean of both exponents.
- * */
+/* Phong exponent of a shininess; where that is one of two values within the pixel, the mean of
+ * both exponents. */
 static Ref exponent_of(Lower *l, Answer shininess, int depth)
 {
     Ir *ir = l->ir;
@@ -116,7 +115,7 @@ Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
     }
 }
 
-/* A material of one colour: Phong with that diffuse, a uniform transparency and no more. */
+/* A material of one color: a Phong with that diffuse color and a uniform transparency. */
 static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -162,7 +161,7 @@ static Ref missing_slot(Lower *l, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(ir, 0), slot, env);
 }
 
-/* The sky's radiance along the local position. What depends on the sun alone is computed here, in
+/* The sky's radiance along the local position. Terms of the sun alone are computed here, in
  * double. */
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
@@ -193,14 +192,15 @@ Ref lower_SunSkyLight(Lower *l, const Node *m, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(l->ir, 0), slot, env);
 }
 
-/* The material of a side. A missing back is as the front; a missing front stays missing. */
+/* The material of a side. A missing back is replaced by the front; a missing front stays
+ * missing. */
 const Node *lower_choose_SideSwitch(const Node *m, bool front)
 {
     const Node *back = front ? NULL : lower_param_node(m, P_SideSwitch_backShader);
     return back ? back : lower_param_node(m, P_SideSwitch_frontShader);
 }
 
-/* A preview takes the GUI's material; the others stand in where it is missing. */
+/* A preview uses the GUI's material, else the ray tracer's, else the radiation model's. */
 const Node *lower_choose_AlgorithmSwitch(const Node *m, bool front)
 {
     (void)front;
@@ -216,8 +216,8 @@ const Node *lower_displaced(const Node *m)
     return m;
 }
 
-/* The material that is seen of one side, through any number of switches: within one of them the
- * side is known. */
+/* The material visible from one side, through any number of nested switches, which all see the
+ * same side. */
 static const Node *seen_from(const Node *m, bool front)
 {
     while (m && switches[m->kind])
@@ -241,7 +241,7 @@ bool lower_is_principled(const Lower *l, const Node *m)
     return m && l->graph->models[m->index] >> MODEL_Principled & 1;
 }
 
-/* A material that is not a switch, as a Principled. */
+/* A material that is not a switch, converted to a Principled. */
 static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     if (lower_is_principled(l, m))
@@ -263,7 +263,8 @@ Ref lower_value_slot(Lower *l, const Node *m, bool principled, Slot slot, const 
     return both_sides(l, env, REFS(l->ir, side(l, front, slot, env), side(l, back, slot, env)));
 }
 
-/* In eye space: the interpolated normal comes so from the vertex program; any other is turned. */
+/* The normal in eye space: the interpolated normal comes from the vertex program in eye space;
+ * any other is transformed. */
 static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
 {
     if (normal == env->root[GROUP_N] && env->eye_n)
@@ -277,7 +278,7 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
     return eye ? in_eye_space(l, normal, env) : normal;
 }
 
-/* The surface after it was displaced. */
+/* Environment of the displaced surface. */
 static Env shape_env(Lower *l, const Node *m, const Env *mesh)
 {
     const Node *displaced = lower_displaced(m);
@@ -295,7 +296,7 @@ static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
                       REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
 }
 
-/* Unit length, and turned to the viewer's side. */
+/* Normalizes, and flips to the viewer's side. */
 static Ref finished_normal(Lower *l, Ref normal, const Env *env)
 {
     Ir *ir = l->ir;
@@ -312,7 +313,7 @@ Ref lower_stored_normal(Lower *l, const Node *material, const Env *env)
     return value;
 }
 
-/* Nothing stays nothing. */
+/* The coat's own normal, normalized and flipped; (0, 0, 0) if the coat has none. */
 static Ref coat_normal_of(Lower *l, const Node *material, const Env *mesh, bool eye)
 {
     Ir *ir = l->ir;

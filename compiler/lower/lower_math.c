@@ -1,16 +1,17 @@
 /* Arithmetic between maps: Mix, Add, Multiply, Remap, Clamp, Power, Contrast, HSV, Combine,
- * Separate. They work on colours, by lane; alpha is that of the first operand, of Mix the mixed
- * one. What a mean leaves out of an operand goes through what is linear, as a product of means
- * through Multiply. What is not linear is asked of both halves of a value that is one of two:
+ * Separate. They operate on colors, per component; alpha is that of the first operand, except
+ * for Mix, which mixes it. The variance that a mean leaves out passes through linear operations,
+ * and through Multiply as for a product of means. A nonlinear operation is applied to both
+ * halves of a split value:
  *
- *     Clamp to [0, 1] of a Checker of 3 and -1, of which a pixel has .25 and .75: the mean of 1 and
- *         0 by these is .25; the mean itself, 0, would be clamped to 0 */
+ *     Clamp to [0, 1] of a Checker of 3 and -1, with .25 and .75 of a pixel: the mean of 1 and 0
+ *     by these weights is .25; the mean itself, 0, would be clamped to 0 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/lower_term.h"
 
-enum { MOST_HALVINGS = 3 }; /* of a half's halves, and so on: each doubles what is computed */
+enum { MOST_HALVINGS = 3 }; /* nesting depth of halves: each level doubles the computation */
 
-/* One number, three or four, with its halves. */
+/* A color of one, three or four components, with its split. */
 static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
 {
     Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
@@ -25,13 +26,13 @@ static Answer colour(Lower *l, const Node *node, int param, const Env *env)
     return answer;
 }
 
-/* One number of a colour, its red. */
+/* The red component as a number. */
 static Ref number(Lower *l, const Node *node, int param, const Env *env)
 {
     return build_swizzle(l->ir, colour(l, node, param, env).value, "x");
 }
 
-/* With the alpha that another colour has, if it has one. */
+/* Replaces the alpha, if there is one, by another color's. */
 static Answer with_alpha(Lower *l, Answer answer, Ref from)
 {
     Ir *ir = l->ir;
@@ -46,7 +47,7 @@ static Answer with_alpha(Lower *l, Answer answer, Ref from)
     return (Answer){answer.value, answer.variance, NULL};
 }
 
-/* Two colours, as wide as the wider. */
+/* Two colors, converted to their common type. */
 typedef struct {
     Answer a, b;
 } Pair;
@@ -60,7 +61,7 @@ static Pair pair(Lower *l, const Node *node, int param, const Env *env)
     return (Pair){a, b};
 }
 
-/* As another group's value. */
+/* Converts to another group's value. */
 static Answer given(Lower *l, Answer answer, Group group)
 {
     return answer_as_group(l, answer, group);
@@ -96,7 +97,7 @@ Answer lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, with_alpha(l, product, p.a.value), group);
 }
 
-/* Colours less `from`, times `by`, plus `to`. */
+/* (x - from) * by + to */
 static Answer line(Lower *l, Answer x, Ref from, const Ref by_to[2])
 {
     Answer moved = answer_moved(l, x, build_neg(l->ir, from));
@@ -111,7 +112,7 @@ Answer lower_Remap(Lower *l, const Node *node, Group group, const Env *env)
     Ref to_low = number(l, node, P_Remap_toLow, env),
         to_high = number(l, node, P_Remap_toHigh, env);
     Ref width = build_sub(ir, high, low), rise = build_sub(ir, to_high, to_low);
-    /* 0 where there is no width */
+    /* 0 where the width is 0 */
     Ref rate = lower_term(l, TERM_divide, (const Ref[TERM_MOST_ARGUMENTS]){rise, width});
     return given(l, line(l, x, low, (const Ref[]){rate, to_low}), group);
 }
@@ -124,13 +125,14 @@ Answer lower_Contrast(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, line(l, x, pivot, (const Ref[]){amount, pivot}), group);
 }
 
-/* A function that is not linear, with numbers of its own. */
+/* A nonlinear function with its parameters. */
 typedef struct {
     Ref (*of)(Lower *l, Ref x, const Ref *numbers);
     Ref numbers[3];
 } Curve;
 
-/* In a relief halves are heights, of whose mix the curve has the slope. */
+/* Applies the curve to both halves of a split. In a displacement the halves are heights, whose
+ * mix the curve is applied to. */
 static Answer curved(Lower *l, const Curve *curve, Answer x, int depth)
 {
     if (!x.split || depth == 0 || l->relief)
@@ -156,11 +158,11 @@ Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
 }
 
-/* lower_term looks at all arguments that a term may have. */
+/* lower_term() reads all arguments that a term may have. */
 static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
-    if (!ir_is(ir, *exponent, OP_const)) { /* of a number lower_term does that */
+    if (!ir_is(ir, *exponent, OP_const)) { /* for a constant, lower_term() does that */
         Ref one = build_float(ir, 1),
             border = build_pow(ir, build_float(ir, 1e37),
                                build_div(ir, one, build_max(ir, *exponent, one)));
@@ -183,7 +185,8 @@ Answer lower_Power(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, curved(l, &(Curve){raised, {exponent}}, x, MOST_HALVINGS), group);
 }
 
-/* The colour, turned; a fourth lane, if there is one, is left for the colour's own alpha. */
+/* Changes hue, saturation and value; a fourth component, if any, is a placeholder for the
+ * color's own alpha. */
 static Ref turned(Lower *l, Ref x, const Ref *by)
 {
     Ir *ir = l->ir;
@@ -212,7 +215,7 @@ Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, answer_of(build_vec(ir, TYPE_vec3, r, g, b)), group);
 }
 
-/* A lane of a colour that is taken to four. */
+/* A component of a color that is widened to four. */
 Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
 {
     static const char *const lanes[] = {"x", "y", "z", "w"};

@@ -1,16 +1,16 @@
-/* MixMaterial: two materials by a mask, each slot in the space in which its steps look equal; a
- * Phong beside a Principled as one. */
+/* MixMaterial: mixes two materials by a mask, each slot in the space in which its steps look
+ * equal; a Phong mixed with a Principled is converted. */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/footprint.h"
 
 enum { MAX_EXPONENT = 65504 };
 
-/* Cached slots of mixed materials: one material can stand in a Mix twice, and in another Mix again.
- * */
+/* Cached slots of mixed materials: one material may occur twice in a Mix, and in other Mixes
+ * too. */
 typedef struct SlotMemo {
     Ref value;
-    int number; /* of its environment */
+    int number; /* of the environment */
 } SlotMemo;
 
 static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)
@@ -20,19 +20,19 @@ static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)
     return &l->slots[(size_t)m->index * SLOT_COUNT + (size_t)slot];
 }
 
-/* A side of a Mix by the model that the Mix has. */
+/* A slot of a Mix's side, in the Mix's surface model. */
 static Ref side_of_mix(Lower *l, const Node *mix, const Node *side, Slot slot, const Env *env)
 {
     return lower_value_slot(l, side, lower_is_principled(l, mix), slot, env);
 }
 
-/* A Mix's side that is seen where `shows`. */
+/* A Mix's side, which is visible where `shows`. */
 typedef struct {
     const Node *mix, *side;
     Ref shows;
 } MixedSide;
 
-/* A side of a Mix, as the slot's type. */
+/* A slot of a Mix's side, converted to the slot's type. */
 static Ref side_value(Lower *l, const MixedSide *of, Slot slot, const Env *env)
 {
     l->arms++;
@@ -42,14 +42,14 @@ static Ref side_value(Lower *l, const MixedSide *of, Slot slot, const Env *env)
     return value;
 }
 
-/* The costly behind a guard: nobody reads it where the other has all. */
+/* Guards a costly value: it is not read where the other side covers everything. */
 static Ref guarded_side(Lower *l, const MixedSide *of, Ref value)
 {
     return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, of->shows, value) : value;
 }
 
-/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: that of the Beckmann
- * lobe as wide, perceptually. */
+/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: the perceptual
+ * roughness of the Beckmann lobe of equal width. */
 static Ref roughness_of(Ir *ir, Ref exponent)
 {
     Ref alpha = build_div(ir, build_float(ir, 2), build_add(ir, exponent, build_float(ir, 2)));
@@ -63,7 +63,7 @@ static Ref exponent_from(Ir *ir, Ref roughness)
     return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, MAX_EXPONENT));
 }
 
-/* Both sides in a space in which they are mixed, and back. */
+/* Converts both sides to the space in which they are mixed, mixes, and converts back. */
 static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
 {
     Ir *ir = l->ir;
@@ -82,8 +82,8 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
     return build_mix(ir, a, b, by);
 }
 
-/* How much of the second side there is: the mask taken to [0, 1], each part of a pixel's by itself.
- * Half a pixel at -1 and half at 1 show half of it. */
+/* Weight of the second side: the mask clamped to [0, 1], separately for each part of a split
+ * pixel. Half a pixel at -1 and half at 1 give 1/2. */
 static Ref share_of_second(Lower *l, Answer mask, int depth)
 {
     Ir *ir = l->ir;
@@ -98,7 +98,8 @@ static Ref share_of_second(Lower *l, Answer mask, int depth)
     return build_clamp(ir, red, zero, one);
 }
 
-/* By a mask that is one of two within the pixel: the mean of both. */
+/* Mixes exponents; with a mask that is one of two values within the pixel, the mean of both
+ * results. */
 static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int depth)
 {
     const Split *split = slot_mixing(slot) == MIXING_EXPONENT ? mask.split : NULL;
@@ -110,8 +111,8 @@ static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int de
     return mixed(l, slot, sides, share_of_second(l, mask, depth));
 }
 
-/* How much the second side counts, as much as it has of the slot that weighs this one. Where both
- * have nothing, t. */
+/* Weight of the second side, multiplied by the slot that weighs this one on both sides. If both
+ * are 0, the weight is t. */
 static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env *env)
 {
     Ir *ir = l->ir;
@@ -123,7 +124,8 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
     const uint32_t origin = ir->origin;
     a = guarded_side(l, &sides[0], a);
     b = guarded_side(l, &sides[1], b);
-    ir->origin = ir_origin(ir, sides[0].mix); /* it is the Mix's, whichever slot asks first */
+    /* the origin is the Mix, whichever slot is queried first */
+    ir->origin = ir_origin(ir, sides[0].mix);
     a = build_mul(ir, build_sub(ir, one, t), a);
     b = build_mul(ir, t, b);
     Ref sum = alone ? b : build_add(ir, a, b);
@@ -134,7 +136,7 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
     return share;
 }
 
-/* The Mix's own, whichever slot asks first. */
+/* The Mix's share, with the Mix as its origin whichever slot is queried first. */
 static Ref named_share(Lower *l, const Node *mix, Answer mask)
 {
     Ir *ir = l->ir;

@@ -1,4 +1,5 @@
-/* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal. */
+/* Normal modifiers: BumpMap and WaveMap tilt the tangents by a slope along the normal; NormalMap
+ * replaces the normal. */
 #include "compiler/lower/relief.h"
 
 Ref lower_unit(Lower *l, Ref n)
@@ -27,12 +28,12 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
     return f;
 }
 
-/* n' = Tu' x Tv', by n's side. Multiplied out, its term du dv (n x n) is 0 and left out: of steep
- * slopes the product would be none of floats. Tangents that turn left around n, as mirrored texture
- * coordinates and transforms make them, would have it point to the other side:
+/* n' = Tu' x Tv', on n's side. In the expanded product the term du dv (n x n) is 0 and left out:
+ * for steep slopes it would be dominated by float rounding. Tangents of the opposite handedness,
+ * as mirrored texture coordinates and transforms make them, would flip the normal:
  *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the
- *   normal leans to x Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n < 0,
- *   so n' = (0.1, 0, 1) */
+ *   normal leans to x. Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n
+ *   < 0, so n' = (0.1, 0, 1) */
 Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2])
 {
     Ir *ir = l->ir;
@@ -74,7 +75,7 @@ static Slopes column_of(Lower *l, const Turn *turn, int column)
     return turn->transform ? turned_by(l, turn->transform, (Slopes){u, v}) : turn->column[column];
 }
 
-/* One more node above those of a turn. */
+/* Appends a node above the chain `below`. */
 static Turn turned_at(Lower *l, const Turn *below, const Node *node)
 {
     if (node->kind != KIND_UVTransform)
@@ -94,8 +95,8 @@ static Turn *turn_at(Lower *l, const Node *node)
     return &l->turns[node->index];
 }
 
-/* Product of the UVTransforms from a node down its inputs. Each node caches its own: a chain is
- * walked once. */
+/* Product of the UVTransforms from a node down its inputs. Each node caches its own product, so
+ * a chain is walked once. */
 static Turn turn_of(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
@@ -113,7 +114,8 @@ static Turn turn_of(Lower *l, const Node *node)
     return turn;
 }
 
-/* The slopes along the input's tangents: where a UVTransform turned those, it turns the slopes. */
+/* Converts slopes to the input's tangents: UVTransforms transform the slopes as they do the
+ * tangents. */
 static Slopes along_tangents(Lower *l, const Node *input, Slopes slopes)
 {
     Ir *ir = l->ir;
@@ -172,7 +174,7 @@ static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
     return build_vec(ir, TYPE_vec3, xy, z);
 }
 
-/* v / |v|; 0 where it has no length. */
+/* v / |v|; 0 if |v| is 0. */
 static Ref unit(Lower *l, Ref v)
 {
     Ir *ir = l->ir;
@@ -181,7 +183,7 @@ static Ref unit(Lower *l, Ref v)
     return build_mul(ir, v, build_div(ir, build_float(ir, 1), size));
 }
 
-/* t.x T + t.y B + t.z n, T along Tu and B to the side of Tv, both across n. */
+/* t.x T + t.y B + t.z n, with T along Tu and B on the side of Tv, both perpendicular to n. */
 static Ref from_tangents(Lower *l, const Frame *f, Ref t)
 {
     Ir *ir = l->ir;
@@ -195,7 +197,8 @@ static Ref from_tangents(Lower *l, const Frame *f, Ref t)
 Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
-    /* of how far the new normal may lean: tangents of ones that lie flat have no end */
+    /* Minimum cosine between the new normal and the old: tangents of a normal that lies flat
+     * would be infinite. */
     const double least = 1e-3;
     const Node *input = lower_param_node(node, P_NormalMap_input);
     if (!is_frame(group) || !lower_param_node(node, P_NormalMap_normal))
@@ -223,7 +226,7 @@ static Ripple ripple(Lower *l, Ref x, Ref count)
     return (Ripple){height, build_neg(ir, build_mul(ir, rate, sine))};
 }
 
-/* The top face of a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
+/* The top face in a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
 static Ref in_box_top(Lower *l, Ref u, Ref v)
 {
     Ir *ir = l->ir;

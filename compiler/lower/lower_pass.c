@@ -1,4 +1,4 @@
-/* Lowering of a pass: the environment it starts from and the outputs it writes. */
+/* Lowering of a pass: the environment that it starts from, and the outputs that it writes. */
 #include "compiler/layout/layout.h"
 #include "compiler/lower/lower.h"
 #include "compiler/lower/slope.h"
@@ -6,8 +6,8 @@
 #include "grammar/lobe_table.h"
 #include <string.h>
 
-/* Shadows are seen by lights, of which a pass may be for several; the sky is as it is wherever it
- * is seen from. */
+/* True for passes with one viewer. A shadow pass may serve several lights, and the sky looks the
+ * same from every position. */
 static bool sees(Pass pass)
 {
     return pass == PASS_gbuffer || pass == PASS_plane || pass == PASS_value;
@@ -29,7 +29,8 @@ Env lower_surface_env(Lower *l)
     return env;
 }
 
-/* x away from 0, for a divisor: a denominator is guarded, never a result. */
+/* Replaces a divisor near 0 by a small positive number: the divisor is guarded, never the
+ * quotient. */
 static Ref nonzero(Lower *l, Ref x)
 {
     Ir *ir = l->ir;
@@ -38,15 +39,15 @@ static Ref nonzero(Lower *l, Ref x)
     return build_select(ir, small, build_float(ir, least), x);
 }
 
-/* Derivatives by the surface's u and v of a value that the pass itself made. */
+/* Sets the derivatives by the surface's u and v of a value that the pass itself made. */
 static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
 {
     slope_set(l, value, DIRECTION_u, by_u);
     slope_set(l, value, DIRECTION_v, by_v);
 }
 
-/* Where the view ray meets the plane; the pixel is discarded where it does not, and its depth is
- * written. */
+/* Environment at the intersection of the view ray with the plane. Discards the pixel if they do
+ * not intersect, and writes the depth. */
 static Env plane_env(Lower *l)
 {
     Ir *ir = l->ir;
@@ -82,8 +83,8 @@ static Env plane_env(Lower *l)
     return env;
 }
 
-/* The sky seen along the ray: position and normal are directions, u and v longitude and
- * latitude. */
+/* Environment of the sky along the view ray: position and normal are directions, u and v are
+ * longitude and latitude. */
 static Env sky_env(Lower *l)
 {
     Ir *ir = l->ir;
@@ -119,7 +120,7 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
     Ir *ir = l->ir;
     Ref light = build_add(ir, lower_slot(l, material, SLOT_diffuse, env),
                           lower_slot(l, material, SLOT_emissive, env));
-    const double most = slot_table[SLOT_emissive].high; /* what a half float holds */
+    const double most = slot_table[SLOT_emissive].high; /* greatest half float */
     light = build_clamp(ir, light, build_float(ir, -most), build_float(ir, most));
     ir_output(ir, OUT_color, 0, build_convert(ir, light, TYPE_vec4));
 }
@@ -127,7 +128,7 @@ static void write_sky(Lower *l, const Node *material, const Env *env)
 static void write_slots(Lower *l, const Node *material, const Env *env)
 {
     l->ir->slots = lower_needed_slots(l, material, env);
-    for (int slot = 0; slot < SLOT_COUNT; slot++) /* as they are stored */
+    for (int slot = 0; slot < SLOT_COUNT; slot++) /* as the G-buffer stores them */
         ir_output(l->ir, OUT_color, slot,
                   slot == SLOT_anisotropy ? lower_stored_anisotropy(l, material, env)
                                           : lower_slot(l, material, (Slot)slot, env));
@@ -158,8 +159,8 @@ Lower lower_start(const LowerRequest *what, int optimize)
     return l;
 }
 
-/* A coat's own normal, asked of an IR of its own, so that the program's is the same in all
- * layouts. */
+/* Warns if the layout loses the coat's own normal. Uses a separate IR, so that the program is
+ * the same in all layouts. */
 static void warn_left_out(Lower *l, const Node *material)
 {
     const LayoutRow *row = l->job->layout;
@@ -173,9 +174,9 @@ static void warn_left_out(Lower *l, const Node *material)
     l->failed |= probe.failed;
 }
 
-/* The case is equal at every level of -O: where nothing is simplified, it is found on a separate
- * IR. The same holds where constants in a buffer hide which slots are absent, and no case holds all
- * slots that may be present. */
+/* The layout's case is the same at every level of -O: without simplification it is found on a
+ * separate IR. A separate IR is also needed where constants in a buffer hide which slots are
+ * absent, and no case holds all slots that may be present. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
     const int none = l->job->layout->case_count;
@@ -197,7 +198,8 @@ static int find_case(Lower *l, const Node *material, const Env *env)
     return number % none;
 }
 
-/* A constant transparency, which needs no compiling of its own to be known. */
+/* Records whether a constant transparency is 0, which is then known without a separate
+ * compilation. */
 static void note_opacity(Lower *l, const Node *material, const Env *env)
 {
     Ref t = lower_slot(l, material, SLOT_transparency, env);

@@ -1,4 +1,4 @@
-/* The material Principled: OpenPBR's parameters to slots. */
+/* The material Principled: converts OpenPBR's parameters to slots. */
 #include "compiler/lower/lower.h"
 #include <math.h>
 
@@ -7,13 +7,13 @@ static Ref color(Lower *l, const Node *m, int param, const Env *env)
     return build_convert(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), TYPE_vec3);
 }
 
-/* A map as a number: its red. */
+/* The red component as a number. */
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
     return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
 }
 
-/* Least divisor; it is a sum with 1 and more. */
+/* Minimum divisor of quotients whose divisor is 1 plus a reflectance. */
 static const double LEAST_SUM = 1e-6;
 
 static Ref unit(Ir *ir, Ref x)
@@ -31,9 +31,9 @@ static bool is_thin(const Node *m)
     return !value_is_zero(node_param(m, P_Principled_thinWalled));
 }
 
-/* weight ((ior - 1) / (ior + 1))^2: Fresnel's formulas along the normal. Without a bound below, -1
- * would divide by 0. Thin walls that let light through reflect it on both sides, again and again: R
- * + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
+/* weight ((ior - 1) / (ior + 1))^2: Fresnel reflectance at normal incidence. The index is
+ * clamped to 0, since -1 would divide by 0. A transmissive thin wall reflects on both sides,
+ * repeatedly: R + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
 static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
@@ -49,8 +49,8 @@ static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env
     return build_mix(ir, once, both, clear);
 }
 
-/* Share of light scattered within thin walls that leaves on one side: toward 1 the other side,
- * toward -1 the side where it came in. */
+/* Share of light scattered within thin walls that leaves on one side: `toward` 1 is the opposite
+ * side, -1 the side where the light entered. */
 static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
 {
     Ir *ir = l->ir;
@@ -62,8 +62,8 @@ static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
     return build_mul(ir, all, build_add(ir, half, build_scale(ir, on, toward / 2)));
 }
 
-/* The diffuse base of the dielectric: what is left of it beside light that goes through, and is
- * scattered below. */
+/* Diffuse color of the dielectric: the part that is not transmitted, with subsurface scattering
+ * mixed in. */
 static Ref dielectric(Lower *l, const Node *m, Ref own, const Env *env)
 {
     Ir *ir = l->ir;
@@ -81,8 +81,8 @@ static Ref not_metal(Lower *l, const Node *m, const Env *env)
     return build_sub(l->ir, build_float(l->ir, 1), share(l, m, P_Principled_metalness, env));
 }
 
-/* Transmittance of the surface per component: each of a body's two surfaces takes the square root
- * of the color. */
+/* Transmittance of the surface per component: each of a closed mesh's two surfaces takes the
+ * square root of the color. */
 static Ref through(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -110,7 +110,8 @@ static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
     return build_mul(ir, opacity, most);
 }
 
-/* Light that is scattered below the surface leaves where it came in, but for thin walls. */
+/* Diffuse transmission. Light scattered below the surface leaves where it entered, except for
+ * thin walls. */
 static Ref to_other_side(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -123,7 +124,7 @@ static Ref to_other_side(Lower *l, const Node *m, const Env *env)
     return build_mul(ir, scattered(l, m, 1, env), weight);
 }
 
-/* Metal scales all of its reflection by `specular`. */
+/* Diffuse and metallic base color. `specular` scales all of a metal's reflection. */
 static Ref base(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -191,8 +192,8 @@ static Ref unit_or_nothing(Ir *ir, Ref vector)
                      build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
 }
 
-/* Angle of a vector of the world, from dP/du toward dP/dv. With n = dP/du x dP/dv the vector n x
- * dP/du is at right angles to dP/du, and |n| times as long. */
+/* Doubled angle of a world-space vector, from dP/du toward dP/dv. With n = dP/du x dP/dv the
+ * vector n x dP/du is perpendicular to dP/du, and |n| times as long. */
 static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -214,7 +215,7 @@ static Ref anisotropy(Lower *l, const Node *m, const Env *env)
     Ref twice = build_scale(ir, red(l, m, P_Principled_anisotropyRotation, env), 4 * M_PI);
     Ref cosine = build_cos(ir, twice), sine = build_sin(ir, twice);
     Ref turn = build_vec(ir, TYPE_vec2, cosine, sine);
-    if (lower_param_node(m, P_Principled_tangent)) { /* angles add up */
+    if (lower_param_node(m, P_Principled_tangent)) { /* the two angles are added */
         Ref own = tangent_turn(l, m, env), x = build_lane(ir, own, 0), y = build_lane(ir, own, 1);
         Ref real = build_sub(ir, build_mul(ir, x, cosine), build_mul(ir, y, sine));
         turn = build_vec(ir, TYPE_vec2, real,
@@ -293,7 +294,7 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     }
 }
 
-/* Where a tint has no colour to be of, it is white. */
+/* Where the specular color is 0, the tint is white. */
 static const double LEAST_TINT = 1e-6;
 
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
@@ -327,9 +328,9 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
     }
 }
 
-/* The share that a metal, or a dielectric, reflects along the normal. A Phong that is mixed with a
- * Principled may have any number here; beyond [0, 1] what the lobe leaves over would be a
- * difference of great numbers. */
+/* Reflectance at normal incidence of the metal and the dielectric. A Phong mixed with a
+ * Principled may have any number here; outside [0, 1] the rest of the lobe would be a difference
+ * of large numbers. */
 static Ref reflected(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -340,8 +341,8 @@ static Ref reflected(Lower *l, const Node *m, const Env *env)
     return build_clamp(ir, share, build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
 }
 
-/* The exponent of the lobe as wide as GGX's: of directions of light it is twice as wide as of
- * facets' normals. */
+/* Phong exponent of the lobe as wide as GGX's: over light directions the lobe is twice as wide
+ * as over microfacet normals. */
 static Ref exponent_of(Lower *l, const Node *m, const Env *env)
 {
     const double least = 1e-6, greatest = slot_table[SLOT_shininess].high;
@@ -352,10 +353,10 @@ static Ref exponent_of(Lower *l, const Node *m, const Env *env)
     return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, greatest));
 }
 
-/* A Phong's light is less by its whole transparency; of a Principled's that which goes through
- * the dielectric is left out already. The factor is (1 - holes) / (1 - transparency); 1 where
- * nothing goes through the dielectric. That is decided by value: what is constant after folding
- * alone would mean another thing at -O0. */
+/* A layout for Phongs multiplies the light by 1 - transparency; a Principled's diffuse color
+ * already excludes the light transmitted through the dielectric. The factor that undoes the
+ * double loss is (1 - holes) / (1 - transparency); 1 if the dielectric transmits nothing. The
+ * test is by value: a test for a folded constant would give another result at -O0. */
 static Ref kept_twice(Lower *l, const Node *m, const Env *env)
 {
     const double least = 1e-3;
@@ -368,7 +369,7 @@ static Ref kept_twice(Lower *l, const Node *m, const Env *env)
     return build_select(ir, opaque, one, factor);
 }
 
-/* As strong as it has to be, at most 1, as the slots are. */
+/* Strength with the correction of kept_twice(), at most 1, the bound of the slots. */
 static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
 {
     Ir *ir = l->ir;
@@ -376,8 +377,8 @@ static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
     return build_min(ir, wanted, build_all(ir, TYPE_vec3, 1));
 }
 
-/* The lobe's strength, of which a Phong of this exponent n reflects 2 / (n + 2); at most 1, as
- * the slot is. */
+/* Strength of the lobe, of which a Phong of exponent n reflects 2 / (n + 2); at most 1, the
+ * bound of the slot. */
 static Ref lobe_of(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -386,7 +387,7 @@ static Ref lobe_of(Lower *l, const Node *m, const Env *env)
     return build_min(ir, lobe, build_all(ir, TYPE_vec3, 1));
 }
 
-/* The base, and what the lobe has no room for. */
+/* Diffuse color, including the reflection that exceeds the lobe's maximum. */
 static Ref matt_of(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;

@@ -1,4 +1,4 @@
-/* Constants, checkers and pictures. */
+/* Maps without noise: constants, checkers and pictures. */
 #include "compiler/lower/area.h"
 #include "compiler/lower/relief.h"
 #define XXH_INLINE_ALL
@@ -36,8 +36,8 @@ Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 
 static const char *const lane_name[] = {"x", "y", "z", "w"};
 
-/* Whether floor(2 q) is odd, from the whole number and the fraction of 2 q, by lane: edges are at
- * whole numbers, and beside them the fraction is small and good to its last bit. */
+/* True where floor(2 q) is odd, from the integer and the fraction of 2 q, per component: edges
+ * are at integers, near which the fraction is small and good to its last bit. */
 static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
 {
     Ir *ir = l->ir;
@@ -48,9 +48,9 @@ static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *la
     return build_ne(ir, odd, build_lt(ir, fraction, build_float(ir, 0)));
 }
 
-/* Whether the sum of the lanes of floor(2 q) is odd. floor(2 x) is odd where fract(x) is not below
- * 1/2: this form is exact for every float, while a sum of large whole numbers loses its last
- * bit. */
+/* True where the sum of the components of floor(2 q) is odd. floor(2 x) is odd where fract(x) is
+ * not below 1/2: this form is exact for every float, while a sum of large integers loses its
+ * last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -66,7 +66,8 @@ static Ref odd_sum(Lower *l, Ref q)
     return odd;
 }
 
-/* uv + step, whole turns of `turn` dropped first: far from the origin the step would be lost. */
+/* uv + step; multiples of the period `turn` are dropped first, since far from the origin the
+ * step would be lost to rounding. */
 static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
 {
     Ir *ir = l->ir;
@@ -75,7 +76,7 @@ static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
     return build_add(ir, part, step);
 }
 
-/* Whether floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
+/* True where floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
 static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 {
     if (step_u != 0 || step_v != 0)
@@ -83,8 +84,7 @@ static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
     return odd_sum(l, uv);
 }
 
-/* A difference of the two colours where a step crosses an edge, else the slope of the colour
- * itself. */
+/* Difference of the two colors where a step crosses an edge, else the slope of the color itself. */
 static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -102,7 +102,7 @@ static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const 
     return build_select(ir, build_ne(ir, odd, beyond), rise, inside);
 }
 
-/* The colours of a checker: color1 of odd squares, color2. */
+/* The colors of a checker: color1 of odd squares, color2 of even ones. */
 typedef struct {
     const Node *node[2];
     Answer answer[2];
@@ -114,8 +114,8 @@ static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
         colors->answer[i] = lower_arm(l, colors->node[i], group, env);
 }
 
-/* How much of the pixel lies where the sum of the lanes of floor(2 q) is odd; or a bool, whether
- * the point does, without a footprint or where --aa=auto leaves costly colours their branch. */
+/* Share of the pixel where the sum of the components of floor(2 q) is odd. Without a footprint,
+ * or where --aa=auto keeps a branch around costly colors, a bool for the point instead. */
 static Ref odd_at(Lower *l, const void *map, Answer q)
 {
     const Colors *colors = map;
@@ -126,7 +126,7 @@ static Ref odd_at(Lower *l, const void *map, Answer q)
     return share ? share : odd_sum(l, q.value);
 }
 
-/* Either colour, by squares or cubes of edge 1/2. */
+/* Mixes both colors, by squares or cubes of edge 1/2. */
 static Answer odd_or_even(Lower *l, Answer q, double step, const Colors *colors)
 {
     Ref odd = odd_at(l, colors, q);
@@ -160,7 +160,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
-/* Equal picture, or reliefs with equal parameters. */
+/* True for equal pictures, or Carpenter reliefs with equal parameters. */
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
@@ -176,7 +176,7 @@ static bool same_texture(const IrTexture *a, const IrTexture *b)
     return true;
 }
 
-/* Equal textures have equal ones. */
+/* Equal textures have equal hashes. */
 static uint32_t texture_hash(const IrTexture *texture)
 {
     double numbers[16] = {0};
@@ -188,7 +188,7 @@ static uint32_t texture_hash(const IrTexture *texture)
     return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
 }
 
-/* Its number, a new one when it is met first. */
+/* Number of an equal texture; a new one on first use. */
 static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
 {
     const uint32_t hash = texture_hash(wanted);
@@ -202,14 +202,15 @@ static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
 
 enum { ALL_LANES = -1 };
 
-/* A picture, the function that reads it, and the steps of its slopes along u and v; 0: a texel. */
+/* A picture, the function that reads it, and the step of finite differences along u and v; 0:
+ * one texel. */
 typedef struct {
     IrTexture texture;
     Function function;
     double step;
-    int lane;     /* that alone; ALL_LANES */
-    Word address; /* what is beyond the edges and no sampler's part */
-    bool centred; /* a texel's colour stands in its middle */
+    int lane;     /* selected component, or ALL_LANES */
+    Word address; /* addressing that no sampler does */
+    bool centred; /* a texel's color is at its center */
 } Sampled;
 
 /* Components of a picture function's result. */
@@ -219,8 +220,8 @@ static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
                                       : build_swizzle(l->ir, value, lane_name[sampled->lane]);
 }
 
-/* Its width and height: asked of the sampler where that can tell, so that pictures of all sizes
- * share a program. */
+/* The picture's width and height: queried from the sampler where possible, so that pictures of
+ * all sizes share a program. */
 static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
 {
     if (texture->sampled && target_table[l->job->target].words)
@@ -228,8 +229,8 @@ static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
     return ir_const(l->ir, TYPE_vec2, (double[]){texture->width, texture->height});
 }
 
-/* A relief is the same after whole turns, but its sides of 0 differ: to -2 ... 2, on the side where
- * uv is.
+/* Moves uv near 0 by whole periods. A relief is periodic, but differs on both sides of 0: uv is
+ * moved into -2 ... 2 and stays on its side.
  *   5.3 - (5 - 1) = 1.3; -3.002 - (-4 + 2) = -1.002, and a step of .005 from there stays on that
  *   side */
 static Ref near_zero(Ir *ir, Ref uv)
@@ -239,8 +240,8 @@ static Ref near_zero(Ir *ir, Ref uv)
     return build_sub(ir, uv, build_sub(ir, turns, kept));
 }
 
-/* After how much of u and v all of a picture is the same again, exactly; 0: never, and the sampler
- * would take a dropped turn for a wide footprint. */
+/* Period in u and v after which the picture repeats exactly; 0: none, or a sampler reads it,
+ * which would take a dropped period for a wide footprint. */
 static double turn_of(const Sampled *sampled)
 {
     if (sampled->texture.sampled)
@@ -250,7 +251,7 @@ static double turn_of(const Sampled *sampled)
                                                      : 0;
 }
 
-/* uv + step, or where the same stands: far from the origin the step would be lost. */
+/* uv + step, or an equivalent point: far from the origin the step would be lost to rounding. */
 static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
 {
     if (sampled->texture.kind == TEXTURE_carpenter)
@@ -259,7 +260,7 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
     return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
-/* By the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, lane by lane. */
+/* Forward difference, the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, per component. */
 static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
@@ -274,7 +275,7 @@ static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, 
     return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
 }
 
-/* Slope over a step of one texel, from eight texels instead of three places where the sampler
+/* Slope over a step of one texel, from eight texels instead of three samples where the sampler
  * allows it. */
 static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv,
                          bool by_v)
@@ -330,8 +331,8 @@ static int channel_lane(const Node *node)
 }
 
 /* Texel format. An encoding that no texture of the target decodes is decoded to 16 bits when the
- * texture is filled. Half floats replace words if the target has none, and floats if its samplers
- * do not filter those. */
+ * texture is filled. Half floats replace words if the target has none, and replace floats if its
+ * samplers do not filter floats. */
 static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
     const TargetRow *target = &target_table[l->job->target];
@@ -349,8 +350,8 @@ static bool is_sampled(Function function)
     return function == FN_imageSampled || function == FN_imageSampledOver;
 }
 
-/* Wrap mode of the sampler, as far as it can do the addressing and the program allows it. Within
- * the picture texels are fetched; one sampler is enough. */
+/* Wrap mode of the sampler, as far as the sampler can do the addressing and the program allows
+ * it. Without filtering texels are fetched, and one sampler is enough. */
 static Word wrap_of(const Lower *l, Word address, bool sampled)
 {
     const bool borders = sampled && target_table[l->job->target].borders;

@@ -1,8 +1,8 @@
-/* Terms -> IR. What GLSL leaves open is guarded here, so that every term is a number for all
- * numbers; a guard that intervals prove needless goes in opt_range.
+/* Terms -> IR. Cases that GLSL leaves undefined are guarded here, so that every term is a finite
+ * number for all arguments; opt_range removes guards that intervals prove needless.
  *
- *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v is
- *                       at least 1, so it is u / (1 + v v) */
+ *     u / (1 + v * v)   c = |1 + v v| < 1e-30; select(c, 0, u) / select(c, 1, 1 + v v). 1 + v v
+ *     is at least 1, so it is u / (1 + v v) */
 #include "compiler/lower/lower_term.h"
 #include "compiler/ir/build_words.h"
 #include "compiler/lower/answer.h"
@@ -21,7 +21,7 @@ static Type wider(const Ir *ir, Ref a, Ref b)
     return ir_lanes(ir, a) > ir_lanes(ir, b) ? ir_type(ir, a) : ir_type(ir, b);
 }
 
-/* Every lane by itself, of what is written for numbers. */
+/* Applies a function of numbers to every component. */
 typedef Ref OfNumbers(Lower *l, const Ref *x);
 static Ref by_lanes(Lower *l, OfNumbers *of, const Ref *args, int count)
 {
@@ -40,7 +40,7 @@ static Ref by_lanes(Lower *l, OfNumbers *of, const Ref *args, int count)
     return build_vec_of(ir, type, lane, type_table[type].lanes);
 }
 
-/* A number whose every lane is known and far from 0. */
+/* True for a constant whose components are all far from 0. */
 static bool is_far_from_zero(const Ir *ir, Ref a)
 {
     const double *known = ir_is(ir, a, OP_const) ? ir_numbers(ir, a) : NULL;
@@ -55,9 +55,9 @@ static Ref is_no_divisor(Lower *l, Ref a)
     return build_lt(l->ir, build_abs(l->ir, a), build_float(l->ir, LEAST_DIVISOR));
 }
 
-/* Both operands where the divisor is far from 0, else 0 and 1: what is divided is guarded and not
- * the result, since drivers may make a product of a choice, and 0 times an infinity is no
- * number. */
+/* Guards both operands: unchanged where the divisor is far from 0, else 0 and 1. The operands
+ * are guarded, not the quotient, since drivers may turn a selection into a product, and 0 times
+ * infinity is NaN. */
 static void guard_division(Lower *l, const Ref *x, Ref guarded[2])
 {
     Ir *ir = l->ir;
@@ -70,7 +70,7 @@ static void guard_division(Lower *l, const Ref *x, Ref guarded[2])
     guarded[1] = build_select(ir, none, build_all(ir, ir_type(ir, x[1]), 1), x[1]);
 }
 
-/* a / b of a divisor that is one number: all lanes by one condition. */
+/* a / b with a scalar divisor: one condition for all components. */
 static Ref quotient_by_number(Lower *l, const Ref *x)
 {
     Ref guarded[2];
@@ -99,8 +99,8 @@ static Ref remainder_of(Lower *l, const Ref *x)
     return by_lanes(l, remainder_by_number, x, 2);
 }
 
-/* A base whose power by a number is within GREATEST_POWER, so that no infinity comes about on the
- * way there: the border is that of the base. */
+/* Clamps the base so that its power by a constant is within GREATEST_POWER; an infinity never
+ * occurs. */
 static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
 {
     Ir *ir = l->ir;
@@ -108,12 +108,12 @@ static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
                  least_by = log(GREATEST_POWER) / log(FLT_MAX);
     Ref within =
         build_max(ir, base, build_float(ir, by < 0 ? fmax(border, LEAST_BASE) : LEAST_BASE));
-    if (by > least_by) /* by less no float comes there */
+    if (by > least_by) /* a lower exponent reaches the bound with no float */
         within = build_min(ir, within, build_float(ir, border));
     return build_pow(ir, within, exponent);
 }
 
-/* From the base and the exponent. */
+/* Power of x[0] by x[1]. */
 static Ref power(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -127,7 +127,7 @@ static Ref power(Lower *l, const Ref *x)
     return build_min(ir, raised, build_float(ir, GREATEST_POWER));
 }
 
-/* min(max(a, b), c); GLSL's clamp leaves it open where b is above c. */
+/* min(max(a, b), c); GLSL's clamp is undefined where b is above c. */
 static Ref bounded(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -144,7 +144,7 @@ static Ref within(Lower *l, Ref a, double low, double high)
     return build_clamp(ir, a, build_float(ir, low), build_float(ir, high));
 }
 
-/* How far x has come from `low` to `high`, in [0, 1]. */
+/* Position of x between `low` and `high`, in [0, 1]. */
 static Ref share(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -158,7 +158,7 @@ static Ref smooth(Lower *l, Ref t)
     return MUL(MUL(t, t), SUB(K(3), TWICE(t)));
 }
 
-/* Combines two components after each other. */
+/* Combines all components by a binary operation, from the first to the last. */
 static Ref over_lanes(Lower *l, Op op, Ref a)
 {
     Ir *ir = l->ir;
@@ -205,7 +205,7 @@ static Ref rgb(Lower *l, Ref hsv)
     return MUL(v, build_mix(ir, build_vec3(ir, 1, 1, 1), full, s));
 }
 
-/* The greatest lane says which sixths the hue lies in, the other two where in them. */
+/* The greatest component selects the third of the hue circle, the other two the position in it. */
 static Ref hsv(Lower *l, Ref rgb)
 {
     Ir *ir = l->ir;
@@ -222,19 +222,20 @@ static Ref hsv(Lower *l, Ref rgb)
     return build_vec(ir, TYPE_vec3, hue, quotient(l, REFS(ir, spread, most)), most);
 }
 
-/* Octaves of noise at a position, over the pixel where maps are averaged. */
+/* Octaves of noise at a position; over the pixel where maps are averaged. */
 static Ref octaves(Lower *l, bool vector, Ref p, const Ref *args)
 {
     const Answer at = answer_of(build_splat(l->ir, p, TYPE_vec3));
     return (vector ? area_vector_turbulence(l, at, args) : area_turbulence(l, at, args)).value;
 }
 
-/* |noise| of one octave; of what the pixel leaves out of it the mean, as if it were normal: 2.3 %
- * off where all is. */
+/* |noise| of one octave. The variance that the pixel leaves out contributes to the mean as if it
+ * were normally distributed: 2.3 % off where all is left out. */
 static Ref folded_octave(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
-    /* of the mean's square in the variance: 2 / pi, of noise 0.68 and 0.63 */
+    /* Square of the mean over the variance: 2 / pi for a normal distribution, 0.68 and 0.63 for
+     * noise. */
     const double share = .65;
     const Ref single = build_int(ir, 1), two = build_float(ir, 2), half = build_float(ir, .5);
     const Ref one_octave[] = {single, two, half};
@@ -261,10 +262,10 @@ static Ref folded(Lower *l, const Ref *x)
 
 static Ref count(Lower *l, Ref number)
 {
-    return build_int(l->ir, ir_numbers(l->ir, number)[0]); /* it stands in the formula itself */
+    return build_int(l->ir, ir_numbers(l->ir, number)[0]); /* a literal of the formula */
 }
 
-/* A library function of numbers. */
+/* Calls a scalar library function for every component. */
 static Ref each(Lower *l, Function function, Ref a)
 {
     Ir *ir = l->ir;
@@ -278,7 +279,7 @@ static Ref each(Lower *l, Function function, Ref a)
     return build_vec_of(ir, ir_type(ir, a), lane, ir_lanes(ir, a));
 }
 
-/* b where the condition holds, else c, as the wider of both types. */
+/* b where the condition holds, else c, in the wider of both types. */
 static Ref chosen(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -286,7 +287,8 @@ static Ref chosen(Lower *l, const Ref *x)
     return build_select(ir, x[0], build_splat(ir, x[1], type), build_splat(ir, x[2], type));
 }
 
-/* 1 where the sum of the lanes' whole numbers is odd: where one of them is and the other is not. */
+/* 1 where the sum of both components' floors is odd: where one floor is odd and the other is
+ * not. */
 static Ref odd(Lower *l, Ref uv)
 {
     Ir *ir = l->ir;
@@ -311,7 +313,7 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
     return power < 0 ? quotient(l, REFS(ir, build_float(ir, 1), product)) : product;
 }
 
-/* MaterialX's, of three dimensions, over the pixel as the maps of these names. */
+/* MaterialX's noises in three dimensions, averaged over the pixel as the maps of these names. */
 static Ref cell_noise(Lower *l, Ref p)
 {
     Ref dimensions = build_int(l->ir, 3);

@@ -1,11 +1,11 @@
-/* The terms of formulas as IR: the BUILD lines of expression.def. */
+/* Lowers terms of formulas to IR, by the BUILD lines of expression.def. */
 #ifndef MATC_LOWER_TERM_H
 #define MATC_LOWER_TERM_H
 #include "compiler/lower/lower.h"
 #include "grammar/expression_tables.h"
 
-/* The value of a term, from its arguments; those it does not have are 0. */
+/* The value of a term, from its arguments; missing arguments are 0. */
 Ref lower_term(Lower *l, Term term, const Ref *args);
-/* a to a whole power, lane by lane: a product, or its inverse. */
+/* a to an integer power, per component: a product, or its inverse. */
 Ref lower_whole_power(Lower *l, Ref a, int power);
 #endif

@@ -1,10 +1,11 @@
-/* Coordinate transformers: they answer for their own coordinate and pass every other channel on. */
+/* Coordinate transformers: they change their own coordinate and pass every other channel on. */
 #include "compiler/lower/area.h"
 #include <math.h>
 
 static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
 
-/* A matrix of scalars, m[row][column], times q; a diagonal one is a product by lane. */
+/* A matrix of scalars, m[row][column], times q; a diagonal matrix becomes a product per
+ * component. */
 static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 {
     Ir *ir = l->ir;
@@ -55,7 +56,7 @@ static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
     m[1][1] = build_mul(ir, scale_v, c);
 }
 
-/* 1/x, 0 for 0: a texture that is scaled to nothing has no tangent. */
+/* 1/x, 0 for 0: a texture scaled to 0 has no tangent. */
 static Ref guarded_inverse(Lower *l, Ref x)
 {
     Ir *ir = l->ir;
@@ -78,7 +79,7 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
                      build_mul(ir, dv, build_mul(ir, by_v, inverse)));
 }
 
-/* m ((u, v) - offset), w as it is. */
+/* m ((u, v) - offset); w is unchanged. */
 static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
 {
     Ir *ir = l->ir;

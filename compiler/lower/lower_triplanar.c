@@ -1,8 +1,9 @@
-/* Triplanar: its maps see the surface three times, with two of the position's lanes for u and v.
+/* Triplanar projection: its maps are sampled three times, with two of the position's components
+ * as u and v.
  *
  *     p = (.2, .3, .7), n = (.1, .6, .79), sharpness 2: shares .01, .36 and .63; x has less than
- *         1/64, and counts nothing; y is asked at
- *     u = .2, v = .7 and weighs (.36 - 1/64) / (.99 - 2/64) = .36, z at (.2, .3), .64 */
+ *     1/64 and does not count; y is sampled at u = .2, v = .7 and weighs (.36 - 1/64) / (.99 -
+ *     2/64) = .36, z at (.2, .3) weighs .64 */
 #include "compiler/lower/answer.h"
 #include "compiler/lower/blend.h"
 #include "compiler/lower/slope.h"
@@ -12,7 +13,7 @@ static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* semantics.md 2.5 */
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 
-/* The map of an axis, or of the next that has one. */
+/* The map of an axis, or of the next axis that has one. */
 static const Node *projected_map(const Node *node, int axis)
 {
     for (int i = 0; i < AXES; i++) {
@@ -34,9 +35,9 @@ static int place_number(Lower *l, Place place)
     return (int)l->place_count - 1;
 }
 
-/* The environment of an axis. The same texture coordinate in the same environment is the same
- * place, so that Triplanars within each other, which read one position, have three of them
- * together. */
+/* The environment of an axis. Equal texture coordinates in equal environments share an
+ * environment number, so that nested Triplanars, which read one position, have three of them in
+ * total. */
 static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
 {
     static const char *const lanes[AXES] = {"yz", "xz", "xy"};
@@ -48,12 +49,12 @@ static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
     return made;
 }
 
-/* |n|^k of the unit normal, by axis, as a share of all three; what of it is above
- * TRIPLANAR_LEAST_SHARE counts. It is taken as constant where the map is differentiated. */
+/* |n|^k of the unit normal, per axis, as a share of the sum; the excess over
+ * TRIPLANAR_LEAST_SHARE counts. The weights count as constant when the map is differentiated. */
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
     Ir *ir = l->ir;
-    const double least = 1e-37; /* a float that is no denormal */
+    const double least = 1e-37; /* a normal (not denormal) float */
     Ref by_u = build_or_zero(ir, slope_detached(l, p, DIRECTION_u), TYPE_vec3);
     Ref by_v = build_or_zero(ir, slope_detached(l, p, DIRECTION_v), TYPE_vec3);
     Ref normal = build_call(ir, FN_safeNormalize, build_cross(ir, by_u, by_v));

@@ -1,4 +1,4 @@
-/* Waveforms, from the `build` column of waves.def, and with a footprint from its MEAN rows. */
+/* Waveforms, by the `build` column of waves.def; with a footprint, by its MEAN rows. */
 #include "compiler/lower/footprint.h"
 #include "compiler/ir/build_words.h"
 
@@ -7,7 +7,8 @@
 #define CALL(name, a)     build_call(ir, FN_##name, a)
 #define CALL2(name, a, b) build_call(ir, FN_##name, a, b)
 
-/* By the choice of --powers. Squares of squares become higher powers in opt_power.c. */
+/* Square, in the form that --powers selects. Squares of squares become higher powers in
+ * opt_power.c. */
 static Ref square(Lower *l, Ref v)
 {
     Ir *ir = l->ir;
@@ -34,7 +35,8 @@ static Ref point_value(Lower *l, WaveKind kind, Ref v)
     }
 }
 
-/* The mean over a box, 0 where the wave has no MEAN row, and what it leaves out of a period. */
+/* The mean over a box, 0 if the wave has no MEAN row, and the variance that the mean of a whole
+ * period leaves out. */
 typedef struct {
     Ref mean;
     double variance, period;
@@ -53,7 +55,8 @@ static BoxMean box_mean(Lower *l, WaveKind kind, Ref v, Ref w)
     }
 }
 
-/* By how much the wave multiplies what is small; 0: it is taken to leave nothing of it. */
+/* Factor by which the wave scales small changes of its argument; 0: unknown, no variance is
+ * passed on. */
 static Ref rate(Lower *l, WaveKind kind, Ref v)
 {
     Ir *ir = l->ir;
@@ -67,8 +70,8 @@ static Ref rate(Lower *l, WaveKind kind, Ref v)
     }
 }
 
-/* All of the variance once the box holds a period; below, about the cube of its share is not seen
- * in the mean's slope. */
+/* All of the variance once the box is as wide as a period; below, the part not covered by the
+ * mean's slope is about the cube of the box's share of the period. */
 static Ref period_variance(Lower *l, Ref w, double variance, double period)
 {
     Ir *ir = l->ir;
@@ -76,7 +79,7 @@ static Ref period_variance(Lower *l, Ref w, double variance, double period)
     return MUL(MUL(MUL(share, share), share), K(variance));
 }
 
-/* Variance of the wave by that of its argument. */
+/* Variance of the wave that results from its argument's variance. */
 static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 {
     Ir *ir = l->ir;

@@ -1,17 +1,16 @@
-/* Each map that may be averaged is lowered by itself, in the order of the document, in two IRs:
- * with the means of all maps up to it, and with none. What the one has more than the other, it
- * costs.
+/* Lowers each map that may be averaged by itself, in document order, in two IRs: with the means
+ * of all maps up to it, and without means. The difference in cost is the price.
  *
  *     625 checkers of one turbulence, in a program of 13,774 operations. The mean of the first
- *         needs the turbulence's slopes: it costs 1,832
- *     more than its point, and a tenth of the program is 1,377. So none is averaged, which two
- *         times 40 nodes told of 9,000 */
+ *     needs the turbulence's slopes: it costs 1,832 more than its point, and a tenth of the
+ *     program is 1,377. So no map is averaged, which is known after two lowerings of 40 nodes
+ *     instead of 9,000 */
 #include "compiler/lower/price.h"
 #include "compiler/base/stack.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* One of the two. */
+/* One of the two lowerings. */
 typedef struct {
     Arena arena;
     Session session;
@@ -23,7 +22,7 @@ typedef struct {
     Ref *to_count; /* a stack */
     size_t to_count_count, to_count_room;
     int nodes;
-    double cost; /* of what is counted */
+    double cost; /* cost of the counted nodes */
 } Side;
 
 static void open_side(Side *side, const LowerRequest *what, int below)
@@ -52,7 +51,7 @@ static void want_counted(Side *side, Ref ref)
     side->counted[ref] = 1;
 }
 
-/* A function counts as one run of it. */
+/* Adds the cost of a value's nodes that are not counted yet. A function counts as a single run. */
 static void count(Side *side, Ref value)
 {
     const Ir *ir = side->lower.ir;
@@ -74,7 +73,7 @@ static void add_map(Side *side, const MetMap *met)
         count(side, lower_ask(&side->lower, met->map, met->group, &side->env));
 }
 
-/* A mean has nodes of its own. */
+/* True if both lowerings are equal: a mean has additional nodes. */
 static bool are_alike(const Side *a, const Side *b)
 {
     return a->nodes == b->nodes && a->cost == b->cost;

@@ -1,21 +1,23 @@
-/* Price of means over the pixel beside their maps' points, found without a program of either. */
+/* Cost of means over the pixel relative to point samples, found without lowering a whole
+ * program. */
 #ifndef MATC_PRICE_H
 #define MATC_PRICE_H
 #include "compiler/lower/lower.h"
 
-/* Maps in the order of the document, equal ones once. */
+/* Prices of maps in document order; each map is listed once. */
 typedef struct {
-    int *ends; /* one more than the index of each */
+    int *ends; /* per map: its index + 1 */
     double *
-        /* by how many: what the means of the first so many cost more than their points, in scalar
-         * operations; ascending */
+        /* upto[n]: additional cost of the first n means over point samples, in scalar
+         * operations; ascending. */
         upto;
     int count;
-    int known; /* of so many first ones: the next costs more than was to be found out */
-    int alike; /* of so many first ones means and points are the same */
+    int known; /* prices of the first `known` maps are found; the next exceeds the limit */
+    int alike; /* for the first `alike` maps, means equal points */
 } Prices;
 
-/* As far as `most`. What else is in the program is not known here: a mean may share with it, and
- * cost less. What is met elsewhere than where the pass begins counts as nothing. */
+/* Adds up prices until they exceed `most`. The rest of the program is unknown here, so a mean
+ * that shares work with it may cost less. Queries from elsewhere than where the pass begins
+ * count 0. */
 Prices price_means(const LowerRequest *what, const MapList *maps, double most);
 #endif

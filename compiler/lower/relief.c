@@ -1,25 +1,25 @@
-/* The slopes of a displacement: finite, GroIMP's channels; analytic, of all that is computed; auto,
- * both by one law:
+/* Slopes of a displacement: `finite` are GroIMP's channels; `analytic` is the derivative of all
+ * that is computed; `auto` combines both by one rule:
  *
- *     the derivative of what the displacement computes, by the chain rule, in which a map with a
- *         STEP row (maps.def: it jumps, or is a
- *     picture) has GroIMP's finite difference for its derivative by its own coordinate.
+ *     the derivative of what the displacement computes, by the chain rule, where a map with a
+ *     STEP row (maps.def: it jumps, or is a picture) has GroIMP's finite difference as its
+ *     derivative by its own coordinate.
  *
  * Tiles of wood: a Blend along a Checker c (1 and 0, its u' = 8 u), with 0 at item 0 and w(x) at
  * item 1. At a point of a black square, .02 of u' before the edge to a white one:
- *     the Checker is one of two, so the Blend is asked for both: H = c ? w : 0, and dH = c ? dw :
- *         0, + (w - 0) dc
- *     dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8 times that: the edge
- *         has the slope 160 w
- * Within the squares it is 0 or dw, exactly; the edges are bevels of a tenth of a square.
+ *     the Checker is one of two values, so the Blend is evaluated for both: H = c ? w : 0, and
+ *     dH = (c ? dw : 0) + (w - 0) dc
+ *     dc by u' is (c(u' + .05) - c(u')) / .05 = (1 - 0) / .05 = 20, and by u 8 times that: the
+ *     edge has the slope 160 w
+ * Within the squares the slope is 0 or dw, exactly; the edges are bevels of a tenth of a square.
  *
- * A displacement above such a map is lowered separately and without the local rules: its nodes are
- * not merged with others, whatever the optimizer joins later, and the plain forms have one slope
- * where two pieces meet. So all levels of -O have one relief. */
+ * A displacement above such a map is lowered separately and without the local rules: its nodes
+ * are not merged with others, whatever the optimizer joins later, and the plain forms have a
+ * unique slope where two pieces meet. So all levels of -O have the same slopes. */
 #include "compiler/lower/relief.h"
 #include "compiler/lower/slope.h"
 
-/* A bool as 0 or 1. */
+/* Converts a bool to 0 or 1. */
 static Ref number(Lower *l, Ref value)
 {
     Ir *ir = l->ir;
@@ -28,8 +28,8 @@ static Ref number(Lower *l, Ref value)
     return build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
 }
 
-/* (f(q + h e) - f(q)) / h, e along a lane. f repeats, so whole numbers are dropped first: far out
- * the step would be lost beside them. */
+/* Forward difference (f(q + h e) - f(q)) / h, e along one component. f has period 1, so integers
+ * are dropped first: far from the origin the step would be lost to rounding. */
 static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
 {
     Ir *ir = l->ir;
@@ -68,7 +68,7 @@ void relief_step(Lower *l, Ref value, const Stepped *map)
     relief_rise(l, value, map->q.value, rate);
 }
 
-/* A map's red. */
+/* A map's red component. */
 static Ref red(Lower *l, const Node *map, const Env *env)
 {
     return build_swizzle(l->ir, lower_ask(l, map, GROUP_R, env), "x");
@@ -110,7 +110,7 @@ static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *e
     return risen;
 }
 
-/* The map's value for a derivative channel; 0: it is a constant 0. */
+/* The map's value for a derivative channel; 0: a constant 0. */
 static Ref channel(Lower *l, const Node *displacement, Group group, const Env *env)
 {
     Ref answer = lower_ask(l, displacement, group, env);

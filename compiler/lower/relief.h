@@ -1,15 +1,16 @@
-/* How a BumpMap's displacement rises along u and v, by the choice of --derivatives. */
+/* Slopes of a BumpMap's displacement along u and v, computed as --derivatives selects. */
 #ifndef MATC_RELIEF_H
 #define MATC_RELIEF_H
 #include "compiler/lower/answer.h"
 
-/* The derivatives of the red of a BumpMap's displacement by u and v; of --derivatives=finite by
- * those of the maps themselves. Says it where there are none. */
+/* Derivatives of the red component of a BumpMap's displacement by u and v; with
+ * --derivatives=finite the maps' own derivative channels. Records slopes that are 0 for a
+ * warning. */
 Slopes relief_slopes(Lower *l, const Node *bump, const Env *env);
 
-/* A value that `make` makes of `what` in an environment, and its derivatives by u and v, by the
- * same choice, in which `finite` counts as `auto`: of true displacement there is none of GroIMP's.
- * 0 where there are none. */
+/* A value that `make` computes from `what` in an environment, with its derivatives by u and v, 0
+ * for none. --derivatives selects the method; `finite` counts as `auto`, since GroIMP has no
+ * finite differences of true displacement. */
 typedef Ref ReliefValue(Lower *l, const Node *what, const Env *env);
 typedef struct {
     Ref value;
@@ -17,23 +18,25 @@ typedef struct {
 } Risen;
 Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env);
 
-/* In a displacement, where nothing from a map down jumps or is a picture: its answer as outside,
- * which is the same node. */
+/* Within a displacement: lowers a map below which nothing jumps and no picture is read as
+ * outside of the displacement, so that both share one node. */
 Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env);
 
 /* A map as a function of its coordinate. */
 typedef struct {
-    Ref (*at)(Lower *l, const void *map, Answer q); /* its value, a bool for one of two */
-    /* of which kind, with which parameters: the caller's */
+    /* the map's value at q; a bool if it is one of two */
+    Ref (*at)(Lower *l, const void *map, Answer q);
+    /* The caller's data: kind and parameters of the map. */
     const void *map;
-    Answer q; /* its coordinate at the point */
-    /* by lane of it; 0: it does not go by that lane */
+    Answer q; /* the coordinate at the shaded point */
+    /* Step of the finite difference per component of q; 0: the map does not depend on that
+     * component. */
     double step[3];
 } Stepped;
-/* In a displacement of --derivatives=auto: how `value`, the map's at the point, changes by u and v
- * is its finite steps' to say. */
+/* In a displacement of --derivatives=auto: sets the derivatives of `value`, the map's value at
+ * the point, by u and v to finite differences. */
 void relief_step(Lower *l, Ref value, const Stepped *map);
-/* Slopes of a value whose derivatives by the components of its coordinate are known; 0: it does not
- * depend on that component. */
+/* Sets the slopes of a value from its derivatives by the components of its coordinate q; 0: the
+ * value does not depend on that component. */
 void relief_rise(Lower *l, Ref value, Ref q, const Ref rate[3]);
 #endif

@@ -1,17 +1,17 @@
-/* Derivatives by the chain rule, from the SLOPE lines of ops.def and the rows of slopes.def. Every
- * (value, direction) is differentiated once.
+/* Derivatives by the chain rule, from the SLOPE lines of ops.def and the rows of slopes.def.
+ * Every (value, direction) is differentiated once.
  *
  *     r = mul(a, b), a = sin(u), b = 3, along u: da = cos(u), db = 0
- *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES of no change is no node, and PLUS of
- *         one is the other, so
- *     what is made is 3 cos(u), and nothing is left to be folded away */
+ *     mul's line is PLUS(TIMES(b, da), TIMES(a, db)): TIMES with a missing derivative makes no
+ *     node, and PLUS with one operand returns that operand, so the result is 3 cos(u), without
+ *     terms to fold */
 #include "compiler/lower/slope.h"
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 #include <string.h>
 
 enum { UNKNOWN = 0, LANE_OPERANDS = 3 };
-static const Ref FLAT = UINT32_MAX; /* in the memo: it does not change */
+static const Ref FLAT = UINT32_MAX; /* memo entry: constant along the direction */
 
 static Ref *memo_of(Lower *l, Ref value, Direction direction)
 {
@@ -24,7 +24,7 @@ void slope_set(Lower *l, Ref value, Direction direction, Ref slope)
     *memo_of(l, value, direction) = slope ? slope : FLAT;
 }
 
-/* All lanes of a vector alike: a number's derivative may stand for a vector's. */
+/* Repeats a scalar derivative over all components of a vector. */
 static Ref widened(Ir *ir, Ref value, Type type)
 {
     return value && type_table[type].lanes > 1 ? build_splat(ir, value, type) : value;
@@ -40,7 +40,8 @@ static Ref pick(Ir *ir, const Ref x[3])
                       build_times(ir, build_sub(ir, build_float(ir, 1), mask), b));
 }
 
-/* sqrt(1 - a^2), not 0: at the ends of an arc the derivative is cut rather than infinite. */
+/* sqrt(1 - a^2), bounded from below: at the ends of an arc the derivative is limited rather than
+ * infinite. */
 static Ref arc(Ir *ir, Ref a)
 {
     const double least = 1e-6;
@@ -60,7 +61,7 @@ static Ref operand(const Ir *ir, Ref ref, int i)
     return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0;
 }
 
-/* Slope of an operation that works per component: the SLOPE lines of ops.def. */
+/* Derivative of an operation that works per component: the SLOPE lines of ops.def. */
 static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
 {
     Ref a = operand(ir, r, 0), b = operand(ir, r, 1), c = operand(ir, r, 2);
@@ -91,8 +92,8 @@ static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_lanes(ir, slopes[0], ir_at(ir, ref)->payload, ir_lanes(ir, ref));
 }
 
-/* A condition whose finite step is known (relief.c) counts as a number from 0 to 1; others do not
- * change. */
+/* A condition with a finite difference (relief.c) counts as a number from 0 to 1; other
+ * conditions are constant. */
 static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     const Type type = ir_type(ir, ref);
@@ -122,8 +123,8 @@ static Ref length_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_over(ir, toward, build_max(ir, ref, build_float(ir, least)));
 }
 
-/* A matrix times a vector: the matrix times the vector's change, and the columns' changes times the
- * vector. */
+/* A matrix times a vector: the matrix times the vector's derivative, plus the columns'
+ * derivatives times the vector. */
 static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     Ref moved[5], turned[5];
@@ -140,8 +141,8 @@ static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
                       turns ? build_linear(ir, turned, count) : 0);
 }
 
-/* f(a + h d) and f(a - h d), for a library function whose derivative nobody wrote down: error h^2 /
- * 6 of the third one. */
+/* Central difference of f(a + h d) and f(a - h d), for a library function without a row in
+ * slopes.def: the error is h^2 / 6 of the third derivative. */
 static Ref difference_slope(Ir *ir, Ref ref, const Ref *args, const Ref *slopes, int count)
 {
     const double step = 1.0 / 256;
@@ -156,7 +157,7 @@ static Ref difference_slope(Ir *ir, Ref ref, const Ref *args, const Ref *slopes,
     return build_scale(ir, build_sub(ir, ends[0], ends[1]), 0.5 / step);
 }
 
-/* The function that slopes.def names, called on the arguments that it shares with this one. */
+/* Calls the function that slopes.def names, with the arguments that it shares with this one. */
 static Ref call_sibling(Ir *ir, const SlopeRow *row, const Ref *args, int count, Ref direction)
 {
     Ref all[16];
@@ -174,7 +175,7 @@ static Ref call_sibling(Ir *ir, const SlopeRow *row, const Ref *args, int count,
     return build_call_of(ir, row->by, all, used);
 }
 
-/* n x^(n - 1) dx, the exponent being a constant. */
+/* n x^(n - 1) dx, for a constant exponent. */
 static Ref power_slope(Ir *ir, const Ref *args, Ref d)
 {
     double n = ir_numbers(ir, args[1])[0];
@@ -223,8 +224,8 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
     return difference_slope(ir, ref, args, slopes, node.count);
 }
 
-/* A function of the program gets a function of its derivative. What its arguments change by was set
- * when it was made. */
+/* The derivative of a function of the program is another function. Its arguments' derivatives
+ * were set when it was made. */
 static Ref apply_slope(Lower *l, Ref ref, Direction direction)
 {
     IrNode node = *ir_at(l->ir, ref);
@@ -259,7 +260,7 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
                     {INPUT_cornerP, {INPUT_cornerDU, INPUT_cornerDV}}};
     if (direction == DIRECTION_right || direction == DIRECTION_up) {
         if (input == INPUT_DU || input == INPUT_DV)
-            return 0; /* no footprint asks how tangents turn: slope_mesh_tangent alone */
+            return 0; /* no footprint reads how tangents rotate; only slope_mesh_tangent() does */
         for (int i = 0; i < change_count; i++)
             if (change_table[i].of == input &&
                 (direction == DIRECTION_right) == !strcmp(change_table[i].by, "dFdx"))
@@ -275,8 +276,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
-/* The operands' derivatives, 0 where there is none, of LANE_OPERANDS at least; whether any
- * changes. */
+/* Derivatives of the operands, 0 for none, at least LANE_OPERANDS of them. Returns true if any
+ * operand changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
     bool any = false;
@@ -323,8 +324,8 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* Nodes that a derivative is made of: the operands; the result of a function that is run; the
- * texels of a sampler; or derivatives noted by lowering. */
+/* Number of nodes whose derivatives are needed: the operands; the result of a called function;
+ * the texels of a sampler; or the terms of a SlopeSum. */
 static int parts_of(Lower *l, Ref ref)
 {
     const SlopeSum *sum = slope_sum_of(l, ref);
@@ -351,7 +352,7 @@ static void push_unknown(Lower *l, Ref ref, Direction direction)
         ARENA_PUSH(l->session->arena, l->to_differ, l->to_differ_count, l->to_differ_room, ref);
 }
 
-/* Its operands' are known. */
+/* Differentiates a value whose operands' derivatives are known. */
 static void find_slope(Lower *l, Ref value, Direction direction)
 {
     uint32_t origin = l->ir->origin;
@@ -363,8 +364,8 @@ static void find_slope(Lower *l, Ref value, Direction direction)
     slope_set(l, value, direction, slope);
 }
 
-/* Operands first, the left one before the right, on a stack of its own: a tree of maps may be
- * deeper than the caller's stack. */
+/* Visits operands first, from left to right, on an explicit stack: a tree of maps may be deeper
+ * than the caller's stack. */
 Ref slope_of(Lower *l, Ref value, Direction direction)
 {
     size_t before = l->to_differ_count;

@@ -1,30 +1,30 @@
-/* Forward differentiation of the IR: how a value changes along a direction, from how the surface
- * point does. */
+/* Forward-mode automatic differentiation of the IR: the derivative of a value along a direction,
+ * from the derivatives of the surface point. */
 #ifndef MATC_SLOPE_H
 #define MATC_SLOPE_H
 #include "compiler/lower/lower.h"
 
-/* The derivative of a value; 0 where it does not change. Discontinuities do not count: a step has
- * derivative 0. */
+/* The derivative of a value; 0 where the value is constant. Discontinuities do not count: a step
+ * has derivative 0. */
 Ref slope_of(Lower *l, Ref value, Direction direction);
-/* The slope as a footprint, which is itself constant along every direction. No rule looks into it.
- * */
+/* The derivative as a footprint, which itself counts as constant along every direction. It is
+ * behind an OP_detach that no rule looks through. */
 Ref slope_detached(Lower *l, Ref value, Direction direction);
-/* Takes the marks of footprints out of the IR, when nothing is differentiated any more. */
+/* Removes the OP_detach marks of footprints from the IR, after all differentiation is done. */
 void slope_done(Lower *l);
-/* Says what the derivative of a value is, 0 for none, before anything asks: of a surface point, of
- * a function's argument. */
+/* Sets the derivative of a value, 0 for none, before it is first queried: of a surface point, or
+ * of a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
-/* Slope of an attribute of the mesh. slope_attribute.c */
+/* Derivative of a mesh attribute. slope_attribute.c */
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
-/* Slope by u or v of the mesh's normal; 0: it is constant, as a plane's. Normals made by maps have
- * no such slope. */
+/* Derivative of the mesh's normal by u or v; 0: constant, as on a plane. Normals that maps
+ * compute have none. */
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
-/* Slope by u or v of the mesh's tangent. */
+/* Derivative of the mesh's tangent by u or v. */
 Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction);
 
-/* Values whose derivative is a sum of others', each by a factor. slope_sum.c */
+/* Values whose derivative is a weighted sum of other values' derivatives. slope_sum.c */
 typedef struct {
     Ref of, factor;
 } SlopeTerm;
@@ -33,8 +33,9 @@ typedef struct SlopeSum {
     int count;
 } SlopeSum;
 typedef const SlopeTerm *SlopeTerms(Lower *l, const void *what);
-/* Says that of a value. Its terms, so many, are asked for once, if at all. Returns what was said of
- * it before, which holds; NULL: nothing. */
+/* Defines the derivative of a value as such a sum. Its `count` terms are queried once, on first
+ * use. Returns the earlier definition's `what`, which stays valid, or NULL if the value had
+ * none. */
 const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count);
-const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: it is none */
+const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: not a sum */
 #endif

@@ -1,10 +1,11 @@
-/* Attributes of the mesh, its normal and its tangents, by the surface's u and v. Over a triangle an
- * attribute a is linear, and so are u and v: with its changes to the next pixels and theirs, a_x =
- * a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u = (a_x v_y - a_y v_x) / d and
- * a_v = (a_y u_x - a_x u_y) / d of d = u_x v_y - u_y v_x; 0 where that is.
+/* Derivatives by the surface's u and v of mesh attributes, the mesh's normal and its tangents.
+ * Over a triangle an attribute a is linear, and so are u and v. With the changes of a, u and v
+ * to the next pixels, a_x = a_u u_x + a_v v_x and a_y = a_u u_y + a_v v_y. By Cramer's rule a_u
+ * = (a_x v_y - a_y v_x) / d and a_v = (a_y u_x - a_x u_y) / d with d = u_x v_y - u_y v_x; 0
+ * where d is 0.
  *
- *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u = .3 *
- *         .1 / .01 = 3 */
+ *     a = 3 u, u changes by .1 to the right, v by .1 upward: a_x = .3, a_y = 0, d = .01, a_u =
+ *     .3 * .1 / .01 = 3 */
 #include "compiler/lower/slope.h"
 #include "compiler/ir/build.h"
 
@@ -38,7 +39,7 @@ Ref slope_attribute(Lower *l, Ref ref, Direction direction)
     return by_surface(l->ir, ax, ay, direction == DIRECTION_v);
 }
 
-/* The input that a value is; INPUT_COUNT: it is none. */
+/* The input that a value is; INPUT_COUNT: no input. */
 static Input input_of(const Ir *ir, Ref value)
 {
     return ir_is(ir, value, OP_input) ? (Input)ir_at(ir, value)->payload : INPUT_COUNT;

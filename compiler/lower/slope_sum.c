@@ -1,9 +1,9 @@
-/* Derivatives that are said as sums, before anything asks: of what has another form than the one to
- * differentiate. */
+/* Derivatives that are defined as weighted sums, before their first query: for values whose own
+ * form should not be differentiated. */
 #include "compiler/lower/slope.h"
 
 struct LateSum {
-    SlopeSum sum; /* with terms once they were asked for */
+    SlopeSum sum; /* terms are NULL until the first query */
     SlopeTerms *terms;
     const void *what;
 };
@@ -18,7 +18,7 @@ const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *wh
     return NULL;
 }
 
-/* The terms come from where the value does. */
+/* The terms' nodes get the value's origin. */
 const SlopeSum *slope_sum_of(Lower *l, Ref value)
 {
     struct LateSum *late = value < l->sum_room ? l->sums[value] : NULL;
