@@ -1,4 +1,4 @@
-/* The answers of Cells and CellCentre. */
+/* Evaluates the maps Cells and CellCentre. */
 #include "compiler/oracle/oracle_maps.h"
 
 static int word_of(const Node *node, int param, Word first)
@@ -6,7 +6,7 @@ static int word_of(const Node *node, int param, Word first)
     return (int)node_param(node, param)->number[0] - (int)first;
 }
 
-/* Arguments of a library function: a place, a rest of 0, and the parameters behind them. */
+/* Arguments of a library function: a position, a remainder of 0, and the further parameters. */
 typedef struct {
     int dimensions;
     double jitter, distance, value;
@@ -25,7 +25,7 @@ static void ask(const Environment *environment, const int functions[2], const Qu
     oracle_call(environment, functions[about->dimensions == 3], args, result);
 }
 
-/* A Cells in an environment, as a function of its coordinate. */
+/* A Cells map in an environment, as a function of its coordinate. */
 typedef struct {
     const Environment *environment;
     const Node *node;

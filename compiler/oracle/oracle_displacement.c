@@ -1,13 +1,13 @@
-/* True displacement (semantics.md 4.8): how far a point moves, the slopes of that, and the frame of
- * the surface there. */
+/* True displacement (semantics.md 4.8): the offset of a point, its slopes, and the frame of the
+ * displaced surface. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <math.h>
 
 enum { ALONG_N = 2 };
 
-/* From where to where a volume is solid, which ends where it begins where that is below the
- * threshold. */
+/* Begin and end of a volume's solid intervals. An interval whose begin is below the threshold
+ * becomes empty. */
 static void solid_heights(Environment *environment, const Displacement *d, double bound,
                           double heights[ORACLE_HEIGHTS])
 {
@@ -20,7 +20,7 @@ static void solid_heights(Environment *environment, const Displacement *d, doubl
             heights[lane + 1] = heights[lane];
 }
 
-/* How far along dP/du, dP/dv and the normal. */
+/* Displacement along dP/du, dP/dv and the normal. */
 void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS])
 {
     const Displacement d = graph_displacement(displaced);
@@ -53,7 +53,7 @@ static double lane_of_move(Environment *environment, const Node *displaced, int 
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *d)
 {
     const bool volume = graph_displaces_volume(displaced),
-               /* the other lanes are 0 */
+               /* the other components are 0 */
         along_normal = !volume && graph_displacement(displaced).vector->kind != VALUE_node;
     *d = (OracleDisplacement){0};
     oracle_move_by(environment, displaced, d->by);
@@ -67,7 +67,7 @@ void oracle_move(Environment *environment, const Node *displaced, OracleDisplace
 
 static double length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
-/* How n / |n| changes where n changes by so much. */
+/* Derivative of n / |n| if n changes by `change`. */
 static void turn_of(const double n[3], const double change[3], double turn[3])
 {
     const double size = length(n), along = vec3_dot(n, change) / (size * size);
@@ -75,15 +75,15 @@ static void turn_of(const double n[3], const double change[3], double turn[3])
         turn[i] = (change[i] - along * n[i]) / size;
 }
 
-/* A tangent that moves along itself by x and along its other by y goes down where the normal turns
- * toward them. */
+/* A point moved along Tu by x and along Tv by y sinks where the normal tilts toward the
+ * tangents. */
 static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3],
                     const double tv[3])
 {
     return d->by[0] * vec3_dot(turn, tu) / length(tu) + d->by[1] * vec3_dot(turn, tv) / length(tv);
 }
 
-/* How the unit vector of a tangent turns about the normal. */
+/* Derivative of a unit tangent by its rotation about the normal. */
 static void swing_of(const double n[3], const double tangent[3], const double change[3],
                      double swing[3])
 {
@@ -94,7 +94,8 @@ static void swing_of(const double n[3], const double tangent[3], const double ch
         swing[i] = turn[i] - along * n[i];
 }
 
-/* Adds the change by u (0) or by v (1) of the displacement's x and y, since the tangents rotate. */
+/* Adds the derivative by u (0) or by v (1) of the displacement's x and y that results from the
+ * tangents' rotation. */
 static void add_swings(const OracleDisplacement *d, const Surface *surface, bool by_v,
                        double slid[3])
 {
@@ -137,8 +138,8 @@ void oracle_displace(Environment *environment, const Node *displaced, Surface *s
         tu[i] = slid_u[i] + up_u * unit;
         tv[i] = slid_v[i] + up_v * unit;
     }
-    /* The cross product of the new tangents omits n x n, which is 0, but rounds to noise on steep
-     * slopes. */
+    /* The cross product of the new tangents omits n x n, which is 0, but would be rounding noise
+     * on steep slopes. */
     vec3_cross(slid_u, slid_v, flat);
     vec3_cross(n, across, lifted);
     for (int i = 0; i < 3; i++)

@@ -1,5 +1,5 @@
-/* The answers of constants, of volume functions with their waves, and of Blend (semantics.md 2.1,
- * 2.3, 2.4, 2.5). */
+/* Evaluates constants, volume functions with their waves, and Blend (semantics.md 2.1, 2.3, 2.4,
+ * 2.5). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <assert.h>
@@ -17,7 +17,7 @@ double oracle_answer(Environment *environment, const Node *node, int channel)
     return answers[node->kind](environment, node, channel);
 }
 
-/* A constant ignores the group of a channel, except that it does not vary. */
+/* A constant has the same value on every channel, except that derivative channels are 0. */
 static double constant(int channel, const double rgba[4])
 {
     return is_derivative(channel) ? 0 : rgba[lane_of(channel)];
@@ -73,8 +73,7 @@ static double wave(const Environment *environment, const Wave *of, double v)
                 oracle_float(&of->factor) * first + oracle_float(&of->shift));
 }
 
-/* Where VOLUME_PARAMS stand in the run of a volume map's parameters, and where those of its own
- * begin. */
+/* Offsets of VOLUME_PARAMS in a volume map's parameters, and of the first parameter after them. */
 enum {
     VOLUME_WAVE = P_Gradient_waveForm - P_Gradient_input,
     VOLUME_FREQUENCY = P_Gradient_frequency - P_Gradient_input,
@@ -99,9 +98,9 @@ double oracle_same_of_all(const Environment *environment, const Node *node, int 
     return value;
 }
 
-enum { VOLUME_ARGUMENTS = 64 }; /* room for a position and 20 parameters of three lanes */
+enum { VOLUME_ARGUMENTS = 64 }; /* capacity for a position and 20 parameters of three components */
 
-/* Appends a parameter's lanes to a function's arguments; returns their new count. */
+/* Appends a parameter's components to a function's arguments; returns their new count. */
 static int append(const Node *node, int param, double *args, int count)
 {
     assert(count + 3 <= VOLUME_ARGUMENTS);
@@ -133,7 +132,7 @@ static double volume_at(const void *map, const double p[3])
     return oracle_waved(v->environment, v->node, result[0]);
 }
 
-/* Whether a volume map jumps, and over which step its difference is taken. */
+/* Step of the finite difference of a discontinuous volume map; 0: continuous. */
 static double volume_step(Kind kind)
 {
     return kind == KIND_Mandel || kind == KIND_Julia ? 0.005 : 0;
@@ -184,7 +183,7 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }
 
-/* The first item whose value is above t; the count when there is none. */
+/* The first item whose value is above t; the count if there is none. */
 static int item_above(const Items *items, double t)
 {
     int i = 0;
@@ -193,7 +192,7 @@ static int item_above(const Items *items, double t)
     return i;
 }
 
-/* All items before the one above t have values of at most t, so the two to be mixed never have
+/* All items before the one above t have values of at most t, so the two mixed items never have
  * equal values. */
 static double blend_at(Environment *environment, const Items *items, double t, int channel)
 {
@@ -210,7 +209,7 @@ static double blend_at(Environment *environment, const Items *items, double t, i
            (high - low);
 }
 
-/* The coordinate of a Blend: a position of a map, its own, or that of the world. */
+/* The coordinate of a Blend: a map's position, local or in world space. */
 typedef struct {
     const Node *map;
     Group group;
@@ -226,7 +225,7 @@ static bool is_checker(const Node *map)
     return map && (map->kind == KIND_Checker || map->kind == KIND_VolumeChecker);
 }
 
-/* Down to the map that answers it, past those that pass it on. */
+/* Skips maps that pass the coordinate on, down to the map that defines it. */
 static Along answering(Along a)
 {
     for (; a.map; a.map = node_of(&a.map->params[0])) {
@@ -248,8 +247,9 @@ static Along answering(Along a)
     return a;
 }
 
-/* Beside a point a Checker that is gone along is one of two, so many within each other: the Blend
- * has a share of what it is along either. */
+/* Blends along a coordinate. At an adjacent point a Blend along a Checker is the mean of the
+ * Blends along both colors, weighted by the checker's share; nested checkers up to a depth of
+ * `within`. */
 static double blend_along(Environment *environment, const Items *items, Along along, int channel,
                           int within)
 {

@@ -1,20 +1,20 @@
-/* Declarations shared by the files of the oracle: an environment to query maps in, and the value of
- * every kind of map. */
+/* Internal declarations of the oracle: an environment in which maps are evaluated, and the
+ * evaluation of every kind of map. */
 #ifndef MATC_ORACLE_MAPS_H
 #define MATC_ORACLE_MAPS_H
 #include "compiler/base/session.h"
 #include "compiler/oracle/oracle.h"
 
-/* Numbers of the nodes that were met, in that order. */
+/* Visited nodes, numbered in order of their first visit. */
 typedef struct {
     const Node **at;
     size_t count, room;
     HashIndex index;
 } NodeNumbers;
-/* A node's number, a new one when it is met first. oracle_memo.c */
+/* Number of a node, assigned on its first visit. oracle_memo.c */
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);
 
-/* A node's answers, valid when the stamp is that of the environment. */
+/* Cached values of a node, valid while the stamp equals the environment's. */
 typedef struct {
     uint64_t stamp;
     uint32_t known; /* 1 << channel */
@@ -22,7 +22,7 @@ typedef struct {
 } MemoRow;
 typedef struct {
     NodeNumbers nodes;
-    MemoRow *rows; /* by their numbers */
+    MemoRow *rows; /* by node number */
     size_t room;
 } Memo;
 
@@ -32,12 +32,12 @@ typedef struct {
     double m[2][2];
 } SlopeTurn;
 
-/* A SunSkyLight's sky_coefficients: the scaled zenith, A to E, the unit vector to the sun. They
- * contain an integral. */
+/* Coefficients of a SunSkyLight's sky (sky_coefficients): the scaled zenith, A to E, the unit
+ * vector to the sun. Cached, since they contain an integral. */
 enum { SKY_ROW_ZENITH, SKY_ROW_A, SKY_ROW_SUN = SKY_ROW_A + 5, SKY_ROW_COUNT };
 typedef struct {
     bool known;
-    double numbers[5]; /* the sun, turbidity, radianceFactor */
+    double numbers[5]; /* the sun's direction, turbidity, radianceFactor */
     double rows[SKY_ROW_COUNT][3];
 } OracleSky;
 
@@ -46,37 +46,38 @@ struct Oracle {
     const Graph *graph;
     ReferenceContext context;
     NodeNumbers baked;
-    float **reliefs; /* by number: a Carpenter's texels; NULL until first read */
+    float **reliefs; /* by node number: a Carpenter's texels; NULL until first read */
     size_t relief_room;
     NodeNumbers turned;
-    SlopeTurn *turns; /* by number */
+    SlopeTurn *turns; /* by node number */
     size_t turn_room;
-    Memo *memos; /* by depth of environments */
+    Memo *memos; /* by nesting depth of environments */
     size_t memo_count, memo_room;
-    OracleSky sky;        /* the last one */
-    Choice derivatives;   /* how BumpMap finds slopes */
-    double behind, ahead; /* the steps that those of what is computed are taken over */
-    /* whether it is asked if heights are smooth there; whether some were not */
+    OracleSky sky;        /* that of the last SunSkyLight */
+    Choice derivatives;   /* method by which BumpMap computes slopes */
+    double behind, ahead; /* the span of difference quotients, in steps; oracle_slope_span() */
+    /* check for smooth heights enabled; the check failed */
     bool judges, rough;
-    uint64_t stamp; /* that of the environment opened last; 0 is in no environment */
-    double work;    /* steps for this point; beyond LIMIT_WORK all answers are 0 */
+    uint64_t stamp; /* of the last opened environment; 0: invalid */
+    double work;    /* steps for this point; above LIMIT_WORK all values are 0 */
 };
 
-/* A surface point in which maps are asked. A filter opens further ones, each a depth below its own,
- * and a BumpMap beside the point. */
+/* A surface point at which maps are evaluated. A filter opens further environments, each one
+ * level deeper, and a BumpMap opens some at adjacent points. */
 typedef struct Environment {
     Oracle *oracle;
     const Surface *surface;
     uint64_t stamp;
     int depth;
     struct Environment
-        /* with --derivatives=auto: the point that this one is beside; NULL: it is beside none */
+        /* The point to which this one is adjacent, unless --derivatives=analytic; NULL: not
+         * adjacent. */
         *centre;
-    const Surface *mesh; /* the surface before it was displaced; NULL: it was not */
-    /* the point that this one is beside, whatever --derivatives; NULL: it is beside none */
+    const Surface *mesh; /* the surface before displacement; NULL: not displaced */
+    /* the point to which this one is adjacent, for any --derivatives; NULL: not adjacent */
     struct Environment *origin;
-    struct Environment *outer; /* where a Triplanar is that asks its maps here; NULL: none does */
-    const Node *triplanar;     /* that one, and the axis along which it looks */
+    struct Environment *outer; /* environment of the Triplanar whose map is evaluated; NULL: none */
+    const Node *triplanar;     /* that Triplanar, and its projection axis */
     int axis;
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
@@ -85,15 +86,15 @@ Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 bool memo_find(const Environment *environment, const Node *node, int channel, double *value);
 void memo_set(const Environment *environment, const Node *node, int channel, double value);
 
-/* A channel of a map; NULL is the surface. Remembered for the environment. */
+/* Evaluates a channel of a map; NULL is the surface. Cached per environment. */
 double oracle_ask(Environment *environment, const Node *map, int channel);
-/* A channel of the map that a parameter holds. */
+/* Evaluates a channel of the map that a parameter holds. */
 double oracle_ask_param(Environment *environment, const Node *node, int param, int channel);
-/* A channel of a map's `input`, and three of them: lanes 0..2 of a group. */
+/* Evaluates a channel of a map's `input`, or components 0..2 of a group. */
 double oracle_ask_input(Environment *environment, const Node *node, int channel);
 void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3]);
 
-/* Numbers and uniforms: a value, and the value of a parameter. */
+/* Numbers, from literals or uniforms: of a value, or of a parameter. */
 double oracle_float(const Value *value);
 void oracle_vec3(const Value *value, double result[3]);
 double oracle_number(const Node *node, int param);
@@ -105,81 +106,82 @@ typedef struct {
     const Node *node;
     int lane;
 } Height;
-/* Its derivatives by u and v. oracle_normal.c */
+/* Derivatives of a height by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
-/* Slopes of a smooth height to a few ulp, instead of a difference's 1e-8; several times as costly.
- * */
+/* Derivatives of a smooth height to a few ulp, instead of a difference's 1e-8; several times as
+ * costly. */
 void oracle_slopes_exact(Environment *environment, const Height *height, double slope[2]);
-/* Environment of a Triplanar's map of an axis; the outer environment must live as long.
- * oracle_triplanar.c */
+/* Environment in which a Triplanar evaluates the map of an axis; `outer` must outlive the
+ * projection. oracle_triplanar.c */
 typedef struct {
     Surface surface;
     Environment environment;
 } Projection;
 void oracle_project(Environment *outer, const Node *triplanar, int axis, Projection *made);
-/* How such a material moves the point; the surface's frame after it was displaced, as its normal
- * and tangents. oracle_displacement.c */
+/* Displacement of the point by a material, with slopes and without; and the surface's normal and
+ * tangents after displacement. oracle_displacement.c */
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
 void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS]);
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
 
-/* Work of the oracle, in steps of some 5 ns. oracle_work.c */
+/* Costs of evaluation in steps of some 5 ns. oracle_work.c */
 enum {
-    ANSWER_WORK = 100, /* of every answer: delegation and memory */
-    CALL_WORK = 3,     /* of an operation of a reference, as grammar/ counts those of its GLSL */
-    ITEM_WORK = 3,     /* of an item of a Blend that is passed by */
-    WAVE_WORK = 10,    /* of a wave, alone or in a chain */
-    TEXEL_WORK = 12    /* of a texel that a Carpenter bakes */
+    ANSWER_WORK = 100, /* per map value: delegation and memory */
+    CALL_WORK = 3,     /* per operation of a reference, as grammar/ counts those of its GLSL */
+    ITEM_WORK = 3,     /* per skipped item of a Blend */
+    WAVE_WORK = 10,    /* per wave, alone or in a chain */
+    TEXEL_WORK = 12    /* per texel that a Carpenter bakes */
 };
 /* Adds to the point's work. */
 void oracle_spend(const Environment *environment, double steps);
-/* It is more than LIMIT_WORK. */
+/* True if the work exceeds LIMIT_WORK. */
 bool oracle_spent(const Oracle *oracle);
 /* Calls the C reference of a library function, and adds its cost. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
 
-/* w(frequency value + phase) of a map with VOLUME_PARAMS. */
+/* w(frequency value + phase), for a map with VOLUME_PARAMS. */
 double oracle_waved(const Environment *environment, const Node *node, double value);
-/* Every channel of a volume map is the same value, a derivative channel too, and only a fourth lane
- * is 1. It is remembered for the lanes beside the one that was asked for. */
+/* Caches the value of a volume map for the first three components of the channel's group, which
+ * are equal, and returns it. Derivative channels have the same value; only a fourth component is
+ * 1. */
 double oracle_same_of_all(const Environment *environment, const Node *node, int channel,
                           double value);
 
-/* A map as a function of its coordinate, and GroIMP's steps for its differences. */
+/* A map as a function of its coordinate, and GroIMP's steps of its finite differences. */
 typedef struct {
     double (*at)(const void *map, const double q[3]);
     const void *map;
-    double step[3]; /* 0: it does not go by that lane */
+    double step[3]; /* 0: does not depend on that component */
 } Stepped;
-/* f at q0, and from there on to q along the differences (f(q0 + h e) - f(q0)) / h: what jumps
- * becomes linear beside the point. */
+/* f at q0, extrapolated to q along the difference quotients (f(q0 + h e) - f(q0)) / h: a
+ * discontinuous map becomes linear near the point. */
 double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3]);
-/* How much a Checker or VolumeChecker has of its color1: 1 or 0 at the point that is shaded, and
- * beside it along its steps. */
+/* Share of color1 in a Checker or VolumeChecker: 1 or 0 at the shaded point, and extrapolated
+ * along its steps at adjacent points. */
 double oracle_odd_share(Environment *environment, const Node *checker);
 
-/* Derivatives by u and v -> by the coordinates that a UVTransform makes of them. */
+/* Converts derivatives by u and v to those by the coordinates that a UVTransform makes. */
 void oracle_uv_slopes(const Node *node, double slope[2]);
 /* Transforms slopes by all UVTransforms from a map down its inputs; NULL is the surface. */
 void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
 static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
-/* One of the lanes x, y, z of a group: what a map that answers the group as a triple defines. */
+/* True for components x, y, z of a group, which a map defines as a triple. */
 static inline bool in_triple(int channel, Group group)
 {
     return group_of(channel) == group && lane_of(channel) < 3;
 }
-/* Ids 8..14 of semantics.md, which leave out the fourth lane of DV. */
+/* Channel ids 8..14 of semantics.md, without the fourth component of DV. */
 static inline bool is_derivative(int channel)
 {
     return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
 }
 
-/* Value of a channel of a map: oracle_<kind> for each map that is not a plain function of its
+/* Evaluates a channel of a map: oracle_<kind> for each map that is not a plain function of its
  * position. */
 typedef double Answer(Environment *environment, const Node *node, int channel);
-Answer oracle_answer; /* any map: chooses by its kind */
+Answer oracle_answer; /* any map: dispatches on its kind */
 Answer oracle_volume; /* LOWERING_VOLUME */
 #define DECLARE_OWN(name) Answer oracle_##name;
 #define DECLARE_VOLUME(name)
@@ -188,23 +190,23 @@ Answer oracle_volume; /* LOWERING_VOLUME */
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
 /* Functions that materials share. oracle_material.c */
-/* of a parameter's map */
+/* RGB of a parameter's map. */
 void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
-/* unit length, on the side that is seen */
+/* Stores a normal with unit length, flipped to the visible side. */
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
-const Node *oracle_material_of(const Node *material, int param); /* NULL: there is none */
-/* Slots of one side of a material, converted to the model of the whole. */
+const Node *oracle_material_of(const Node *material, int param); /* NULL: none */
+/* Slots of one side of a material, converted to the surface model of the whole. */
 void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
                       SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);
-void oracle_as_principled(SlotValues *side); /* of a Phong's slots. oracle_principled.c */
-/* Slots of a material, written over those of a neutral one. oracle_material.c */
+void oracle_as_principled(SlotValues *side); /* converts a Phong's slots. oracle_principled.c */
+/* Evaluates a material's slots, written over those of a neutral material. oracle_material.c */
 #define DECLARE_SHADER(name)                                                                       \
     void oracle_##name(Environment *environment, const Node *material, SlotValues *result);
-/* The material that a switch stands for, seen of one side; NULL: it is missing. */
+/* The material that a switch chooses for a side; NULL: missing. */
 #define DECLARE_SWITCH(name) const Node *oracle_choose_##name(const Node *material, bool front);
 
-#define DECLARE_FOREIGN(name)     /* none is left: compiler/resolve/resolve_translation.c */
+#define DECLARE_FOREIGN(name)     /* translated: compiler/resolve/resolve_translation.c */
 #define MATERIAL(name, sort, doc) DECLARE_##sort(name)
 #include "grammar/materials.def"
 #include "grammar/maps.def"

@@ -1,4 +1,4 @@
-/* The shading slots of every material (semantics.md, section 4). */
+/* Evaluates the shading slots of every material (semantics.md, section 4). */
 #include "compiler/oracle/oracle.h"
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/stack.h"
@@ -60,7 +60,7 @@ void oracle_set_normal(const Environment *environment, const double normal[3], S
         lane[i] = -lane[i];
 }
 
-/* A Phong without maps, and black: what the other materials are variations of. */
+/* A Phong without maps, in black: the base of the other materials. */
 static void set_neutral(const Environment *environment, SlotValues *result)
 {
     memset(result, 0, sizeof *result);
@@ -74,7 +74,7 @@ static void set_neutral(const Environment *environment, SlotValues *result)
     result->lane[SLOT_ior][0] = environment->surface->root[channel_id(GROUP_IOR, 0)];
 }
 
-/* As a Phong: diffuse rgb of alpha 1, and transparency 1 - a. */
+/* An RGBA as a Phong: diffuse rgb of alpha 1, and transparency 1 - a. */
 static void set_rgba(const double rgb[3], double a, SlotValues *result)
 {
     set_colour(result, SLOT_diffuse, rgb);
@@ -94,7 +94,8 @@ static void missing(SlotValues *result)
     set_rgba((double[3]){MISSING_GRAY, MISSING_GRAY, MISSING_GRAY}, 1, result);
 }
 
-/* The exponent that a shininess map means; a parameter without map leaves the neutral one. */
+/* The Phong exponent that a shininess map encodes; a parameter without a map keeps the neutral
+ * one. */
 static void exponent(Environment *environment, const Node *material, int param, Slot slot,
                      SlotValues *result)
 {
@@ -104,8 +105,8 @@ static void exponent(Environment *environment, const Node *material, int param, 
     oracle_call(environment, FN_phongExponent, &red, result->lane[slot]);
 }
 
-/* Alpha of the diffuse map makes the surface transparent: at 0 it is wholly so, at 1 the
- * transparency map decides. */
+/* Alpha of the diffuse map makes the surface transparent: at 0 completely, at 1 the transparency
+ * map decides. */
 static void transparency(Environment *environment, const Node *material, SlotValues *result)
 {
     double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
@@ -140,11 +141,11 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
         oracle_number(material, P_Phong_interpolatedTransparency) != 0;
 }
 
-/* Arguments of skyRadiance: the view direction (of any length), the sun's, zenith over F(0, theta
- * of the sun), and A to E. */
+/* Arguments of skyRadiance: the view direction (of any length), the sun's direction, zenith over
+ * F(0, theta of the sun), and A to E. */
 enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
 
-/* The rows of the sky with these numbers, which are mostly those of the point before. */
+/* The coefficients of the sky with these numbers, usually those of the previous point. */
 static const OracleSky *sky_of(Oracle *oracle, const double numbers[5])
 {
     OracleSky *sky = &oracle->sky;
@@ -177,7 +178,7 @@ const Node *oracle_material_of(const Node *material, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-/* A missing back is the front; a missing front stays missing, whatever the back is. */
+/* A missing back is replaced by the front; a missing front stays missing, whatever the back is. */
 const Node *oracle_choose_SideSwitch(const Node *material, bool front)
 {
     const Node *back = front ? NULL : oracle_material_of(material, P_SideSwitch_backShader);
@@ -197,8 +198,7 @@ const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
     return NULL;
 }
 
-/* The material that a switch stands for, through any number of switches; NULL when it is
- * missing. */
+/* The material that a switch chooses, through any number of nested switches; NULL if missing. */
 static const Node *chosen(const Node *material, bool front)
 {
     while (material && switches[material->kind])
@@ -226,7 +226,6 @@ static void answer(Environment *environment, const Node *material, SlotValues *r
         oracle_as_principled(result);
 }
 
-/* A side by the model that the whole has. */
 void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
                       SlotValues *result)
 {
@@ -235,9 +234,9 @@ void oracle_answer_as(Environment *environment, const Node *whole, const Node *s
         oracle_as_principled(result);
 }
 
-/* A shape is the same for all who look at it, and goes by places: where it is asked for, the
- * direction to the viewer is the normal, attributes of the mesh have their defaults, and the
- * object's random number is 0. */
+/* The surface for evaluating a shape, which depends on neither viewer nor object: the direction
+ * to the viewer is the normal, mesh attributes have their defaults, and the object's random
+ * number is 0. */
 static Surface unseen(const Surface *surface)
 {
     Surface made = *surface;
@@ -249,8 +248,8 @@ static Surface unseen(const Surface *surface)
     return made;
 }
 
-/* Maps read the mesh; the normal alone, and what `input` makes of it, is that of the surface after
- * it was displaced. */
+/* Evaluates a material with displacement. Maps read the undisplaced mesh; only the normals, and
+ * the maps in `input`, use the displaced surface. */
 static void answer_displaced(Environment *environment, const Node *material, SlotValues *result)
 {
     const Node *displaced = oracle_displaced(material);
@@ -294,7 +293,7 @@ bool oracle_material(Oracle *oracle, const Node *material, const Surface *surfac
 typedef struct {
     Environment environment;
     const Node *displaced;
-    bool slopes; /* are asked for, too */
+    bool slopes; /* evaluate slopes, too */
     OracleDisplacement *result;
 } MoveQuestion;
 

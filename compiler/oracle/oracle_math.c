@@ -1,10 +1,10 @@
-/* The answers of maps that are arithmetic between others. All work on colours; another group's
- * lanes are the result's first. */
+/* Evaluates arithmetic maps. All operate on colors; channels of another group are the result's
+ * first components. */
 #include "compiler/oracle/oracle_maps.h"
 
 static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
 
-/* A lane of the colour that a parameter's map is: the one of the channel, whatever its group. */
+/* A component of a parameter's color, that of the channel, whatever its group. */
 static double lane_at(Environment *environment, const Node *node, int param, int lane)
 {
     return oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
@@ -71,8 +71,7 @@ double oracle_Power(Environment *environment, const Node *node, int channel)
     return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
-/* Red, green and blue as hue in turns, saturation and value: the hexagon that the colour cube shows
- * when it is looked at along its diagonal. */
+/* RGB to HSV, hue in turns: the hexagon is the color cube viewed along its diagonal. */
 static void hsv_of(const double rgb[3], double hsv[3])
 {
     const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])),
@@ -85,8 +84,8 @@ static void hsv_of(const double rgb[3], double hsv[3])
     hsv[2] = most;
 }
 
-/* A lane of such a colour: it is full within a sixth of a turn around its own hue, and less by the
- * saturation beyond a third. */
+/* A component of an HSV color: full within a sixth of a turn around its own hue, and reduced by
+ * the saturation outside a third. */
 static double lane_of_hsv(const double hsv[3], int lane)
 {
     const double turn = hsv[0] - lane / 3., from = fabs(turn - floor(turn + .5));
@@ -107,7 +106,7 @@ double oracle_HSV(Environment *environment, const Node *node, int channel)
     return lane_of_hsv(hsv, lane_of(channel));
 }
 
-/* The map's own channel, whatever its group. */
+/* Evaluates the chosen map's own channel, whatever its group. */
 double oracle_Switch(Environment *environment, const Node *node, int channel)
 {
     const Value *maps = node_param(node, P_Switch_maps);

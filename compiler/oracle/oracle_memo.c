@@ -1,5 +1,5 @@
-/* The memo of the oracle, by the nodes it has met: a point costs what hangs below its material, not
- * the rest of the document. */
+/* The memo of the oracle, by visited nodes: a point costs as much as the nodes below its
+ * material, independent of the rest of the document. */
 #include "compiler/oracle/oracle_maps.h"
 
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)
@@ -13,7 +13,8 @@ size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)
     return numbers->count - 1;
 }
 
-/* The node's answers in that environment. It moves when further nodes are met. */
+/* The node's cached values in the environment. The pointer is invalidated by the first visit of
+ * another node. */
 static MemoRow *row_of(const Environment *environment, const Node *node)
 {
     Oracle *oracle = environment->oracle;

@@ -1,4 +1,4 @@
-/* The answers of the normal modifiers and of the filters (semantics.md 2.7, 2.8). */
+/* Evaluates the normal modifiers and the filters (semantics.md 2.7, 2.8). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <string.h>
@@ -23,7 +23,8 @@ static double cross(const double a[3], const double b[3], int lane)
     return a[i] * b[j] - a[j] * b[i];
 }
 
-/* -1 where the tangents turn left around the normal, as mirrored ones do, else 1. */
+/* Handedness: -1 for tangents that are left-handed around the normal, as mirrored ones are, else
+ * 1. */
 static double turning(const Frame *frame)
 {
     double volume = 0;
@@ -32,9 +33,10 @@ static double turning(const Frame *frame)
     return volume < 0 ? -1 : 1;
 }
 
-/* One lane of the frame after the tangents were raised along the normal by the given slopes. The
- * new normal is their cross product, not normalised, to the old one's side; without n x n, which is
- * 0 but as the difference of steep slopes' products would be noise. */
+/* A component of the frame after the tangents were raised along the normal by the given slopes.
+ * The new normal is their cross product, not normalized, on the old normal's side. The term n x
+ * n is left out: it is 0, but would be rounding noise as a difference of products of steep
+ * slopes. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
     int lane = lane_of(channel);
@@ -54,9 +56,9 @@ static bool in_frame(int channel)
            in_triple(channel, GROUP_DV);
 }
 
-/* The point beside an environment's: (u, v) moved by `du` and `dv`, and with them the positions on
- * the surface. What a Triplanar's map sees there is what that projects beside its own point; `room`
- * has one for each Triplanar around. */
+/* Opens an adjacent point: (u, v) moved by `du` and `dv`, with the positions on the surface. A
+ * Triplanar's map gets the projection of the point adjacent to the Triplanar's own; `room` has
+ * an element for each surrounding Triplanar. */
 static Environment *open_beside(Environment *environment, double du, double dv, Projection *room)
 {
     if (environment->outer) {
@@ -90,8 +92,8 @@ static double height_at(Environment *environment, const Height *height, double d
     return height->at(open_beside(environment, du, dv, room), height->node, height->lane);
 }
 
-/* A step that is small beside a float's rounding, so that either side of a crease can be told, and
- * not beside a double's. */
+/* A step that is small compared with a float's rounding, so that both sides of a crease can be
+ * distinguished, but large compared with a double's. */
 static double slope_step(const Surface *surface)
 {
     double size = 1;
@@ -103,15 +105,15 @@ static double slope_step(const Surface *surface)
     return ldexp(size, -26);
 }
 
-/* How far the height to one side is from the line through those at the point and to the other side,
- * and what rounding makes of that. */
+/* Deviation of the height on one side from the line through the heights at the point and on the
+ * other side; and its rounding error. */
 typedef struct {
     double bend, rounding;
 } Bend;
 
-/* `here` is the height at the point. The sides are not equally far: from the middle of a stair's
- * step as many steps go up as down. Rounding is that of the height, and that of the point, whose
- * coordinates are up to 2^26 / part of what it moves by. */
+/* `here` is the height at the point. Both sides have different distances: from the middle of a
+ * stair's step, equal distances would cross as many steps up as down. Rounding has two sources:
+ * the height, and the point, whose coordinates are up to 2^26 / part of its movement. */
 static Bend bend_at(Environment *environment, const Height *height, const double move[2],
                     double part, double here)
 {
@@ -123,14 +125,15 @@ static Bend bend_at(Environment *environment, const Height *height, const double
     return (Bend){fabs(ahead - here - (here - behind) / back), of_height + of_point};
 }
 
-/* A smooth curve bends by the square of the step, and over a small part of it by no more than
- * rounding; a stair bends by a whole step or by none, over whatever part.
- *   sin(x) at 1, 2^-26 to either side: bends by 2e-16; over a tenth of that by 2e-18
+/* Checks for a smooth curve, whose deviation is quadratic in the step, and over a small part of
+ * the step no more than rounding; a stair deviates by a whole step or by none, over whatever
+ * part.
+ *   sin(x) at 1, 2^-26 to either side: deviates by 2e-16; over a tenth of that by 2e-18
  *   ceil(1e9 x) there: by -1, 0 or 1 of 30 steps; over a tenth of that by -1, 0 or 1 of 3 */
 static bool is_smooth(Environment *environment, const Height *height, const double move[2])
 {
     enum { PARTS = 8 };
-    /* of maps whose periods are 1 and less, more tells nothing */
+    /* for maps with periods of at most 1, wider steps are not conclusive */
     const double shrink = 0.41, widest = ldexp(1, -10);
     if (fmax(move[0], move[1]) > widest)
         return false;
@@ -146,9 +149,9 @@ static bool is_smooth(Environment *environment, const Height *height, const doub
     return true;
 }
 
-/* The derivative along a direction (1 or 0 of u and of v) from a difference; from one side by the
- * parabola through three points, since a straight line would be off by a part of how the slope
- * itself changes there: noise has other curvatures to either side of a lattice point. */
+/* The derivative along a direction (1 or 0 of u and of v) from a difference. A one-sided span
+ * uses the parabola through three points, since a straight line would be off by a part of the
+ * slope's own derivative: noise has different curvatures on both sides of a lattice point. */
 static double slope_along(Environment *environment, const Height *height, const double along[2],
                           double h)
 {
@@ -173,9 +176,9 @@ void oracle_slopes(Environment *environment, const Height *height, double slope[
         environment->oracle->rough = true;
 }
 
-/* The derivative of what is smooth near the point, to a few ulp: differences to both sides over
- * steps from wide to narrow, each extrapolated with those before it to a step of 0 (Ridders 1982);
- * the entry that differs least from its neighbours, and whose own rounding is least, counts.
+/* The derivative of a smooth function near the point, to a few ulp: central differences over
+ * steps from wide to narrow, each extrapolated with the previous ones to a step of 0 (Ridders
+ * 1982). The result is the entry with the least difference to its neighbors plus rounding error.
  *     x^3 at 1: steps of 1/2 and 1/8 give 3.25 and 3.015625, and (16 * 3.015625 - 3.25) / 15 = 3 */
 static double slope_extrapolated(Environment *environment, const Height *height,
                                  const double along[2], double widest)
@@ -210,8 +213,7 @@ void oracle_slopes_exact(Environment *environment, const Height *height, double 
         slope[i] = slope_extrapolated(environment, height, (double[]){!i, i}, widest);
 }
 
-/* All channels of the frame after the tangents were raised, remembered; the one that is asked
- * for. */
+/* Caches all channels of the frame after the tangents were raised; returns the requested one. */
 static double raised_frame(Environment *environment, const Node *node, const Frame *frame,
                            const double slope[2], int channel)
 {
@@ -240,8 +242,8 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     if (environment->oracle->derivatives != CHOICE_derivatives_finite) {
         oracle_slopes(environment,
                       &(Height){red, node_param(node, P_BumpMap_displacement)->node, 0}, slope);
-        /* the tangents that they are raised along are those of the input: where it turned them, so
-         * are the slopes */
+        /* The slopes are applied along the input's tangents, so UVTransforms below transform
+         * both. */
         const Value *input = node_param(node, P_BumpMap_input);
         oracle_turn_slopes(environment->oracle, input->kind == VALUE_node ? input->node : NULL,
                            slope);
@@ -254,18 +256,18 @@ double oracle_BumpMap(Environment *environment, const Node *node, int channel)
     return raised_frame(environment, node, &frame, (double[]){k * slope[0], k * slope[1]}, channel);
 }
 
-/* Channels side by side. */
+/* A range of channels. */
 typedef struct {
     int first, count;
 } Lanes;
 
-/* Where a WaveMap's waves are counted from, and how many of them. */
+/* Origin and frequencies of a WaveMap's waves. */
 typedef struct {
     double u, v, count_u, count_v;
 } WavePoint;
 
-/* The top of a box lies at u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are
- * then those of the face. */
+/* The top of a box is u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then
+ * relative to the face. */
 static void move_to_box_top(WavePoint *point)
 {
     point->u -= 1. / 4;
@@ -311,8 +313,8 @@ static Surface shifted(const Surface *from, const double shift[3])
     return surface;
 }
 
-/* The input's answers on some lanes of a group, at a surface point whose local position and texture
- * coordinate lie `shift` beside this one. */
+/* The input's values on some components of a group, at a surface point whose local position and
+ * texture coordinate are offset by `shift`. */
 static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes,
                           const double shift[3], double result[3])
 {
@@ -328,13 +330,14 @@ static void shifted_input(Environment *environment, const Node *node, const Lane
         result[i] = oracle_ask_input(&moved, node, lanes->first + i);
 }
 
-enum { CENTRE = 13 }; /* of 27 cells */
+enum { CENTRE = 13 }; /* index of the center among the 27 cells */
 
-/* Weights of a 3x3x3 kernel by how many of the three indices differ from the centre's. */
+/* Weights of a 3x3x3 kernel, by the number of the three indices that differ from the center's. */
 typedef double Kernel[4];
 
-/* As differences to the centre: a constant comes out as itself or as 0, without the rounding of the
- * weights' sum. All lanes of a group are answered at once, as their points are the same. */
+/* Sums differences to the center: a constant yields exactly itself or 0, without the rounding of
+ * the weights' sum. All components of a group are evaluated together, since they share their
+ * points. */
 static double filtered(Environment *environment, const Node *node, int channel,
                        const double size[3], const Kernel kernel)
 {
@@ -358,7 +361,7 @@ static double filtered(Environment *environment, const Node *node, int channel,
             sum[i] += weight * (value[i] - centre[i]);
     }
     for (int i = 0; i < lanes.count; i++) {
-        /* the weights of either kernel sum up to 0 or 1 */
+        /* the weights of either kernel add up to 0 or 1 */
         sum[i] += centre[i] * (fabs(weights) < 1e-12 ? 0 : 1);
         memo_set(environment, node, lanes.first + i, sum[i]);
     }

@@ -1,5 +1,5 @@
-/* The slots of Principled, of a coat over a material, and of two materials mixed (semantics.md,
- * section 4). */
+/* Evaluates the slots of Principled, of a coat over a material, and of two mixed materials
+ * (semantics.md, section 4). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 #include <math.h>
@@ -14,18 +14,18 @@ static double ask_red(Environment *environment, const Node *material, int param)
 
 static double unit(double x) { return fmin(fmax(x, 0), 1); }
 
-/* From a to b: either itself at its end, however much greater the other is. */
+/* Linear interpolation; exact at both ends, even if the other value is much greater. */
 static double mixed(double a, double b, double t) { return (1 - t) * a + t * b; }
 
-/* Fresnel's formulas along the normal. */
+/* Fresnel reflectance at normal incidence. */
 static double reflectance_of(double ior) { return (ior - 1) / (ior + 1) * ((ior - 1) / (ior + 1)); }
 
 typedef struct {
     double weight, colour[3], roughness, ior, darkening, roughening;
 } OracleCoat;
 
-/* Reads the parameters coat, coatColor, coatRoughness, coatIor, coatDarkening and coatRoughening.
- * */
+/* Reads the parameters coat, coatColor, coatRoughness, coatIor, coatDarkening and
+ * coatRoughening. */
 static OracleCoat coat_of(Environment *environment, const Node *node, const int params[6])
 {
     OracleCoat coat = {.weight = unit(ask_red(environment, node, params[0])),
@@ -42,8 +42,8 @@ static double film_ior(double ior)
     return fmin(fmax(ior, slot_table[SLOT_filmIor].low), slot_table[SLOT_filmIor].high);
 }
 
-/* The base's slots below it, then its own; `ior` is the base's against air, `specular` the weight
- * of what that reflects. */
+/* Lays a coat over a material: changes the base's slots below it, then sets its own. `ior` is
+ * the base's index relative to air, `specular` the weight of its reflection. */
 static void lay(const OracleCoat *coat, double ior, double specular, SlotValues *result)
 {
     if (!(coat->weight > 0))
@@ -72,8 +72,8 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
     result->lane[SLOT_coatReflectance][0] = own;
 }
 
-/* a (cos 2 t, sin 2 t), t by turns and, if there is one, the tangent's angle from dP/du toward
- * dP/dv. */
+/* a (cos 2 t, sin 2 t), with t from the rotation in turns plus, if present, the tangent's angle
+ * from dP/du toward dP/dv. */
 static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
 {
     const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
@@ -93,9 +93,9 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
-/* Transmission, straight and scattered below the surface: a body's color counts once for its two
- * surfaces, and scattered light leaves where it came in. Before the call the diffuse slot is b (1 -
- * metal + metal weight). */
+/* Transmission, straight and by subsurface scattering: the color applies once to both surfaces
+ * of a closed mesh together, and scattered light leaves where it entered. Before the call the
+ * diffuse slot is b (1 - metal + metal weight). */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
@@ -139,7 +139,7 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
     result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
 }
 
-/* The coat's own normal, where there is a coat; nothing where it is that of what lies below. */
+/* The coat's own normal; (0, 0, 0) if the coat follows the normal of the surface below. */
 static void set_coat_normal(Environment *environment, const Node *material, int param,
                             SlotValues *result)
 {
@@ -154,7 +154,7 @@ static void set_coat_normal(Environment *environment, const Node *material, int 
         lane[i] = -lane[i];
 }
 
-/* Both sides of thin walls that let light through reflect. */
+/* Reflectance of both sides of a thin, transmissive wall. */
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission));
@@ -163,8 +163,8 @@ static double of_both_sides(Environment *environment, const Node *material, doub
                : mixed(once, 2 * once / fmax(1 + once, LEAST), clear);
 }
 
-/* Fresnel's formulas along the normal say what the index of refraction reflects; metal takes the
- * weight of that as a factor on its colour. */
+/* The index of refraction gives the Fresnel reflectance at normal incidence; `specular` scales
+ * it, and scales the color of metal. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
     static const int coat_params[] = {P_Principled_coat,          P_Principled_coatColor,
@@ -239,7 +239,8 @@ bool oracle_is_principled(const Environment *environment, const Node *material)
     return material && models && models[material->index] >> MODEL_Principled & 1;
 }
 
-/* It reflects as much along the normal, and as wide. */
+/* Converts a Phong's slots to a Principled with equal reflectance at normal incidence and equal
+ * lobe width. */
 void oracle_as_principled(SlotValues *side)
 {
     const double *specular = side->lane[SLOT_specular],
@@ -261,8 +262,8 @@ void oracle_as_principled(SlotValues *side)
 
 static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
 
-/* How much the second side counts where the mask is t: as much as it has of the slot that weighs
- * this one. */
+/* Weight of the second side where the mask is t, multiplied by the slot that weighs this one on
+ * both sides. */
 static double counted(Slot slot, const SlotValues sides[2], double t)
 {
     if (slot_weight(slot) == SLOT_COUNT)
@@ -272,7 +273,7 @@ static double counted(Slot slot, const SlotValues sides[2], double t)
     return a + b > LEAST ? b / (a + b) : t;
 }
 
-/* From a slot of a's to that of b's. */
+/* Mixes a slot of both sides. */
 static void mix_slot(const Environment *environment, Slot slot, const SlotValues sides[2], double t,
                      SlotValues *result)
 {
@@ -298,8 +299,8 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     }
 }
 
-/* A material that stands in a Mix twice, and so on, is asked as often: what that takes is bounded
- * as all work is. */
+/* A material that occurs repeatedly in nested Mixes is evaluated as often; the bound on work
+ * limits the total. */
 void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
 {
     SlotValues sides[2];

@@ -1,5 +1,5 @@
-/* The answers of the coordinate transformers (semantics.md 2.6). What they do not change they
- * forward. */
+/* Evaluates the coordinate transformers (semantics.md 2.6). They forward all channels that they
+ * do not change. */
 #include "compiler/oracle/oracle_maps.h"
 
 /* (u', v') = linear * ((u, v) - offset) */
@@ -21,8 +21,8 @@ static UVMap uv_map(const Node *node)
     };
 }
 
-/* The inverse of the linear part, whose determinant is scaleU * scaleV. A map that flattens the
- * plane has none: there the tangents become 0 rather than infinite. */
+/* The inverse of the linear part, whose determinant is scaleU * scaleV. A singular map has no
+ * inverse: there the tangents become 0 rather than infinite. */
 static void uv_inverse(const Node *node, const UVMap *map, double inverse[2][2])
 {
     double determinant =
@@ -67,7 +67,8 @@ static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
     return &oracle->turns[number];
 }
 
-/* Every node keeps its own, so that a chain is walked once. */
+/* Product of the UVTransforms from a node down its inputs. Every node caches its own, so a chain
+ * is walked once. */
 static SlopeTurn turn_of(Oracle *oracle, const Node *node)
 {
     const Node **chain = NULL;
@@ -79,7 +80,7 @@ static SlopeTurn turn_of(Oracle *oracle, const Node *node)
         turn = *turn_at(oracle, node);
     while (count--) {
         if (chain[count]->kind == KIND_UVTransform)
-            for (int i = 0; i < 2; i++) /* what becomes of (1, 0), of (0, 1) */
+            for (int i = 0; i < 2; i++) /* images of (1, 0) and (0, 1) */
                 oracle_uv_slopes(chain[count], turn.m[i]);
         *turn_at(oracle, chain[count]) = turn;
     }
@@ -107,7 +108,7 @@ double oracle_UVTransform(Environment *environment, const Node *node, int channe
     return row[0] * u + row[1] * v;
 }
 
-/* Turns q about an axis, right-handed: about z, x goes toward y. */
+/* Rotates q about an axis, right-handed: about z, x turns toward y. */
 static void rotate(double q[3], int axis, double angle)
 {
     int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -190,7 +191,7 @@ double oracle_XYZTransform(Environment *environment, const Node *node, int chann
     return q[lane_of(channel)];
 }
 
-/* Displaces the triple that is asked for, local position or texture coordinate, by noise at that
+/* Adds noise, evaluated at the requested triple (local position or texture coordinate), to that
  * triple. */
 double oracle_Turbulence(Environment *environment, const Node *node, int channel)
 {

@@ -1,5 +1,5 @@
-/* The answers of the checkers and of the maps with a texture (semantics.md 2.2, and VolumeChecker
- * of 2.3). */
+/* Evaluates the checkers and the maps with a texture (semantics.md 2.2, and VolumeChecker of
+ * 2.3). */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/carpenter.h"
 #include "compiler/library/references.h"
@@ -18,7 +18,7 @@ double oracle_along_steps(const Stepped *map, const double q0[3], const double q
     return value;
 }
 
-/* Whether a whole number is odd; that of a sum is the exclusive or, which stays exact where the sum
+/* Parity of an integer. The parity of a sum is the exclusive or, which stays exact where the sum
  * would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
 
@@ -26,8 +26,8 @@ static bool odd_square(double u, double v) { return is_odd(floor(2 * u)) != is_o
 
 static const double CHECKER_STEP = 0.05;
 
-/* The slope across an edge of the pattern sees the difference of the colours themselves; within a
- * square the slope is that of the colour. */
+/* Slope of a checker: across an edge of the pattern the difference of the colors; within a
+ * square the slope of the color itself. */
 static double checker_slope(Environment *environment, const Node *node, int channel,
                             const double uv[2])
 {
@@ -50,7 +50,7 @@ static void ask_uv(Environment *environment, const Node *node, double uv[2])
     uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
 }
 
-/* From one value to another as x goes from 0 to 1. */
+/* Linear from a to b as x goes from 0 to 1; constant outside. */
 static double between(double a, double b, double x) { return a + fmin(fmax(x, 0), 1) * (b - a); }
 
 double oracle_Ramp(Environment *environment, const Node *node, int channel)
@@ -99,7 +99,8 @@ double oracle_odd_share(Environment *environment, const Node *checker)
     return oracle_along_steps(map, q0, q);
 }
 
-/* Value of the map in color1, which is that parameter, or in color2, the next one. */
+/* Mix of both colors by the checker's share; `color1` is the parameter of the first color,
+ * followed by color2. */
 static double one_of(Environment *environment, const Node *checker, int channel, int color1)
 {
     const double share = oracle_odd_share(environment, checker);
@@ -129,16 +130,16 @@ double oracle_VolumeChecker(Environment *environment, const Node *node, int chan
  * differences. */
 typedef struct {
     Environment *environment;
-    int function; /* library function that reads it */
+    int function; /* library function that reads the texture */
     ReferenceTexture texture;
     double step_u, step_v;
-    bool centred; /* a texel's colour stands in its middle */
-    bool gray;    /* it is one lane, `channel`, with alpha 1 */
+    bool centred; /* a texel's color is at its center */
+    bool gray;    /* a single component, `channel`, as gray with alpha 1 */
     int channel;
 } Picture;
 
-/* The component of a picture at (u, v). The lanes that the function does not write are those of a
- * grey. */
+/* A component of a picture at (u, v). Components that the function does not write are those of a
+ * gray. */
 static double picture_at(const Picture *picture, double u, double v, int component)
 {
     ReferenceContext context = picture->environment->oracle->context;
@@ -177,8 +178,8 @@ static double picture_beside(const Picture *picture, const Node *node, const dou
     return oracle_along_steps(&map, (double[3]){centre[0], centre[1]}, (double[3]){uv[0], uv[1]});
 }
 
-/* The rule of all surface maps: a derivative channel is the difference quotient of its own
- * component, so that BumpMap sees the slope of red. */
+/* A derivative channel is the difference quotient of its own component, the rule of all surface
+ * maps, so BumpMap gets the slope of red. */
 static double picture_channel(const Picture *picture, const Node *node, int channel)
 {
     int component = lane_of(channel);
@@ -196,7 +197,7 @@ static double picture_channel(const Picture *picture, const Node *node, int chan
            picture->step_v;
 }
 
-/* Without a picture the value is a grey, whose difference quotients are 0 whatever the step. */
+/* A missing picture is a constant gray, whose difference quotients are 0. */
 static double no_picture(int channel)
 {
     if (is_derivative(channel))
@@ -212,7 +213,7 @@ static int word_of(const Node *node, int param)
     return value->kind == VALUE_number ? (int)value->number[0] : NO_WORD;
 }
 
-/* Where the point takes its own texel, it makes no difference where that texel's colour stands. */
+/* True if a texel's color is at its center. Without filtering that makes no difference. */
 static bool is_centred(const Node *node)
 {
     return oracle_number(node, P_ImageMap_bilinearFiltering) != 0 &&
@@ -247,8 +248,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
     return picture_channel(&picture, node, channel);
 }
 
-/* A Carpenter's texels, baked when they are first read; NULL: they are more than a value may
- * cost. */
+/* A Carpenter's texels, baked on first use; NULL: baking exceeds the limit of work. */
 static const float *relief(const Environment *environment, const Node *node, int width, int height)
 {
     Oracle *oracle = environment->oracle;
@@ -274,7 +274,7 @@ static const float *relief(const Environment *environment, const Node *node, int
     return *texels;
 }
 
-static const double SURFACE_STEP = 0.005; /* of surface maps that have no step of their own */
+static const double SURFACE_STEP = 0.005; /* for surface maps without a step of their own */
 
 double oracle_Carpenter(Environment *environment, const Node *node, int channel)
 {

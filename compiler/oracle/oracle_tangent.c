@@ -1,8 +1,8 @@
-/* The answer of NormalMap: a normal in the space of the surface's tangents. */
+/* Evaluates NormalMap: a normal in tangent space. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 
-/* 0 for what has no length. */
+/* Normalizes; a zero vector stays 0. */
 static void make_unit(double v[3])
 {
     const double size = fmax(vec3_length(v), 1e-30);
@@ -23,7 +23,7 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
     t[1] *= oracle_number(node, P_NormalMap_flipY) != 0 ? -scale : scale;
 }
 
-/* The normal, in the world, from the unit normal and the tangents of the input. */
+/* The normal in world space, from the input's unit normal and tangents. */
 static void turned_normal(const double t[3], const double n[3], double frame[2][3],
                           double normal[3])
 {

@@ -1,9 +1,9 @@
-/* Work of the oracle for a value, in steps of some 5 ns. It is the work that is bounded, not the
- * number of answers: a Blend of 100,000 items or a fractal of 1,000 steps under four filters has
- * few answers, and takes hours.
+/* Work of the oracle for a value, in steps of some 5 ns. The limit applies to the work, not to
+ * the number of values: a Blend of 100,000 items or a fractal of 1,000 steps under four filters
+ * has few values, but takes hours.
  *
- * Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, at each
- * 3 answers of 100 steps and one call of 3 * 300 * 10 / 5, 56,700 together. */
+ * Smooth3D over VolumeTurbulence with 10 octaves (300 operations are for 5): 27 points, each
+ * with 3 values of 100 steps and one call of 3 * 300 * 10 / 5, 56,700 in total. */
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/library/references.h"
 
@@ -20,7 +20,7 @@ void oracle_spend(const Environment *environment, double steps)
 double oracle_work(const Oracle *oracle) { return oracle->work; }
 bool oracle_spent(const Oracle *oracle) { return oracle->work > LIMIT_WORK; }
 
-/* A function that repeats something takes how often as its only whole number. */
+/* Repetition count of a library function, which is its only integer argument. */
 static double count_of(int function, const double *args)
 {
     static const int lanes[] = {['2'] = 2, ['3'] = 3, ['4'] = 4, ['f'] = 1, ['s'] = 1};
