@@ -1,9 +1,10 @@
-// A point of a patch, displaced: what stages share that make triangles of patches. matc_displaced()
-// stands before it.
+// Displaces a point of a patch; shared by all stages that make triangles of patches.
+// matc_displaced() precedes this text.
 
-// Rows of four: position and u, normal and v, dP/du, dP/dv; and patches of 12 numbers of rows:
-// corners as they shade, corners as they move, and the ends of edges 0, 1 and 2 as they move. What
-// is drawn: a patch, and in bytes 0 to 2 the parts of its edges, in byte 3 those of its inside.
+// Rows of four vec4: position and u, normal and v, dP/du, dP/dv. Patches of 12 row numbers: corners
+// for shading, corners for displacement, and the ends of edges 0, 1 and 2 for displacement. Drawn
+// patches: the patch, and the numbers of parts of its edges in bytes 0 to 2 and of its interior in
+// byte 3.
 layout(std430, binding = 6) readonly buffer DisplaceRows {
     vec4 displace_rows[];
 };
@@ -20,7 +21,8 @@ uvec4 displaceParts(uint drawn)
     return uvec4(drawn, drawn >> 8, drawn >> 16, drawn >> 24) & 255u;
 }
 
-// Weights of a point of so many in rows, row i of which has i + 1; their sum is `parts`.
+// Barycentric weights of point number `point` on a triangular grid, whose row i has i + 1 points;
+// their sum is `parts`.
 ivec3 displaceRow(int point, int parts)
 {
     int row = int((sqrt(float(8 * point + 1)) - 1.0) / 2.0);
@@ -29,8 +31,8 @@ ivec3 displaceRow(int point, int parts)
     return ivec3(parts - row, row - i, i);
 }
 
-// Points of an edge that has fewer parts go back to the last point that there is, so that triangles
-// beside it have no width and its neighbour's points stand in the same places.
+// Snaps a point on an edge with fewer parts back to the last existing point: adjacent triangles
+// become degenerate, and the points match the neighbor's.
 ivec3 displaceFitted(ivec3 w, uint drawn, int all)
 {
     for (int k = 0; k < 3; k++)
@@ -43,8 +45,8 @@ ivec3 displaceFitted(ivec3 w, uint drawn, int all)
     return w;
 }
 
-// Mixed of three rows. Where one weight is 0 it is the sum of two products, which is the same in
-// either order.
+// Interpolates three rows. If one weight is 0, the sum has two products, and is the same in either
+// order.
 vec4 displaceMixed(uvec3 rows, vec3 w, uint part)
 {
     precise vec4 sum = displace_rows[4u * rows.x + part] * w.x + displace_rows[4u * rows.y + part] * w.y
@@ -68,7 +70,8 @@ DISPLACE_OUT vec2 displaced_texcoord;
 DISPLACE_OUT vec3 displaced_tangentU, displaced_tangentV;
 precise DISPLACE_OUT vec3 displaced_base;
 
-// The rows by which the point moves: all that stand in its place have the same.
+// The rows that determine the displacement of the point: equal for all vertices at the same
+// position.
 uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
 {
     for (int k = 0; k < 3; k++)
@@ -84,12 +87,12 @@ uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
     return own;
 }
 
-uniform float displace_push, displace_bulge; // what rounds a hard body; 0: nothing
+uniform float displace_push, displace_bulge; // rounding of a hard-edged closed mesh; 0: none
 
-// The mean of the corners' normals, each the unit sum of all around it; and how far it pushes and
-// bulges the point at p. Along an edge both go by its two ends alone.
-//     A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of
-//         sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the middle.
+// Mean of the corners' normals, each the normalized sum over its adjacent triangles; and the offset
+// that push and bulge give to the point p. Along an edge both depend on its two ends alone.
+//  A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of sqrt(3)
+//  is 0.73 there and 0 at corners: all points are sqrt(3) from the center.
 vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
 {
     vec3 n[3], toward[3];
@@ -105,10 +108,10 @@ vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
     return displace_push * (1.0 - size) * mean + displace_bulge * tangent;
 }
 
-uniform float displace_depth; // no point of the world moves farther
+uniform float displace_depth; // maximum displacement in world space
 
-// Sets what is captured: the point of these weights, whose sum is 1; or, below it, the one as deep
-// as the surface can be, where a skirt ends.
+// Sets the captured outputs for the point with these weights, whose sum is 1; `lower`: for the
+// point at the maximum depth below it, where a skirt ends.
 void displaceAt(uint patchNumber, vec3 w, bool lower)
 {
     uint first = 12u * patchNumber;
@@ -141,8 +144,8 @@ void displacePoint(uint patchNumber, vec3 w)
 }
 
 #ifdef DISPLACE_VOLUME
-// Where one of a volume's four heights is over the point; `there` is false where its pair has
-// nothing.
+// Position over the point at one of a volume's four heights; `there` is false where its interval is
+// empty.
 vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
 {
     uvec3 own = displaceCorners(patchNumber), moving = displaceMoving(12u * patchNumber, own, w);
@@ -154,8 +157,9 @@ vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
     return position + displace_localFromWorld * (away * (solid[height] / max(length(away), 1e-30)));
 }
 
-// Sets what is captured for that height, if it is there. Its normal is across two ways to points
-// beside it, on no edge, and leads away from what is solid.
+// Sets the captured outputs for that height; returns false if its interval is empty. The normal is
+// perpendicular to the directions to two nearby points, which are on no edge, and points away from
+// the solid.
 bool displaceHeight(uint patchNumber, vec3 w, int height, float step)
 {
     bool there, beside;

@@ -1,12 +1,12 @@
-/* Patches to triangles, by whichever method: the table of these stands here, each in a file of its
- * own. */
+/* Converts patches to triangles, by one of the methods in the table below; each method has its
+ * own folder. */
 #include "runtime/displace/displaced.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/tessellate/scene_displace.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* A method's row says how its triangles are made; displaced_method.h has what a row may say. */
+/* The table of methods; displaced_method.h explains the members of a row. */
 static const DisplacedMethod *const methods[] = {
     &displaced_grid,     &displaced_tessellation, &displaced_geometry,   &displaced_points,
     &displaced_feedback, &displaced_bisection,    &displaced_by_tracing, &displaced_by_parallax};
@@ -102,7 +102,7 @@ static bool is_gap(const Shape *shape, const uint32_t *index)
            !memcmp(p, shape->vertices[index[2]].position, 3 * sizeof *p);
 }
 
-/* Triangles that merged, or that a volume lacks, leave their room with no area. */
+/* Removes degenerate triangles, which merging and empty parts of a volume leave in the buffer. */
 static void close_gaps(Shape *shape)
 {
     int count = 0;

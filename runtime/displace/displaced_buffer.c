@@ -1,5 +1,5 @@
-/* Parts that all methods share: buffers of patches, a program that writes rows of MeshCaptured, and
- * the mesh that gets them. */
+/* Functions that all methods share: buffers of patches, a program that writes rows of
+ * MeshCaptured, and the mesh that receives them. */
 #include "runtime/displace/displaced_method.h"
 #include "runtime/draw/spaces.h"
 #include "runtime/scene/scene_matrix.h"
@@ -24,7 +24,8 @@ static void set_spaces(const Scene *scene, const ScenePatches *patches, Material
         spaces.world_from_local.m[i] = (float)world->m[i];
     for (int i = 0; i < 3; i++)
         spaces.origin[i] = (float)scene->origin[i];
-    scene_matrix_invert(world, &inverse); /* scene_displaced_mesh has seen to that */
+    /* scene_displaced_mesh() has checked that the matrix is invertible */
+    scene_matrix_invert(world, &inverse);
     for (int i = 0; i < 9; i++)
         local[i] = (float)inverse.m[i / 3 * 4 + i % 3];
     spaces_set(&spaces, made);

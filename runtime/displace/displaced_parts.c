@@ -1,11 +1,12 @@
-/* Into how many parts a view has edges of patches divided, and patches in order of these: for
- * methods whose patches are drawn by number of parts. */
+/* Subdivision of patch edges by the view, and patches ordered by their number of parts, for
+ * methods that draw patches of equal number together. */
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Patches by the parts of their insides: `first` of each number of parts, and behind the last.
- * Those of none come first, and are not drawn. */
+/* Fills the buffer of drawn patches, ordered by the parts of their interiors: first[n] is the
+ * first patch of n parts, and the last element is the end. Patches of 0 parts come first, and
+ * are not drawn. */
 static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
 {
     const int count = d->patches->count;
@@ -32,8 +33,8 @@ static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
     return fine;
 }
 
-/* The written triangles contain the whole view, divided as required; triangles outside of the view
- * may be there as well. */
+/* True if the written triangles contain the whole view with the required subdivision; triangles
+ * outside the view may exist as well. */
 static bool stands(const Displaced *d, uint8_t (*parts)[3])
 {
     bool same = d->written;

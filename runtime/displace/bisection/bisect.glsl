@@ -1,26 +1,26 @@
-// Bisectors: triangles that a triangle of the mesh, its base, is bisected into. What its compute
-// stages share.
+// Adaptive subdivision by longest-edge bisection: each triangle of the mesh, a base, is the root of
+// a binary tree of triangles. Definitions that the compute stages share.
 //
-// A triangle has corners a, b, c; the edge from a to b is bisected, at m = (a + b) / 2, into (c, a,
-// m) and (b, c, m), which are its children 0 and 1. A number says which it is: 1 is a base, and n
-// has the children 2 n and 2 n + 1. So the leaves that there are need no pointers to each other:
+// A triangle has corners a, b, c; the edge from a to b is bisected at m = (a + b) / 2 into (c, a,
+// m) and (b, c, m), which are the children 0 and 1. Triangles are numbered as in a heap: 1 is the
+// base, and n has the children 2 n and 2 n + 1. So leaves need no pointers to each other:
 //
-//     a point that is (x, y, z) of the corners is in child 0 if x > y, and (z, x - y, 2 y) of its;
-//         else in child 1, and (y - x, z, 2 x) of its
-//     (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) -> child 1, (0, 1/2, 1/2): so the point is in
-//         triangle 1 -> 2 -> 5
+//  a point with barycentric coordinates (x, y, z) is in child 0 if x > y, with the coordinates (z,
+//  x - y, 2 y) there; else in child 1, with (y - x, z, 2 x)
+//  (1/2, 1/4, 1/4) -> child 0, (1/4, 1/4, 1/2) -> child 1, (0, 1/2, 1/2): so the point is in
+//  triangle 1 -> 2 -> 5
 //
-// Which leaf is beyond an edge is what such a walk ends at, from a point beyond it: an edge that is
-// a triangle's edge from a to b at some depth is that of the one beyond as well, or one of the
-// other two of that one's parent.
+// The neighbor of a leaf at an edge is found by such a walk from a point on the other side. If the
+// edge is the edge a b of a triangle at some depth, it is also the edge a b of the neighboring
+// triangle, or one of the two other edges of that triangle's parent.
 //
-// A leaf is 7 bytes: 40 bits of its number and base, 8 of its own deviation, and 8 of the deviation
-// of the triangle behind it, in order: the nearest of those it is in whose child 0 has it, as its
-// last leaf. There are as many as leaves, but one. So each triangle that was bisected has its
-// deviation in the last leaf of its child 0, and nobody else's in the same place:
+// A leaf takes 7 bytes: 40 bits for its number and base, 8 for its own deviation, and 8 for the
+// deviation of one ancestor: the nearest whose child 0 has the leaf as its last leaf in order.
+// Leaves outnumber such ancestors by one. So each bisected triangle stores its deviation in the
+// last leaf of its child 0, and no two of them in the same leaf:
 //
-//     1 is bisected, then 2: leaves 4, 5, 3 keep their own and 2's, 1's, none's. If 4 and 5 become
-//         2, that has 2's, as its own, from 4, and keeps 1's, from 5
+//  1 is bisected, then 2: leaves 4, 5, 3 store their own deviation, and that of 2, of 1, and none.
+//  If 4 and 5 merge into 2, leaf 2 takes 2's deviation as its own from 4, and keeps 1's from 5
 #ifdef BISECT_FEW
 const uint BISECT_THREADS = 512u;
 layout(local_size_x = 512) in;
@@ -29,58 +29,60 @@ const uint BISECT_THREADS = 64u;
 layout(local_size_x = 64) in;
 #endif
 
-// Bases, of BISECT_BASE words each: which corner is its a, and which of its edges run from the
-// later place to the earlier one; by edge the offset of its word, which says where its members
-// begin, as the next word does where they end; corners and their normals in the world. A member is
-// 4 base + edge. Edge k is opposite corner k.
+// Bases, of BISECT_BASE words each. The first word says which corner is a, and which edges run from
+// the later place to the earlier one. Then, per edge, the offset of a word with the beginning of
+// the edge's members; the next word has their end. Then corners and their normals in world space. A
+// member is 4 base + edge. Edge k is opposite corner k.
 layout(std430, binding = 0) readonly buffer BisectBases {
     uint bisect_bases[];
 };
-// Leaves, four in seven words: the low 32 bits of each one's number and base, the high 8 of all
-// four, and their deviations.
+// Leaves, four in seven words: the low 32 bits of each leaf's number and base, the high 8 bits of
+// all four, and their deviations.
 layout(std430, binding = 1) coherent buffer BisectLeaves {
     uint bisect_leaves[];
 };
-// Places of leaves by a hash of their numbers, plus 1, below the stamp of the look that they are
-// of: others are empty. An entry whose leaf has another number by now counts as one that is taken.
+// Hash table of leaves by their numbers: slot plus 1, with the stamp of the table's generation in
+// the high bits; entries with another stamp are empty. An entry whose leaf has another number by
+// now counts as occupied.
 layout(std430, binding = 2) coherent buffer BisectTable {
     uint bisect_table[];
 };
-// The state block, LIST_DUE lists of a word for each place of a leaf, and a float for each tile.
+// The state block, LIST_DUE lists of a word for each slot, and a float for each tile.
 layout(std430, binding = 3) coherent buffer BisectWork {
     uint bisect_work[];
 };
-// Corners of leaves, displaced: rows of MeshCaptured, three for each.
+// Displaced corners of leaves: rows of MeshCaptured, three for each leaf.
 #ifdef BISECT_FEW
 coherent
 #endif
 layout(std430, binding = 4) buffer BisectRows {
     float bisect_rows[];
 };
-uniform int bisect_room;        // for leaves
-uniform int bisect_baseBits;    // that a number of a base has
-uniform int bisect_tableBits;   // it has 2 to the power of that entries
+uniform int bisect_room;        // slots for leaves
+uniform int bisect_baseBits;    // bits of a base's number
+uniform int bisect_tableBits;   // log2 of the table's size
 uniform int bisect_stamp;       // 1 to 255
-uniform float bisect_worst;     // no triangle deviates by more
-uniform int bisect_coarse;      // triangles of less depth are bisected, whatever they deviate
+uniform float bisect_worst;     // upper bound of any deviation
+uniform int bisect_coarse;      // triangles of less depth are always bisected
 
 #include "bisection.layout.def"
 const uint BISECT_NONE = 0xFFFFFFFFu;
-const int BISECT_WHOLE = 65536; // weights of a corner sum up to so many
-// A single workgroup that runs all rounds keeps the state block before LIGHT in shared memory.
+const int BISECT_WHOLE = 65536; // sum of a corner's weights
+// The single workgroup that runs all rounds keeps the state block up to LIGHT in shared memory.
 const uint BISECT_COUNTS = LIGHT;
 #ifdef BISECT_FEW
 shared uint bisect_head[BISECT_COUNTS];
 #else
 #define bisect_head bisect_work
 #endif
-#ifdef BISECT_WIDE // to look at more than need be costs a device less than to choose more finely
-const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u; // places of a tile; tiles of a workgroup that evaluates
+#ifdef BISECT_WIDE // evaluating more leaves costs a GPU less than a finer choice
+// slots of a tile; tiles per workgroup of the look stage
+const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u;
 #else
 const uint BISECT_TILE = BISECT_TILE_FEW;
 #endif
-// How many leaves a group bisects at once. Each has nine heights at least, for a thread each where
-// a device has many.
+// Leaves that a workgroup bisects at once. Each needs at least nine heights, one per thread on a
+// wide device.
 #ifdef BISECT_FEW
 const uint BISECT_SPLITS = 128u;
 #elif defined(BISECT_WIDE)
@@ -88,12 +90,12 @@ const uint BISECT_SPLITS = BISECT_THREADS / 9u;
 #else
 const uint BISECT_SPLITS = BISECT_THREADS;
 #endif
-// Flags of a leaf: its parent need not be bisected, it was chosen in this round, it is to be
-// bisected, it is in the list of those that are asked next. They stay from view to view.
+// Flags of a leaf: its parent need not be bisected; it was chosen in this round; it is to be
+// bisected; it is in the next round's list of merges. The flags persist from view to view.
 const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_WANTED = 4u, FLAG_ASKED = 8u;
 
-// Others see what this thread has written before what it writes next: all, or those of its group,
-// where there is one alone, and for which a device waits less.
+// Memory barrier: writes before it are visible before writes after it, to all threads, or to those
+// of the only workgroup, which is faster.
 void bisectFence()
 {
 #ifdef BISECT_FEW
@@ -104,10 +106,10 @@ void bisectFence()
 #endif
 }
 
-// Task of a thread, of tasks for groups.
+// A thread's task, from the workgroup's tasks.
 uint bisectTask(uint group)
 {
-#ifdef BISECT_FEW // those of neighbouring tasks run beside each other: on a device 32 neighbouring threads go one way after the other
+#ifdef BISECT_FEW // neighboring tasks go to different warps: divergent threads of a warp of 32 run in turn
     const uint STEP = BISECT_THREADS / 32u;
     return BISECT_THREADS * group + gl_LocalInvocationIndex % 32u * STEP + gl_LocalInvocationIndex / 32u;
 #else
@@ -123,8 +125,8 @@ uint bisectWord(uint list, uint i)
 // -- leaves
 
 struct Leaf {
-    uint base, number; // number 0: none
-    uint own, behind;  // deviations, as codes
+    uint base, number; // number 0: empty slot
+    uint own, behind;  // codes of deviations: its own, and that of an ancestor
 };
 
 uvec2 bisectId(uint base, uint number)
@@ -151,7 +153,7 @@ Leaf bisectLeaf(uint slot)
                 deviations >> 8 & 255u);
 }
 
-// Bits of a word that nobody else writes.
+// Writes bits of a word that no other thread writes.
 void bisectPutBits(uint word, uint shift, uint mask, uint value)
 {
     uint had = bisect_leaves[word] >> shift & mask;
@@ -159,7 +161,8 @@ void bisectPutBits(uint word, uint shift, uint mask, uint value)
         atomicXor(bisect_leaves[word], (had ^ value) << shift);
 }
 
-// A concurrent reader finds the leaf as it was, or as it is, or one of a base that does not exist.
+// Writes a leaf. A concurrent reader gets the old leaf, the new one, or one of a base that does not
+// exist.
 void bisectPut(uint slot, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number), had = bisectIdAt(slot);
@@ -174,7 +177,7 @@ void bisectPut(uint slot, Leaf l)
     bisect_leaves[low] = id.x;
 }
 
-// Replaces a known leaf: a device waits for values that it reads.
+// Replaces a leaf of known value, without the latency of reading it.
 void bisectReplace(uint slot, Leaf had, Leaf l)
 {
     uvec2 id = bisectId(l.base, l.number);
@@ -189,7 +192,8 @@ void bisectReplace(uint slot, Leaf had, Leaf l)
     bisect_leaves[low] = id.x;
 }
 
-// 8 codes an octave below the worst that there may be; 0 is 0, 255 is more than any.
+// Codes of deviations: logarithmic, 8 per octave below the upper bound; 0 is 0, 255 is above all
+// others.
 const uint BISECT_ALWAYS = 255u;
 uint bisectCode(float deviation)
 {
@@ -214,11 +218,11 @@ void bisectInsert(uvec2 id, uint slot)
         uint place = at & ((1u << bisect_tableBits) - 1u), had = bisect_table[place];
         bool taken = had >> 24 == uint(bisect_stamp);
         done = !taken && atomicCompSwap(bisect_table[place], had, entry) == had;
-        at += uint(taken); // who came before in the meantime is read next
+        at += uint(taken); // read the entry of the thread that came first
     }
 }
 
-// Where that leaf is; BISECT_NONE: there is none.
+// Slot of a leaf; BISECT_NONE: missing.
 uint bisectFind(uint base, uint number)
 {
     uvec2 id = bisectId(base, number);
@@ -231,8 +235,8 @@ uint bisectFind(uint base, uint number)
     }
 }
 
-// Where both children of a triangle are. What is read for one is not waited for before the other is
-// asked for, as long as the first entries are theirs.
+// Slots of both children of a triangle. Both first entries are read at once to hide latency; the
+// search continues only where they are other leaves.
 uvec2 bisectFindChildren(uint base, uint number)
 {
     uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);
@@ -247,7 +251,7 @@ uvec2 bisectFindChildren(uint base, uint number)
     return slot;
 }
 
-// -- corners, by their weights in the base
+// -- corners, by their barycentric weights in the base
 
 struct Corners {
     ivec3 a, b, c;
@@ -281,14 +285,14 @@ Corners bisectParent(uint number, Corners t)
     return Corners(second ? other : t.b, second ? t.a : other, second ? t.b : t.a);
 }
 
-// -- neighbours
+// -- neighbors
 
-// The `count` triangles at edge a b of a triangle, with or without itself.
+// The `count` triangles at edge a b of a triangle, with or without the triangle itself.
 struct Ring {
-    uint first, count; // members; first BISECT_NONE: the edge is within the base
-    int depth;         // of who has it as its edge a b
-    ivec3 beyond;      // within the base: three times a point of that one
-    int weight;        // else the sum of both ends' weights at the earlier place
+    uint first, count; // members; first BISECT_NONE: the edge is inside the base
+    int depth;         // of the triangles with this edge as their edge a b
+    ivec3 beyond;      // edge inside the base: three times a point of the neighbor
+    int weight;        // otherwise: sum of both ends' weights at the earlier place
 };
 
 uint bisectEdge(Corners t)
@@ -299,13 +303,13 @@ uint bisectEdge(Corners t)
     return 3u;
 }
 
-// The corner of edge k of a base that is the earlier place.
+// Corner of edge k of a base that is the earlier place.
 uint bisectEarlier(uint base, uint k)
 {
     return (k + 1u + (bisect_bases[BISECT_BASE * base] >> (2u + k) & 1u)) % 3u;
 }
 
-// 1 where that edge is not the one that is bisected first.
+// 1 unless the edge is the one that is bisected first.
 int bisectLater(uint base, uint k)
 {
     return (bisectFirst(base) + 2u) % 3u == k ? 0 : 1;
@@ -322,7 +326,7 @@ Ring bisectRing(uint base, uint number, Corners t)
     return Ring(first, bisect_bases[start + 1u] - first, depth - bisectLater(base, k), ivec3(0), t.a[earlier] + t.b[earlier]);
 }
 
-// Member i of the ring, at the depth at which it has that edge as its edge a b.
+// Member i of the ring, at the depth at which the ring's edge is its edge a b.
 void bisectMember(Ring ring, uint i, inout uint base, out uint number)
 {
     ivec3 at = ring.beyond;

@@ -1,9 +1,9 @@
-// Which leaves are bisected now: all at an edge together, and only those of whom each has it as the
-// edge that is bisected. Where one has not, that one comes first, and is wanted from now on: so it
-// asks for whom it needs itself, and what asked for it waits.
+// Chooses the leaves to bisect now: all leaves at an edge together, if the edge is the bisected
+// edge of each. If one leaf at the edge is coarser, it has to be bisected first: it joins the
+// wanted leaves, which requests its own neighbors, and the leaf that requested it waits.
 
-// Whether the leaf's whole ring is there; else who of it has to be bisected first, BISECT_NONE
-// where that is nobody. `least` is the first place of all.
+// Returns true if the leaf's whole ring consists of leaves. Otherwise `before` is the leaf that has
+// to be bisected first, BISECT_NONE if there is none. `least` is the least slot of the ring.
 bool bisectComplete(uint slot, Leaf leaf, Ring ring, out uint least, out uint before)
 {
     least = slot;
@@ -21,7 +21,7 @@ bool bisectComplete(uint slot, Leaf leaf, Ring ring, out uint least, out uint be
     return true;
 }
 
-// Once, whoever of the ring says so.
+// Chooses the ring once, whichever of its leaves comes first.
 void bisectTakeRing(uint slot, Leaf leaf, Ring ring, uint least)
 {
     if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, least)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)

@@ -1,14 +1,14 @@
-// All rounds in one stage, as long as they have few triangles, by one group of threads: that it
-// waits for itself takes a device a tenth of what a stage takes. Where there are more, it leaves
-// them to others.
+// Runs all rounds in one dispatch by a single workgroup, as long as they have few triangles: a
+// barrier within a workgroup takes a tenth of the time of a dispatch. Larger rounds are left to the
+// other stages.
 void bisectWait()
 {
     bisectFence();
     barrier();
 }
 
-// By the first thread, between two waits: all have read what it changes, and read what it has
-// changed.
+// Runs bisectNext() on the first thread, between two barriers: all threads have read the state that
+// it changes, and read the changed state afterwards.
 void bisectNextWaiting(int step)
 {
     bisectWait();
@@ -17,7 +17,7 @@ void bisectNextWaiting(int step)
     bisectWait();
 }
 
-// Merges, or makes the children of who is bisected. Leaves are asked in one place, whatever for: a
+// Merges, or makes the children of bisected leaves. Both share one call of bisectAnswers(), since a
 // driver's compiler takes up to seconds for each.
 void bisectChange(bool merging, uint group)
 {
@@ -36,7 +36,7 @@ void bisectChange(bool merging, uint group)
             bisectSplitEnd(a, answers);
     }
     if (!merging)
-        bisectTurn(); // others are bisected next
+        bisectTurn(); // the next group of leaves reuses the shared memory
 }
 
 void main()

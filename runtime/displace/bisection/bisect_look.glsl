@@ -1,5 +1,6 @@
-// Looks at leaves: each is to be bisected, or with its sibling to become its parent. A fresh look
-// puts what there is into the table, and places that are free into their list; else both are there.
+// Evaluates leaves: each may have to be bisected, or may merge with its sibling into their parent.
+// A fresh look also fills the hash table with all leaves and the free list with free slots;
+// otherwise both are valid already.
 void bisectLook(uint slot)
 {
     Leaf leaf = bisectLeaf(slot);
@@ -17,7 +18,9 @@ void bisectLook(uint slot)
             bisect_work[bisectWord(LIST_WANTED, atomicAdd(bisect_head[WANTED], 1u))] = slot;
         } else if (answers.parent <= 0.0) {
             flags = had == 0u ? FLAG_LESS | FLAG_ASKED : FLAG_LESS;
-            if (had == 0u) // else it waits for one of its ring, which is asked when it need not be bisected any more
+            // otherwise it waits for a leaf of its ring, and is tried when that need not be
+            // bisected any more
+            if (had == 0u)
                 bisect_work[bisectWord(LIST_MERGING, atomicAdd(bisect_head[MERGING], 1u))] = slot;
         }
     }
@@ -25,8 +28,8 @@ void bisectLook(uint slot)
 }
 
 #ifdef BISECT_WIDE
-// A group chooses of its own tiles, a stage less: an empty one takes a device as long as it takes
-// to look at thousands.
+// Each workgroup selects the due tiles among its own, which saves a dispatch: an empty one takes a
+// GPU as long as evaluating thousands of leaves.
 shared uint look_tiles[BISECT_LOOK_TILES], look_count;
 
 void bisectStage(uint group)
@@ -48,7 +51,7 @@ void bisectStage(uint group)
     }
     if (gl_LocalInvocationIndex == 0u && look_count != 0u)
         atomicAdd(bisect_head[CHOSEN], look_count);
-    barrier(); // the count is begun anew by who goes on
+    barrier(); // the next tiles reset the count
 }
 #else
 void bisectStage(uint group)

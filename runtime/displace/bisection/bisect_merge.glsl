@@ -1,14 +1,15 @@
-// Leaves become their parents: all that have one middle of an edge as their newest corner, if none
-// of these has other leaves, or has to be bisected. First stage: who can, of those that may. Both
-// children of it are leaves, and it need not be bisected.
+// Merges leaves into their parents: all leaves around the midpoint of an edge that is their newest
+// corner, if their parents have no other leaves and need not be bisected. First stage: chooses
+// among the leaves that may merge. A parent may merge if both children are leaves and it need not
+// be bisected.
 bool bisectMay(uint base, uint number, out uvec2 children)
 {
     children = bisectFindChildren(base, number);
     return children.x != BISECT_NONE && children.y != BISECT_NONE && (bisect_work[bisectWord(LIST_FLAGS, children.x)] & FLAG_LESS) != 0u;
 }
 
-// Once, whoever says so. Where the second child is stands in a list that is empty until something
-// is bisected.
+// Chooses a pair of children once, whichever leaf comes first. The slot of the second child is
+// stored in a list that is unused until leaves are bisected.
 void bisectTake(uvec2 children)
 {
     if ((atomicOr(bisect_work[bisectWord(LIST_FLAGS, children.x)], FLAG_CHOSEN) & FLAG_CHOSEN) != 0u)
@@ -41,7 +42,7 @@ void bisectMergeChoose(uint group)
         return;
     bisectTake(own);
     if (ring.count == 1u)
-        bisectTake(children); // who has waited is in no list
+        bisectTake(children); // a waiting leaf is in no list
     for (uint n = 0u; n < ring.count && ring.count != 1u; n++) {
         uint base = leaf.base, other;
         bisectMember(ring, n, base, other);
@@ -49,15 +50,15 @@ void bisectMergeChoose(uint group)
     }
 }
 
-// Second stage, of each that can: its first child's place is its own from now on, and its second
-// child's is free.
+// Second stage, for each chosen pair: the parent takes the first child's slot, and the second
+// child's slot becomes free. Puts a leaf into the next round's list of merges.
 void bisectAsk(uint slot)
 {
     bisect_work[bisectWord(LIST_MERGING + 1u - bisect_head[SWAPPED], atomicAdd(bisect_head[MERGING_NEXT], 1u))] = slot;
 }
 
-// That triangle's first child, where it is a leaf that waits for others, is asked next; once,
-// whoever says so.
+// Puts a triangle's first child into the next round's list if it is a leaf that waits for its ring;
+// only once, whichever thread comes first.
 void bisectAskAgain(uint base, uint number)
 {
     uint first = bisectFind(base, 2u * number);
@@ -67,8 +68,8 @@ void bisectAskAgain(uint base, uint number)
         bisectAsk(first);
 }
 
-// (c, a, m) and (b, c, m) to (a, b, c), and a place that has no area. All is read first: one after
-// the other would wait for each.
+// Merges rows: (c, a, m) and (b, c, m) become (a, b, c), and a freed slot without area. Reads
+// everything first, since alternating reads and writes would wait for each.
 void bisectMergeRows(uint at, uint from)
 {
     float rows[3u * BISECT_ROW];
@@ -101,12 +102,12 @@ void bisectMergeEnd(Asked a, Answers answers)
     bool less = answers.parent <= 0.0;
     bisectReplace(a.slot, a.had, leaf);
     bisect_work[bisectWord(LIST_FLAGS, a.slot)] = less ? FLAG_LESS | FLAG_ASKED : 0u;
-    bisectFence(); // who finds it has its flags
+    bisectFence(); // flags are visible before the table entry
     bisectInsert(bisectId(leaf.base, leaf.number), a.slot);
     if (less)
         bisectAsk(a.slot);
     if (leaf.number == 1u || (a.even && !less))
-        return; // nobody waits for it: its ring stays
+        return; // no leaf waits for it: its ring is unchanged
     bisectAskAgain(leaf.base, leaf.number >> 1);
     Ring ring = bisectRing(leaf.base, leaf.number >> 1, bisectParent(leaf.number, bisectCorners(leaf.base, leaf.number)));
     for (uint n = 0u; n < ring.count; n++) {

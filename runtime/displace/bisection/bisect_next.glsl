@@ -1,21 +1,22 @@
-// Between two stages, by one thread: lists that were written are read next, and how many groups of
-// threads that takes. First leaves merge, as long as any can; then others are bisected. Steps: 0:
-// leaves were looked at; 1, 3: of those to merge, to bisect some were chosen; 2, 4: and are done;
-// 5: tiles were chosen. The last thread of the stage does it, since a dispatch takes a driver
-// longer than a round of few triangles: whoever counts itself in as the last, after all that the
-// others wrote.
+// Transition between two stages, by one thread: the lists that were written are read next, and the
+// number of workgroups is computed. Leaves merge first, as long as any can; then others are
+// bisected. Steps: 0: leaves were evaluated; 1, 3: leaves to merge, to bisect were chosen; 2, 4:
+// they are merged, bisected; 5: tiles were chosen. The stage's last thread does the transition,
+// since a dispatch would take longer than a round of few triangles: threads count themselves after
+// their writes, and the last one to do so continues.
 
-// Rounds of no more triangles are for bisect_few.glsl, where it is, and are not counted.
+// Rounds of at most this size are left to bisect_few.glsl, if present, and are not counted.
 #ifdef BISECT_WIDE
 const uint FEW_MERGING = 256u, FEW_WANTED = 56u;
 #else
 const uint FEW_MERGING = 0u, FEW_WANTED = 0u;
 #endif
 
-// Groups of threads, for so many tasks, of which a group has so many.
+// Sets the workgroups of an indirect dispatch for `count` tasks, `each` per workgroup.
 void bisectSet(uint groups, uint count, uint each)
 {
-    bisect_head[groups] = max((count + each - 1u) / each, 1u); // one at least: its last thread goes on
+    // at least one: its last thread does the transition
+    bisect_head[groups] = max((count + each - 1u) / each, 1u);
     bisect_head[groups + 1u] = bisect_head[groups + 2u] = 1u;
 }
 
@@ -50,14 +51,14 @@ void bisectNext(int step)
     }
     if (merging && bisect_head[MERGING] == 0u) {
         bisect_head[MERGED_ALL] = 1u;
-        bisect_head[SWAPPED] = 0u; // wanted leaves are in the first of their lists still
+        bisect_head[SWAPPED] = 0u; // wanted leaves are still in the first of their lists
     }
     bisect_head[CHOSEN] = bisect_head[MERGING_NEXT] = bisect_head[WANTED_NEXT] = 0u;
     bisectSet(GROUPS, bisect_head[FULL] != 0u ? 0u : bisect_head[bisect_head[MERGED_ALL] != 0u ? WANTED : MERGING], 64u);
 }
 
 #ifndef BISECT_FEW
-// For how many groups there are tasks.
+// Number of workgroups that have tasks.
 uint bisectGroups()
 {
 #if BISECT_STEP == 0
@@ -70,8 +71,8 @@ uint bisectGroups()
 void main()
 {
 #ifdef BISECT_WIDE
-    // As many groups as the device runs at once, whatever there is to do: it waits longer for their
-    // number than for those that have nothing to do.
+    // A fixed number of workgroups, as many as the GPU runs at once: reading their number for an
+    // indirect dispatch takes longer than idle workgroups.
     uint groups = bisectGroups();
     for (uint group = gl_WorkGroupID.x; group < groups; group += gl_NumWorkGroups.x)
         BISECT_STAGE(group);

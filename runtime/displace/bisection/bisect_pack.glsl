@@ -1,5 +1,5 @@
-// Leaves that lie behind as many places as there are leaves go to free ones before that. First
-// stage: which of these there are.
+// Compaction: leaves in slots beyond the number of leaves move to free slots below it. First stage
+// (BISECT_CHOOSE): lists the free slots below.
 void main()
 {
     uint i = gl_GlobalInvocationID.x, live = bisect_head[HIGH] - bisect_head[FREE];

@@ -1,7 +1,7 @@
-// Which tiles of leaves are looked at: those that the camera has moved far enough for, or all.
-uniform int bisect_fresh; // 1: nothing is known of any view before
+// Selects the tiles of leaves to evaluate: those for which the camera has moved far enough, or all.
+uniform int bisect_fresh; // 1: no earlier view is known
 
-// It counts as looked at from now on.
+// Returns true if the tile is due, and marks it as evaluated.
 bool bisectIsDue(uint tile)
 {
     uint due = bisectWord(LIST_DUE, tile);

@@ -1,34 +1,36 @@
-// Visibility of a triangle. A question's answer is a number: more than 0 is yes, and the camera has
-// to move that far at least, either way, before the answer is another one. So both of two questions
-// is the lesser of their numbers, one of them the greater, and not the negative.
+// Visibility of a triangle. A query's value is a signed number: positive means yes, and its
+// magnitude is a lower bound of the distance that the camera has to move before the sign changes.
+// So `and` of two queries is the minimum of their values, `or` the maximum, and `not` the negative.
 //
-//     in view by 2 from the nearest side, too coarse as it is unless it were 0.5 farther: both is
-//         0.5, and nobody has to look again before the camera has gone by 0.5
+//  inside the view frustum by 2 from the nearest side, and too coarse unless 0.5 farther away: the
+//  `and` is 0.5, and the triangle is not evaluated again before the camera has moved by 0.5
 //
-// How far it moves: its place, plus what its sides turn by times how far away anything is.
+// The camera's movement is the distance of its positions plus the rotation of its frustum planes
+// times the distance of the farthest point.
 
-// How far points move, along the world's axes, at least and at most, in bytes of which 0 is
-// -bisect_reach and 255 bisect_reach: of triangles of each depth up to bisect_ranged, of a deeper
-// one as of the one there that it is in.
+// Minimum and maximum displacement of points along the world's axes, in bytes: 0 is -bisect_reach,
+// 255 is bisect_reach. Stored for triangles of each depth up to bisect_ranged; a deeper triangle
+// uses its ancestor at that depth.
 layout(std430, binding = 5) buffer BisectRanges {
     uvec2 bisect_ranges[];
 };
 uniform int bisect_ranged;
-uniform int bisect_deepest;     // no triangle is bisected for its own sake from there on
-uniform vec3 bisect_reach;      // along the world's axes, no point moves farther
-uniform vec4 bisect_eye;        // and 1; or where rays come from, and 0
-uniform mat4 bisect_sides;      // of what is seen, by columns, of normals of length 1: a point is beyond one where the product is negative
-uniform vec4 bisect_front;      // the same
-uniform float bisect_near;      // what is nearer counts as so far
-uniform float bisect_scale;     // pixels of a unit, at a distance of 1
-uniform float bisect_pixels;    // that a deviation may have
-uniform int bisect_closed;      // 3: nobody sees its triangles from behind, for their three corners; 0: or else
-uniform float bisect_gone;      // how far the camera has moved
-uniform float bisect_slack;     // of that, for what is rounded
+uniform int bisect_deepest;     // triangles of this depth are bisected only for a neighbor's sake
+uniform vec3 bisect_reach;      // maximum displacement along the world's axes
+uniform vec4 bisect_eye;        // (position, 1); or for parallel rays (direction toward the eye, 0)
+// frustum planes, by columns, with unit normals: negative products are outside
+uniform mat4 bisect_sides;
+uniform vec4 bisect_front;      // the near plane, likewise
+uniform float bisect_near;      // lower bound of distances
+uniform float bisect_scale;     // pixels per unit length at distance 1
+uniform float bisect_pixels;    // tolerated deviation
+uniform int bisect_closed;      // 3 (corners): closed mesh whose back faces are invisible; else 0
+uniform float bisect_gone;      // distance that the camera has moved
+uniform float bisect_slack;     // rounding error of bisect_gone
 
 const float BISECT_SURE = 1e30;
 
-// Corners of a base and their normals, in the world.
+// Corners of a base and their normals, in world space.
 struct BisectBase {
     mat3 places, normals;
 };
@@ -45,7 +47,8 @@ mat3 bisectPart(uint base, uint part)
 BisectBase bisectBase(uint base)
 {
     BisectBase found = BisectBase(bisectPart(base, 0u), mat3(0.0));
-    for (int i = 0; i < bisect_closed; i += 3) // a driver that runs both sides of a branch leaves out what a loop does no times
+    // a loop with 0 iterations: drivers that execute both sides of a branch skip it
+    for (int i = 0; i < bisect_closed; i += 3)
         found.normals = bisectPart(base, 1u);
     return found;
 }
@@ -65,15 +68,16 @@ vec3 bisectOffset(uint bytes)
     return (vec3(uvec3(bytes, bytes >> 8, bytes >> 16) & 255u) / 127.5 - 1.0) * bisect_reach;
 }
 
-// All of the box is.
+// The whole box is outside the plane.
 float bisectBeyond(vec4 side, vec3 middle, vec3 extent)
 {
     return -(dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent));
 }
 
-// Normals of all three corners look away from the eye, or a light, from wherever in the box, by so
-// much that what rises there is not seen over the horizon.
-const float BISECT_BEHIND = 0.6; // the sine of the angle: what rises by a quarter of a ball's radius is seen from no farther behind
+// The normals of all three corners point away from the eye or a light, from every point in the box,
+// by an angle so large that displaced points are not visible over the horizon.
+// sine of the angle: a height of a quarter of a ball's radius is visible from no farther behind
+const float BISECT_BEHIND = 0.6;
 float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 {
     float away = bisect_closed != 0 ? BISECT_SURE : -BISECT_SURE;
@@ -88,14 +92,15 @@ float bisectAway(BisectBase at, Corners t, vec4 eye, vec3 middle, vec3 extent)
 }
 
 #ifdef BISECT_LIGHTS
-// -- what is seen of its shadow
+// -- visibility of a triangle's shadow
 
 vec4 bisectHeadFloats(uint at)
 {
     return uintBitsToFloat(uvec4(bisect_work[at], bisect_work[at + 1u], bisect_work[at + 2u], bisect_work[at + 3u]));
 }
 
-// A point and 1, or where its rays come from, and 0; what shines is in a box around the point.
+// (position, 1), or (direction toward the light, 0); `extent` is the half size of the light's
+// bounding box.
 struct BisectLight {
     vec4 at;
     vec3 extent;
@@ -107,8 +112,9 @@ BisectLight bisectLight(uint i)
     return BisectLight(bisectHeadFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
 }
 
-// How far rays by the box go on until no point of them is where shadows may fall: as a length, or
-// as times what they have gone. It is farthest from the light's near side.
+// Distance that rays through the box travel until they have left the bounds of shadow receivers: a
+// length for parallel rays, else a multiple of the distance from the light. The light's near side
+// gives the maximum.
 float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
 {
     vec4 light = from.at;
@@ -125,31 +131,31 @@ float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
     return max(reach, light.w);
 }
 
-// The box, and all that its shadow may fall on, are beyond the side: from where the light is the
-// farthest beyond it, a shadow comes the farthest in.
+// The box and all receivers of its shadow are outside the plane. The point of the light that is
+// farthest outside casts the shadow farthest inside.
 float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, vec3 extent)
 {
     float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
     return min(-most, -(light.at.w != 0.0 ? from + reach * (most - from) : most - reach * from) / (2.0 * reach + 1.0));
 }
 
-// A light as a point of the line to it: at the eye it is the eye, from there it grows as what
-// shines is seen. From it, to the nearest of the box around 0.
+// The light as a point on the line from the eye to it: at the eye its extent is 0, and grows
+// linearly along the line. Vector from that point to the nearest point of the box around 0.
 vec3 bisectGap(vec3 at, vec3 extent)
 {
     return at - clamp(at, -extent, extent);
 }
 
-// Half of how its square changes along the line.
+// Half the derivative of the squared gap along the line.
 float bisectGapSlope(vec3 from, vec3 way, vec3 extent, vec3 grows, float at)
 {
     vec3 gap = bisectGap(from + at * way, extent + at * grows);
     return dot(gap, way) - dot(abs(gap), grows);
 }
 
-// How far the box is from what lies between the eye and the light, as long as `last` says: the
-// square grows along that line as a parabola between places where it passes a side of the box, so
-// that its slope is a line there. As the light has an extent, the sides move.
+// Distance of the box from the segment between the eye and the light, up to parameter `last`. The
+// squared distance along the line is piecewise quadratic, with breaks where the line passes a side
+// of the box, so its derivative is piecewise linear. The sides move with the light's extent.
 float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
 {
     vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w, grows = light.extent;
@@ -174,11 +180,11 @@ float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
     return length(bisectGap(from + nearest * way, extent + nearest * grows));
 }
 
-// It is too coarse for its shadow by one of the lights, as it would be up to `far`. A deviation e
-// of p, at right angles to the light's ray, is t e in the shadow, where the ray has gone from l to
-// l + t (p - l), and is seen t e / |l + t (p - l) - eye| large: that is e / |p - (l + (eye - l) /
-// t)|, and the latter between light and eye, wherever the shadow falls; no nearer to the light than
-// where t is the most that a shadow can have.
+// The triangle is too coarse for its shadow by one of the lights, if it would be up to the distance
+// `far`. A deviation e at p, perpendicular to the light's ray, becomes t e in the shadow, where the
+// ray has traveled from l to l + t (p - l), and appears with the size t e / |l + t (p - l) - eye|.
+// That is e / |p - (l + (eye - l) / t)|, the distance to a point between light and eye, wherever
+// the shadow falls. The greatest t of a shadow bounds how near that point is to the light.
 float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 extent)
 {
     float wants = -BISECT_SURE;
@@ -188,7 +194,8 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
         float hidden = bisectCastsBeyond(bisect_front, light, reach, middle, extent);
         for (int side = 0; side < 4; side++)
             hidden = max(hidden, bisectCastsBeyond(bisect_sides[side], light, reach, middle, extent));
-        hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0 ? BISECT_SURE : -BISECT_SURE); // wherever the camera is
+        // independent of the camera's position
+        hidden = max(hidden, bisectAway(at, t, light.at, middle, extent + light.extent) > 0.0 ? BISECT_SURE : -BISECT_SURE);
         float last = light.at.w != 0.0 ? 1.0 - 1.0 / reach : reach;
         float coarse = bisect_eye.w == 0.0 ? (far > 1.0 ? BISECT_SURE : -BISECT_SURE) : far - max(bisectLightFar(light, last, middle, extent), bisect_near);
         wants = max(wants, min(-hidden, coarse));
@@ -197,10 +204,10 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
 }
 #endif
 
-// Its deviation is too large, as large as it can be seen from anywhere in a box around its points.
-// A child's box is within that of its parent, and its deviation is at most its parent's: so who is
-// not to be bisected has no children that are. Out of view, or from behind, it counts as eight
-// times as far, since it is seen in mirrors; but where its shadow may be in view, as that needs it.
+// The triangle's deviation is too large, as seen from the nearest point of a box around its points.
+// A child's box is inside its parent's, and its deviation is at most the parent's, so a triangle
+// that need not be bisected has no descendants that need to be. Outside the frustum, and from
+// behind, its distance counts eightfold, since mirrors may show it; a visible shadow counts fully.
 float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
 {
     int depth = findMSB(number);
@@ -212,10 +219,11 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     for (int i = 0; i < 4; i++)
         hidden = max(hidden, bisectBeyond(bisect_sides[i], middle, extent));
     hidden = max(hidden, bisectAway(at, t, bisect_eye, middle, extent));
-    float far = bisectDeviation(code) * bisect_scale / bisect_pixels; // up to where it is too coarse
+    // distance up to which it is too coarse
+    float far = bisectDeviation(code) * bisect_scale / bisect_pixels;
     float away = max(length(max(abs(bisect_eye.xyz - middle) - extent, 0.0)), bisect_near);
     float coarse = far - away, coarser = far / 8.0 - away;
-    if (bisect_eye.w == 0.0) { // from wherever
+    if (bisect_eye.w == 0.0) { // independent of the distance
         coarse = far > 1.0 ? BISECT_SURE : -BISECT_SURE;
         coarser = far > 8.0 ? BISECT_SURE : -BISECT_SURE;
     }
@@ -226,8 +234,8 @@ float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
     return depth < bisect_coarse ? BISECT_SURE : depth >= bisect_deepest ? -BISECT_SURE : wants;
 }
 
-// A leaf that is asked: its place, what was there, and what is there from now on, whose corners are
-// t; whether it is a child 0.
+// A leaf to be evaluated: its slot, the leaf that was there, and the new leaf with corners t;
+// `even`: it is a child 0.
 struct Asked {
     uint slot;
     Leaf had, leaf;
@@ -235,8 +243,8 @@ struct Asked {
     bool even;
 };
 
-// Whether it is to be bisected; and, of a child 0, whether its parent would be: of others
-// BISECT_SURE.
+// Values of the queries: the leaf is to be bisected; and, for a child 0, its parent would be
+// (BISECT_SURE for others).
 struct Answers {
     float own, parent;
 };
@@ -246,8 +254,10 @@ Answers bisectAnswers(Asked a)
     BisectBase base = bisectBase(a.leaf.base);
     Answers answers = Answers(BISECT_SURE, BISECT_SURE);
 #ifdef BISECT_WIDE
-    Corners t = bisectCorners(a.leaf.base, a.leaf.number); // found anew sooner than kept, by a device
-    for (uint up = 0u; up <= uint(a.even); up++) { // as often as a device's compiler does not know, which would take its time for both
+    // faster to recompute than to keep in registers
+    Corners t = bisectCorners(a.leaf.base, a.leaf.number);
+    // a dynamic loop bound, so that the compiler does not duplicate the body
+    for (uint up = 0u; up <= uint(a.even); up++) {
         float wants = bisectWants(base, a.leaf.base, a.leaf.number >> up, t, up == 0u ? a.leaf.own : a.leaf.behind);
         if (up == 0u)
             answers.own = wants;
@@ -263,7 +273,8 @@ Answers bisectAnswers(Asked a)
     return answers;
 }
 
-// The leaf there has to be looked at again when the camera has moved by so much.
+// Schedules the next evaluation of the leaf in the slot, after the camera has moved far enough to
+// change a value.
 void bisectDue(uint slot, Answers answers)
 {
     float move = min(abs(answers.own), abs(answers.parent)), due = max(bisect_gone + 0.99 * min(move, BISECT_SURE) - bisect_slack, 0.0);

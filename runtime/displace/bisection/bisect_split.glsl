@@ -1,8 +1,9 @@
-// Bisects what was chosen, or, at first, makes each base a leaf: new corners are displaced, and the
-// deviations of new triangles found.
-uniform int bisect_even; // a deviation is that of the worst of its triangles at this depth, or its own
+// Bisects the chosen leaves, or initially makes each base a leaf: displaces new corners, and
+// computes the deviations of new triangles.
+// a deviation is the maximum over a triangle's descendants at this depth, or its own if deeper
+uniform int bisect_even;
 
-// A point of the base, displaced; in the world.
+// A displaced point of the base, in world space.
 vec3 bisectMoved(uint base, vec3 weights)
 {
     displacePoint(base, weights);
@@ -14,20 +15,20 @@ vec3 bisectWeights(ivec3 weights)
     return vec3(weights) / float(BISECT_WHOLE);
 }
 
-// Four points of a triangle whose distance from its plane is evaluated: the centers of its
-// grandchildren.
+// Barycentric coordinates at which a triangle's distance from the surface is evaluated: the centers
+// of its grandchildren.
 const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
-// How much deeper than the triangle its parts are: the worst of them counts; 0 where it is bisected
-// whatever it is.
+// Levels below the triangle at which its parts are evaluated, of which the worst counts; 0 if it is
+// bisected in any case.
 int bisectDeeper(uint number)
 {
     int depth = findMSB(number);
     return depth < bisect_coarse ? 0 : max(bisect_even - depth, 0);
 }
 
-// The corners of a part, by the triangle's; which part it is is said as numbers of triangles say
-// it, from 1 << deeper on.
+// Corners of a part, in the triangle's barycentric coordinates; parts are numbered like triangles
+// in the tree, from 1 << deeper on.
 mat3 bisectPartOf(uint part, int deeper)
 {
     vec3 a = vec3(1.0, 0.0, 0.0), b = vec3(0.0, 1.0, 0.0), c = vec3(0.0, 0.0, 1.0);
@@ -46,8 +47,8 @@ mat3 bisectWeightsOf(Corners t)
     return mat3(bisectWeights(t.a), bisectWeights(t.b), bisectWeights(t.c));
 }
 
-// The square of how far it is from the plane of a triangle, whose corners are `p`, at whose point
-// it would be. Where that has no area, it is from the point.
+// Squared distance of a displaced point from the plane of a triangle with corners `p`; of a
+// degenerate triangle from its point with the coordinates `at`.
 float bisectSquare(vec3 moved, vec3 at, mat3 p)
 {
     vec3 across = cross(p[1] - p[0], p[2] - p[0]), off = moved - p * at;
@@ -55,8 +56,9 @@ float bisectSquare(vec3 moved, vec3 at, mat3 p)
     return away * away;
 }
 
-// A triangle's error, from the mean square of its worst part. Where the surface jumps, a plane that
-// is as steep as the jump is near it: a triangle is off by no more than it is wide.
+// A triangle's deviation, from the mean square of its worst part. Near a discontinuity of the
+// surface a plane as steep as the jump is close to it: the triangle deviates by at most its own
+// width.
 uint bisectError(uint number, float square)
 {
     return findMSB(number) < bisect_coarse ? BISECT_ALWAYS : bisectCode(sqrt(square));
@@ -74,7 +76,7 @@ void bisectPutThree(uint at, vec3 three)
     bisect_rows[at + 2u] = three.z;
 }
 
-// A row of MeshCaptured: the point that was displaced last.
+// Writes the last displaced point as a row of MeshCaptured.
 void bisectPutDisplaced(uint at)
 {
     bisectPutThree(at, displaced_position);
@@ -92,7 +94,7 @@ vec3 bisectWorld(uint at)
 }
 
 #ifdef BISECT_BEGIN
-uniform int bisect_level; // ranges of triangles of this depth are found; -1: leaves are made of bases
+uniform int bisect_level; // depth of triangles whose ranges are computed; -1: make leaves of bases
 
 vec3 bisectMoves(uint base, vec3 weights)
 {
@@ -100,7 +102,8 @@ vec3 bisectMoves(uint base, vec3 weights)
     return moved - (matc_worldFromLocal * vec4(displaced_base, 1.0)).xyz;
 }
 
-// Range of points all over it, and its corners; or the union of both children's ranges.
+// Range of the displacement over a triangle and its corners; or the union of both children's
+// ranges.
 void bisectFindRange(uint base, uint number)
 {
     uint at = bisectRangeOf(base, number), children = bisectRangeOf(base, 2u * number);
@@ -158,19 +161,19 @@ void main()
     bisectPut(base, Leaf(base, 1u, bisectError(1u, most), 0u));
 }
 #else
-// Triangles that a group bisects: where they and their second children are, their previous values,
-// their corners, where these and the center are moved to; and the mean square of each child's worst
-// part, as a word: floats that are not negative are ordered as their words.
+// Leaves that a workgroup bisects: the slots of both children, the previous leaf, its corners,
+// their displaced positions and the midpoint's; and the mean square of each child's worst part, as
+// a word: nonnegative floats are ordered like their bit patterns.
 struct Split {
     uint slot, place;
     Leaf leaf;
-    int deeper; // parts of a child are so much deeper than it
+    int deeper; // levels of a child's parts below it
     Corners t;
     vec3 corners[3], middle;
     uint worst[2];
 };
 shared Split splits[BISECT_SPLITS];
-shared uint split_first[BISECT_SPLITS + 1u]; // of all that are asked of these, which is its first
+shared uint split_first[BISECT_SPLITS + 1u]; // prefix sum of the evaluated points
 shared float split_squares[BISECT_THREADS];
 
 Corners bisectChild(Corners t, uint child)
@@ -197,7 +200,7 @@ void bisectPrepare(uint local, uint slot)
         splits[local].corners[k] = bisectWorld(bisectRow(slot, k));
 }
 
-// (a, b, c) becomes (c, a, m) and (b, c, m): one column of the rows of all but m.
+// (a, b, c) becomes (c, a, m) and (b, c, m): one column of the rows of all corners but m.
 void bisectCopyRows(uint local, uint k)
 {
     uint first = bisectRow(splits[local].slot, 0u) + k, second = bisectRow(splits[local].place, 0u) + k;
@@ -207,8 +210,9 @@ void bisectCopyRows(uint local, uint k)
     bisect_rows[second] = y;
 }
 
-// Where one goes to: the middle, whose rows are written, or one of those that its children are
-// asked at, four of each part of each child; `within` is where it lies in its child.
+// Displaces one point: the midpoint, whose rows are written, or one of the points at which the
+// children are evaluated, four of each part of each child; `within` is the point in its child's
+// coordinates.
 vec3 bisectPoint(uint local, bool middle, uint at, out vec3 within)
 {
     int deeper = splits[local].deeper;
@@ -234,7 +238,7 @@ void bisectWorst(uint local, uint at, float sum)
     atomicMax(splits[local].worst[at >> 2 + splits[local].deeper], floatBitsToUint(sum / 4.0));
 }
 
-// One child of one of them.
+// One child of a bisected leaf.
 void bisectSplitBegin(uint local, uint child, out Asked a)
 {
     uint number = 2u * splits[local].leaf.number + child;
@@ -246,7 +250,7 @@ void bisectSplitBegin(uint local, uint child, out Asked a)
     a.leaf = Leaf(leaf.base, number, min(leaf.own, bisectError(number, uintBitsToFloat(splits[local].worst[child]))), child == 0u ? leaf.own : leaf.behind);
 }
 
-// It is there, and comes into the table.
+// Stores the new leaf and adds it to the table.
 void bisectSplitEnd(Asked a, Answers answers)
 {
     bisectPut(a.slot, a.leaf);
@@ -268,14 +272,14 @@ void bisectSplitChild(uint local, uint child)
 #endif
 
 #ifdef BISECT_WIDE
-// Threads of a group wait for each other.
+// Barrier for the threads of a workgroup.
 void bisectTurn()
 {
     bisectFence();
     barrier();
 }
 
-// Which of them a task is of.
+// Binary search for the leaf to which a task belongs.
 uint bisectOf(uint task, uint count)
 {
     uint low = 0u, high = count;
@@ -289,8 +293,9 @@ uint bisectOf(uint task, uint count)
     return low;
 }
 
-// All points that are asked for are tasks, whoever's they are: middles first, then, from a multiple
-// of four on, what children are asked at. A driver has the height but once.
+// All evaluated points are tasks of one list, whichever leaf they belong to: midpoints first, then,
+// from a multiple of four on, the points of the children. So the height's code occurs only once in
+// the program.
 void bisectDisplace(uint count)
 {
     uint asked = count + 3u & ~3u, tasks = asked + split_first[count];
@@ -313,7 +318,8 @@ void bisectDisplace(uint count)
     }
 }
 
-// Bisects the chosen triangles of the group, without their children; returns how many there are.
+// Bisects the chosen leaves of the workgroup, except for storing the children; returns the number
+// of children.
 uint bisectDivide(uint group)
 {
     uint first = BISECT_SPLITS * group, all = bisect_head[FULL] != 0u ? 0u : bisect_head[CHOSEN], count = min(max(all, first) - first, BISECT_SPLITS);
@@ -334,18 +340,18 @@ uint bisectDivide(uint group)
 }
 
 #ifndef BISECT_FEW
-// Both children of each, by a thread of their own.
+// Stores both children of each leaf, one thread per child.
 void bisectSplit(uint group)
 {
     uint children = bisectDivide(group);
     for (uint task = gl_LocalInvocationIndex; task < children; task += BISECT_THREADS)
         bisectSplitChild(task / 2u, task % 2u);
-    bisectTurn(); // others are bisected next
+    bisectTurn(); // the next group of leaves reuses the shared memory
 }
 #endif
 #else
-// A thread has each to itself: where threads run one behind the other, to deal them out is no gain,
-// and they would wait for each other.
+// One thread per leaf: if threads run sequentially, distributing the points gains nothing, and
+// barriers would cost time.
 void bisectSplit(uint group)
 {
     uint i = bisectTask(group), local = gl_LocalInvocationIndex;

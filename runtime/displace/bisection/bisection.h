@@ -4,8 +4,8 @@
 #include "gen/bisection_layout.h"
 #include "runtime/displace/bisection/displaced_bisection.h"
 
-/* Its buffers, bound in this order; but the mesh's rows are where BISECTION_CORNERS says, and what
- * follows them is one farther. */
+/* Buffers of the method, bound in this order, except that BISECTION_CORNERS is the binding of
+ * the mesh's rows, and the buffers from there on are bound one higher. */
 enum {
     BISECTION_BASES,
     BISECTION_LEAVES,
@@ -28,61 +28,63 @@ typedef enum {
     BISECTION_STAGES
 } BisectionStage;
 
-/* Words of the state block: lights that cast shadows (LIGHT), the box of the shadow receivers
- * (BOX), and the half size of each light along the axes (EXTENT). */
+/* Words of the state block: lights that cast shadows (LIGHT), the bounding box of the shadow
+ * receivers (BOX), and the half size of each light along the axes (EXTENT). */
 typedef struct {
     int count;
     float each[BISECTION_LIGHTS_MOST][4], box[2][3], extent[BISECTION_LIGHTS_MOST][3];
 } BisectionLights;
 
 typedef struct {
-    Material stages[BISECTION_STAGES]; /* splitting is the mesh's material */
+    Material stages[BISECTION_STAGES]; /* the splitting stage is the mesh's material */
     GLuint buffers[BISECTION_BUFFERS];
-    /* for leaves now, and ever; bits of a place in the table */
+    /* slots for leaves now, and their maximum; log2 of the table's size */
     int room, most, table_bits;
-    int ranged; /* ranges go so deep */
+    int ranged; /* depth up to which ranges are stored */
     int tile;   /* BISECTION_TILE_FEW or BISECTION_TILE_MANY */
-    /* of merging and of splitting, that the last view took */
+    /* rounds of merging and of splitting in the last view */
     int rounds[2];
-    int stamp;   /* of entries of the table; 0: it has to be cleared */
-    int coarser; /* fourths of an octave that an error may be larger */
-    /* that an error could have when all leaves were looked at last; 0: they have to be */
+    int stamp;   /* generation of the table's entries; 0: the table must be cleared */
+    int coarser; /* tolerance in excess of the requested one, in fourths of an octave */
+    /* Tolerated deviation in pixels when all leaves were last evaluated; 0: all must be
+     * evaluated. */
     double pixels;
-    /* since then: how far the camera has moved, and what came into the table */
+    /* since then: the camera's movement, and entries added to the table */
     double gone, entries;
-    /* around all points, wherever they may move; in the world */
+    /* bounding box of all displaced points, in world space */
     double box[2][3];
-    /* the state block as last read; a buffer to read it */
+    /* the state block as last read; a buffer for reading it */
     GLuint head[BISECTION_STATE_WORDS], head_copy;
-    int splits, merges, looks, looked; /* of the last view; places that were looked at */
+    int splits, merges, looks, looked; /* counts of the last view; `looked`: evaluated slots */
     SceneCamera camera;
     int size[2];
     BisectionLights lights;
 } Bisection;
 
 bool bisection_there(const GlContext *gl);
-/* Programs and buffers, as `own`, without room for leaves. False: see the context's error. */
+/* Makes programs and buffers as `own`, without slots for leaves. False: failed, see the
+ * context's error. */
 bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
-/* Room for so many leaves, and their corners in the mesh; those that there are stay. */
+/* Resizes the buffers to `room` leaves and their corners in the mesh; existing leaves are kept. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
-/* Bytes of the buffer of lists, for that many leaves. */
+/* Bytes of the buffer of lists for `places` leaves. */
 size_t bisection_work_bytes(const Bisection *b, size_t places);
-/* And of that of leaves. */
+/* Bytes of the buffer of leaves. */
 size_t bisection_leaf_bytes(size_t places);
-/* Its shadows count. */
+/* The light casts shadows that bisection takes into account. */
 bool bisection_casts(const SceneLight *light);
-/* A uniform of all stages. */
+/* Sets a uniform in all stages. */
 void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
 void bisection_set_number(Displaced *displaced, const char *name, double number);
-/* Uniforms of the view. */
+/* Sets the uniforms of the view. */
 void bisection_view_set(Displaced *displaced, const DisplacedView *view, const Mesh *mesh);
-/* The first of those that cast shadows, as many as there is room for. */
+/* The lights that cast shadows, up to the capacity of the state block. */
 BisectionLights bisection_view_lights(const DisplacedView *view);
-/* How far the camera has moved from its last view, as bisect_see.glsl counts it; and what rounding
- * may hide of that. What else has changed makes all anew. */
+/* Adds the camera's movement since its last view, as bisect_see.glsl measures it, and sets its
+ * rounding error. Any other change forces an evaluation of all leaves. */
 void bisection_view_move(Displaced *displaced, const DisplacedView *view,
                          const BisectionLights *lights);
-/* That a base's number has. */
+/* Bits of a base's number. */
 int bisection_base_bits(const ScenePatches *patches);
 #endif

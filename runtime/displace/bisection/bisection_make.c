@@ -1,4 +1,4 @@
-/* Programs and buffers of bisection, and the room that these have. */
+/* Programs and buffers of bisection, and the buffers' sizes. */
 #include "gen/render_text.h"
 #include "runtime/displace/bisection/bisection.h"
 #include <math.h>
@@ -11,12 +11,12 @@ enum {
     ID_BITS = 40,
     DEEPEST = 28,
     SAMPLES_SHARE =
-        /* deviations are those of parts of which one has as many triangles as so many have in the
-         * end, */
+        /* Deviations are evaluated on parts of a size at which a base has as many as it has
+         * final triangles, divided by this number. */
     8,
-    PARTS_MOST = 6,  /* but at most 64 of a triangle: what is coarser is bisected */
-    PLACE_BITS = 24, /* of a leaf, in the table */
-    RANGE_PARTS = 4  /* ranges are kept of triangles that have 16 of these parts */
+    PARTS_MOST = 6,  /* at most 2^6 parts per triangle: coarser ones are always bisected */
+    PLACE_BITS = 24, /* bits of a leaf's slot in the table */
+    RANGE_PARTS = 4  /* ranges are stored down to triangles of 2^4 such parts */
 };
 
 _Static_assert(sizeof(MeshCaptured) == BISECTION_ROW * sizeof(float),
@@ -41,8 +41,8 @@ bool bisection_casts(const SceneLight *light)
 
 static const char with_lights[] = "#define BISECT_LIGHTS\n";
 
-/* Programs of a scene without such lights have no loop over them: llvmpipe pays for what it does
- * not enter. */
+/* Programs for a scene without such lights omit the loop over lights: llvmpipe pays even for
+ * loops that are not entered. */
 static const char *lights_of(const Scene *scene)
 {
     bool casts = false;
@@ -51,10 +51,10 @@ static const char *lights_of(const Scene *scene)
     return casts ? with_lights : "\n";
 }
 
-/* The stages: their order, the buffers they see, and their texts. */
+/* The stages: their defines and texts. */
 typedef struct {
     const char *define, *text[2];
-    bool alone; /* nothing follows it */
+    bool alone; /* not followed by bisect_next.glsl */
 } Stage;
 
 static bool make_moving(const DisplacedMaking *making, const char *define, const ProgramText *rest,
@@ -71,13 +71,13 @@ static bool make_moving(const DisplacedMaking *making, const char *define, const
     return displaced_program(making, &text, made);
 }
 
-/* NVIDIA's compiler takes 13 s for the program that has all rounds where lights are, and 4 where
- * its loops stay loops. Views are slower by it, by up to a ninth of a millisecond; so without
- * lights, where it takes 4 s anyway, they do not. Others know no such pragma, and pass over it. */
+/* NVIDIA's compiler takes 13 s for the program of all rounds with lights, and 4 s if its loops
+ * are not unrolled, which makes views slower by up to a ninth of a millisecond. Without lights
+ * it takes 4 s anyway, and loops are unrolled. Other compilers ignore the unknown pragma. */
 static const char with_loops[] = "#pragma optionNV(unroll none)\n";
 enum { DEFINES = 64, FEW_DEFINES = DEFINES + sizeof with_loops };
 
-/* Those that displace points. */
+/* Makes the stages that displace points. */
 static bool make_moving_stages(const DisplacedMaking *making, const char *defines, Displaced *made)
 {
     Bisection *b = made->own;
@@ -160,7 +160,7 @@ void bisection_set_number(Displaced *d, const char *name, double number)
     bisection_set(d, name, 1, &value);
 }
 
-/* -- room */
+/* -- buffers */
 
 static void new_buffer(const GlContext *gl, GLuint buffer, size_t bytes, const void *from)
 {
@@ -169,7 +169,7 @@ static void new_buffer(const GlContext *gl, GLuint buffer, size_t bytes, const v
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
-/* The buffer has more room, and what it had. */
+/* Enlarges a buffer and keeps its contents. */
 static void grow_buffer(const GlContext *gl, GLuint buffer, size_t had, size_t bytes)
 {
     GLuint kept;
@@ -200,8 +200,8 @@ size_t bisection_leaf_bytes(size_t places)
            ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
-/* A fresh look puts one entry for each place into the table, and rounds of a view one of who merges
- * and two of who is bisected: its views end where no more than these are free. */
+/* A fresh look adds one table entry per slot, and a view's rounds add one per merge and two per
+ * bisection: update() starts a new table when not enough entries are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
     Bisection *b = d->own;
@@ -234,9 +234,10 @@ static int most_of(const GlContext *gl, const ScenePatches *patches)
 
 int bisection_base_bits(const ScenePatches *patches)
 {
-    /* so that 32 bits hold a number of a bisector */
+    /* so that 32 bits hold a triangle's number */
     enum { LEAST = 8 };
-    const int bits = bits_of((size_t)patches->count + 1); /* the last one is of no base */
+    /* the highest number belongs to no base */
+    const int bits = bits_of((size_t)patches->count + 1);
     return bits > LEAST ? bits : LEAST;
 }
 

@@ -1,11 +1,11 @@
-/* A view for bisection: frustum planes and positions as uniforms, lights, and how far the camera
- * has moved. */
+/* A view for bisection: frustum planes and positions as uniforms, lights, and the camera's
+ * movement. */
 #include "runtime/displace/bisection/bisection.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* Normals of the sides of what a camera sees, and of its front, of length 1. */
+/* Unit normals of the four sides of the view frustum, and of its near plane. */
 static void find_sides(const SceneCamera *camera, const int size[2], double normals[5][3])
 {
     const double shorter = size[0] < size[1] ? size[0] : size[1];
@@ -53,7 +53,7 @@ void bisection_view_set(Displaced *d, const DisplacedView *view, const Mesh *mes
     bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none ? 3 : 0);
 }
 
-/* An extent is a box around its parallelogram. */
+/* The extent is a bounding box of the area light's parallelogram. */
 static void set_light(const SceneLight *light, float at[4], float extent[3])
 {
     const bool far = light_from(light) == LIGHT_FROM_afar;
@@ -95,7 +95,8 @@ static double distance(const double a[3], const double b[3])
     return sqrt(square);
 }
 
-/* No farther is anything that is asked for, from there: a point that may be seen, or a light. */
+/* Upper bound of the distance from the eye to all queried points: points of the mesh, and
+ * lights. */
 static double farthest(const Bisection *b, const double eye[3])
 {
     double far = 1, corner[3];
@@ -130,7 +131,7 @@ void bisection_view_move(Displaced *d, const DisplacedView *view, const Bisectio
     b->gone += distance(was->position, is->position) * (1 + turned) + turned * far;
     for (int i = 0; i < 3; i++)
         most = fmax(most, fabs(is->position[i]));
-    /* rounding is less than what is left for it, as long as numbers are no larger */
+    /* The rounding error stays below the slack as long as numbers are no larger. */
     if (b->gone > far)
         b->pixels = 0;
     bisection_set_number(d, "bisect_slack", rounded * most);

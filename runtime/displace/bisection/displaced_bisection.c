@@ -1,15 +1,15 @@
-/* Bisection by compute stages, in place: from frame to frame 7 bytes are kept of each triangle, its
- * number and two deviations (bisect.glsl), and its corners as they are drawn. A view looks at all
- * of them once. Those that are finer than they need be merge with their siblings, until none can;
- * then others are bisected, until none has to. What there is at the end goes by the view alone, and
- * not by those before: whoever is to be bisected has parents that are (bisectWants), and all else
- * there is only so that the mesh conforms.
+/* Bisection by compute stages, in place. From frame to frame 7 bytes are kept per triangle, its
+ * number and two deviations (bisect.glsl), and its corners as they are drawn. A view evaluates
+ * each leaf at most once. Leaves that are too fine merge with their siblings, until none can;
+ * then leaves that are too coarse are bisected, until none is. The result depends on the view
+ * alone, not on earlier views: a leaf to be bisected has only ancestors that are (bisectWants),
+ * and all others exist only to keep the mesh conforming.
  *
- *     a view that comes nearer: 1,000 leaves, 5 want to; one waits for its neighbour, one for two:
- *         rounds bisect 4 edges, then 2, then 1, and 14 triangles more are there
+ *     a view that comes nearer: of 1,000 leaves 5 are to be bisected; one waits for its
+ *     neighbor, one for two: rounds bisect 4 edges, then 2, then 1, and add 14 triangles
  *
- * Where triangles are not enough, what an error may be is a fourth of an octave more, and so on;
- * the least of these that is enough. */
+ * If the triangles do not suffice, the tolerated deviation is raised in steps of a fourth of an
+ * octave, to the least value that suffices. */
 #include "runtime/displace/bisection/bisection.h"
 #include <math.h>
 #include <stdlib.h>
@@ -37,8 +37,8 @@ static void bind(const Displaced *d, const Mesh *mesh)
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
 }
 
-/* Barrier between stages: the next stage reads what this one wrote. Counts are read as well; a
- * barrier for draw commands would take the device longer than a stage. */
+/* Barrier between stages: the next stage reads what this one wrote, counts included. A barrier
+ * for indirect commands takes a GPU longer than a stage, and is used on software renderers only. */
 static void finish(const GlContext *gl)
 {
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (gl->hardware ? 0 : GL_COMMAND_BARRIER_BIT));
@@ -52,8 +52,8 @@ static void dispatch(const Displaced *d, Material *stage, GLuint count)
     finish(gl);
 }
 
-/* As many groups as stand in the head; or as many as a device runs at once, each of which does what
- * is left. */
+/* Dispatches the number of workgroups in the state block; on hardware a fixed number, as many as
+ * run at once, which loop over the tasks. */
 static void dispatch_counted(const Displaced *d, Material *stage, int groups)
 {
     const GlContext *gl = displaced_context(d);
@@ -65,8 +65,8 @@ static void dispatch_counted(const Displaced *d, Material *stage, int groups)
     finish(gl);
 }
 
-/* The head goes by way of a buffer of its own: what the processor reads or writes itself, a driver
- * may move to the processor's memory. */
+/* The state block is transferred through a separate buffer, since a driver may move a buffer
+ * that the CPU reads or writes to CPU memory. */
 static void copy_head(const Displaced *d, GLuint from, GLuint to)
 {
     const GlContext *gl = displaced_context(d);
@@ -101,7 +101,7 @@ static void write_head(const Displaced *d, GLuint high, GLuint free)
     copy_head(d, b->head_copy, b->buffers[BISECTION_WORK]);
 }
 
-/* Rounds of few triangles, all that there are: by one group, where a device has as many threads. */
+/* Runs all remaining rounds of few triangles in one workgroup, on hardware only. */
 static void run_few(const Displaced *d)
 {
     const GlContext *gl = displaced_context(d);
@@ -113,7 +113,7 @@ static void run_few(const Displaced *d)
     finish(gl);
 }
 
-/* So many rounds at once: what is done before they end has nothing to do in the others. */
+/* Issues several rounds at once: if the work ends earlier, the rest have no tasks. */
 static void run_rounds(Displaced *d, int merging, int splitting)
 {
     Bisection *b = d->own;
@@ -130,8 +130,8 @@ static void run_rounds(Displaced *d, int merging, int splitting)
         run_few(d);
 }
 
-/* Entries of looks before this one are empty by their stamps; after 255 of them they are cleared,
- * which takes a driver longer than all the rest of a look. */
+/* Entries of earlier looks are empty by their stamps; after 255 looks the table is cleared,
+ * which takes longer than all else of a look. */
 static void stamp_table(Displaced *d)
 {
     enum { STAMPS = 255 };
@@ -148,7 +148,7 @@ static void stamp_table(Displaced *d)
     b->stamp = (b->stamp + 1) % STAMPS;
 }
 
-/* Nothing is known of views before: all leaves come into a new table, and are looked at. */
+/* Forgets earlier views: all leaves are entered into a new table, and evaluated. */
 static void begin_anew(Displaced *d, double pixels)
 {
     Bisection *b = d->own;
@@ -157,11 +157,11 @@ static void begin_anew(Displaced *d, double pixels)
     b->gone = b->entries = 0;
 }
 
-/* Where a device has many threads, groups of the stage that looks find for themselves at which
- * tiles; else a stage before does. */
+/* Evaluates leaves. On hardware the workgroups of the look stage find the due tiles themselves;
+ * otherwise the scan stage does. */
 static void look(const Displaced *d, GLuint high)
 {
-    enum { LOOK_TILES = 16 /* of a group */ };
+    enum { LOOK_TILES = 16 /* per workgroup */ };
     Bisection *b = d->own;
     const GLuint tiles = (high + (GLuint)b->tile - 1) / (GLuint)b->tile;
     if (displaced_context(d)->hardware) {
@@ -172,10 +172,10 @@ static void look(const Displaced *d, GLuint high)
     dispatch_counted(d, &b->stages[BISECTION_LOOK], BISECTION_GROUPS);
 }
 
-/* Where merging has left many places free, leaves behind all others come into these. */
+/* After merging has freed many slots, moves leaves from the end into free slots. */
 static void pack(Displaced *d)
 {
-    enum { SHARE = 32 }; /* one in so many may be free */
+    enum { SHARE = 32 }; /* one slot in so many may be free */
     Bisection *b = d->own;
     const GLuint free = b->head[BISECTION_FREE], live = b->head[BISECTION_HIGH] - free;
     if (free <= live / SHARE)
@@ -187,13 +187,13 @@ static void pack(Displaced *d)
     b->head[BISECTION_FREE] = 0;
 }
 
-/* Leaves are looked at; who can merges, who has to is bisected. False: there is no room for all. */
+/* Evaluates, merges and bisects leaves for the view. False: not enough slots. */
 static bool update(Displaced *d)
 {
     enum {
         MORE = 4,
         MOST = 16,
-        ENTRIES = 4 /* for each place, that a view's rounds may put into the table */
+        ENTRIES = 4 /* table entries per slot that a view's rounds may add */
     };
     Bisection *b = d->own;
     const GLuint high = b->head[BISECTION_HIGH];
@@ -209,7 +209,7 @@ static bool update(Displaced *d)
     look(d, high);
     b->looks++;
     const int one_more =
-        /* there rounds that are many are counted, and a stage does the rest */
+        /* On hardware run_few() finishes the rounds that are left. */
         displaced_context(d)->hardware ? 0 : 1;
     int merging = b->rounds[0] + one_more, splitting = b->rounds[1] + one_more;
     do {
@@ -235,7 +235,7 @@ static bool update(Displaced *d)
 static bool settle(Displaced *d, Mesh *mesh)
 {
     Bisection *b = d->own;
-    int enough = 0; /* no less than that */
+    int enough = 0; /* known lower bound */
     for (;;) {
         const bool fits = update(d);
         if (b->head[BISECTION_LOST])

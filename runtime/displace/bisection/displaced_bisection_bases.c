@@ -1,9 +1,9 @@
-/* Triangles of a mesh as bases of bisectors: which of their edges is bisected first, who shares
- * edges, and where they are in the world.
+/* Converts triangles of a mesh to bases of bisection: the edge that is bisected first,
+ * adjacency, and positions in world space.
  *
- * The longest edge comes first, of equally long ones that of the earlier places, as in
- * scene_bisection.c: so who waits for a neighbour waits for one that is larger, and nobody waits in
- * a circle. */
+ * The longest edge is first, among equally long ones that of the earlier places, as in
+ * scene_bisection.c. So a triangle only waits for a larger neighbor, and there are no cycles of
+ * waiting. */
 #include "gen/bisection_layout.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/displace/bisection/displaced_bisection.h"
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An edge by the places of its ends, the earlier first; and how many bases have it. */
+/* An edge by the places of its ends, the earlier first; and the number of bases that share it. */
 typedef struct {
     int place[2];
     uint32_t count;
@@ -21,11 +21,12 @@ typedef struct {
 typedef struct {
     const ScenePatches *patches;
     SceneMatrix local_from_world;
-    const int *first; /* by row: the first of its place */
+    const int *first; /* by row: the first row at the same position */
     Edge *edges;
     uint32_t edge_count;
     HashIndex index;
-    uint32_t *words, *starts; /* words[0] first; starts of edges in it */
+    /* bases, starts of edges, members; next free position of each edge's members */
+    uint32_t *words, *starts;
     uint32_t base_words;
 } Maker;
 
@@ -49,7 +50,7 @@ static bool is_longer(const Maker *m, const uint32_t x[2], const uint32_t y[2])
                                             : m->first[x[1]] < m->first[y[1]];
 }
 
-/* The corner at which its longest edge begins. */
+/* The corner at which the longest edge begins. */
 static uint32_t first_corner(const Maker *m, int patch)
 {
     const ScenePatch *at = &m->patches->at[patch];
@@ -108,7 +109,8 @@ static void put_base(Maker *m, int patch, uint32_t *words)
     }
 }
 
-/* Where members of edges begin, behind them; edges of bases become the words of that. */
+/* Stores the beginnings of the edges' members, followed by the members; edge numbers in bases
+ * become offsets of those words. */
 static void put_edges(Maker *m)
 {
     uint32_t at = m->base_words + m->edge_count + 1;

@@ -1,20 +1,21 @@
-// One pass of feedback: a triangle becomes four at the middles of its edges, while it is large and
-// near; or it is final, and handed on by all passes to come. A vertex is a patch and weights of its
-// corners: middles of weights are exact, so that both sides of an edge have the same, and all else
-// is mixed of the patch, tangents too.
+// One pass of feedback: a triangle is divided into four at the midpoints of its edges while it is
+// large and near; otherwise it becomes final, and later passes copy it. A vertex is a patch and
+// barycentric weights: midpoints of weights are exact, so that both sides of an edge agree, and all
+// attributes, tangents included, are interpolated from the patch.
 layout(triangles) in;
-layout(triangle_strip, max_vertices = 22) out; // 8 of four triangles, 14 around six points
+// 8 for four triangles, 14 for a skirt around six points
+layout(triangle_strip, max_vertices = 22) out;
 flat in uvec2 divide_state[];
 in vec2 divide_weights[];
 flat out uvec2 feedback_state;
 out vec2 feedback_weights;
 
 uniform mat4 matc_worldFromLocal;
-uniform vec3 displace_eye; // in the world
+uniform vec3 displace_eye; // in world space
 uniform float displace_near;
 uniform float displace_detail;
 uniform int displace_skirts; // SKIRTS_...
-uniform int displace_last;   // no pass is behind this one
+uniform int displace_last;   // 1 in the last pass
 uniform int displace_uneven; // triangles of the mesh differ in area
 const int SKIRTS_ALL = 1, SKIRTS_BORDERS = 2, SKIRTS_EARLY = 3;
 const uint FINAL = 1u, LOWER = 2u;
@@ -77,11 +78,12 @@ void main()
     bool divided = away < displace_detail * area, again = away < 0.25 * displace_detail * area;
     bool early = divided && !again && displace_skirts == SKIRTS_EARLY && displace_last == 0;
     vec2 around[6] = vec2[6](a, 0.5 * (a + b), b, 0.5 * (b + c), c, 0.5 * (c + a));
-    if (early) { // its parts are final: what is near a border is seen by their area
+    if (early) { // its parts are final: borders are detected by the area of the parts
         area *= 0.25;
         longest *= 0.5;
     }
-    bool rim = displace_uneven != 0 && (onEdge(a, b) || onEdge(b, c) || onEdge(c, a)); // what is beyond may be larger though it is nearer
+    // the neighbor may be larger and divided although it is nearer
+    bool rim = displace_uneven != 0 && (onEdge(a, b) || onEdge(b, c) || onEdge(c, a));
     bool border = rim || abs(away - displace_detail * area) < max(0.5 * area + displace_near, longest);
     if (divided) {
         four(around, early ? FINAL : 0u);

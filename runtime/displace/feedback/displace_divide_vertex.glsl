@@ -1,5 +1,5 @@
-// Before the geometry program of feedback: a vertex as it stands in the buffer.
-layout(location = 0) in uvec2 state; // the patch, and FINAL or LOWER
+// Precedes the geometry program of feedback: passes on a vertex of the buffer.
+layout(location = 0) in uvec2 state; // the patch, and flags FINAL or LOWER
 layout(location = 1) in vec2 weights;
 flat out uvec2 divide_state;
 out vec2 divide_weights;

@@ -1,4 +1,4 @@
-// The second program of feedback: what was divided is moved, once.
+// The second program of feedback: displaces the vertices of the divided triangles.
 layout(location = 0) in uvec2 state;
 layout(location = 1) in vec2 weights;
 

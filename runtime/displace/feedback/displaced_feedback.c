@@ -1,7 +1,7 @@
-/* By feedback, in two programs: one divides triangles, pass after pass, from one of two buffers
- * into the other; the other moves what came out. displace_divide.glsl says which are divided.
- * Buffers are as large as what is in them asks for: a pass for which one is too small is made
- * again.
+/* Displacement by transform feedback, with two programs: one divides triangles, pass after pass,
+ * from one of two buffers into the other; the other displaces the result. displace_divide.glsl
+ * selects the triangles to divide. Buffers grow as needed: a pass whose output did not fit is
+ * repeated.
  *
  *     Two triangles of a square, three passes, all near: 2, 8, 32, 128. */
 #include "gen/render_text.h"
@@ -10,8 +10,8 @@
 #include <string.h>
 
 enum {
-    TRIANGLES = 1 << 24, /* at most */
-    /* of which one becomes 16 at most: displaced_tessellation.c */
+    TRIANGLES = 1 << 24, /* maximum */
+    /* limit per draw, each triangle becoming at most 16: displaced_tessellation.c */
     SOFTWARE_TRIANGLES = (1 << 15) / 48,
     FINAL = 1,
     LOWER = 2 /* displace_divide.glsl */
@@ -26,9 +26,9 @@ typedef struct {
 typedef struct {
     Material divide;
     GLuint buffers[2], arrays[2];
-    size_t room[2]; /* triangles that buffers have memory for */
+    size_t room[2]; /* capacity of the buffers in triangles */
     int from;       /* the buffer that was written last */
-    double eye[3];  /* that triangles were divided for */
+    double eye[3];  /* eye for which triangles were divided */
 } Feedback;
 
 static bool there(const GlContext *gl)
@@ -70,11 +70,11 @@ static double area_of(const ScenePatches *patches, int patch)
             way[0][(i + 1) % 3] * way[1][(i + 2) % 3] - way[0][(i + 2) % 3] * way[1][(i + 1) % 3];
         square += lane * lane;
     }
-    return square / 4; /* its square */
+    return square / 4; /* squared area */
 }
 
-/* By more than a hundredth: then neighbours are divided at other distances, even if both are
- * final. */
+/* True if areas differ by more than 1 %, the squares by 2 %: then neighbors are divided at
+ * different distances, even if both are final. */
 static bool uneven(const ScenePatches *patches)
 {
     const double first = area_of(patches, 0), part = .02;
@@ -163,8 +163,8 @@ static void reserve(const GlContext *gl, Feedback *own, int buffer, size_t trian
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
-/* Patches as they are; and of the copy, which is final, all once more. How many; -1: memory ran
- * out. */
+/* Writes the patches to the first buffer; with skirts `copy` also a final, lowered copy of each.
+ * Returns the number of triangles; -1: out of memory. */
 static int begin_with_patches(const Displaced *d, Feedback *own)
 {
     static const float corner[3][2] = {{1, 0}, {0, 1}, {0, 0}};
@@ -189,7 +189,7 @@ static int begin_with_patches(const Displaced *d, Feedback *own)
     return count;
 }
 
-/* Few at a time, where it is Mesa's software. */
+/* Draws few triangles at a time on Mesa's software renderers. */
 static void draw_triangles(const GlContext *gl, int count)
 {
     const int most = gl->hardware ? count : SOFTWARE_TRIANGLES;
@@ -197,7 +197,8 @@ static void draw_triangles(const GlContext *gl, int count)
         gl->DrawArrays(GL_TRIANGLES, 3 * first, 3 * (count - first < most ? count - first : most));
 }
 
-/* From one buffer into the other, as far as there is room; how many there would be. */
+/* Divides from one buffer into the other, up to its capacity; returns the number of triangles
+ * that the pass would write. */
 static int divide_once(const GlContext *gl, Feedback *own, int count)
 {
     GLuint query, made = 0;
@@ -216,7 +217,7 @@ static int divide_once(const GlContext *gl, Feedback *own, int count)
     return (int)made;
 }
 
-/* How many triangles there are after all passes; -1: too many. */
+/* Runs all passes; returns the number of triangles, -1 if too many. */
 static int divide_all(Displaced *d, Feedback *own, int count)
 {
     const GlContext *gl = displaced_context(d);
@@ -234,7 +235,7 @@ static int divide_all(Displaced *d, Feedback *own, int count)
         }
         own->from = !own->from;
         if (made == count)
-            break; /* none is left that was not final */
+            break; /* all triangles are final */
         count = made;
     }
     return count;

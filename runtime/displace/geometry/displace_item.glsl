@@ -1,4 +1,4 @@
-// Before a geometry program: what it is given is a number.
+// Precedes a geometry program: passes on the vertex number.
 flat out int displace_item;
 
 void main()

@@ -1,7 +1,8 @@
-// The geometry program of a loop: rows of a part of a patch, and skirts. DISPLACE_VERTICES is how
-// many points it writes at most. A patch that has displace_rowCount * displace_parts parts along an
-// edge is displace_parts^2 parts, in rows as well; strip i joins rows i and i + 1, point by point,
-// the lower one first. The point is computed in two places alone: compilers copy it to each.
+// Geometry program with loops: emits the rows of a part of a patch, and skirts. DISPLACE_VERTICES
+// is the maximum number of emitted points. A patch with displace_rowCount * displace_parts parts
+// along an edge consists of displace_parts^2 parts, in rows; strip i joins rows i and i + 1,
+// alternating between them from the lower row on. The displacement is called in only two places,
+// since compilers inline it at each.
 layout(points) in;
 layout(triangle_strip, max_vertices = DISPLACE_VERTICES) out;
 flat in int displace_item[];
@@ -12,9 +13,10 @@ uniform int displace_skirts; // SKIRTS_...
 const int SKIRTS_COPY = 1, SKIRTS_OUTLINE = 2, SKIRTS_ALL = 3;
 
 uvec2 displace_patch;
-ivec3 displace_corners[3]; // of the part, in parts of the patch
+ivec3 displace_corners[3]; // of the part, in units of the patch's parts
 
-// A point of whole weights, whose sum is all parts of an edge; or the one below it.
+// Emits a point with integer weights, whose sum is the number of parts of an edge; `lower`: the
+// point below it.
 void put(ivec3 weights, bool lower)
 {
     ivec3 fitted = displaceFitted(weights, displace_patch.y, displace_rowCount * displace_parts);
@@ -38,7 +40,7 @@ void setPart(int part)
     displace_corners = ivec3[3](first, first + way * ivec3(-1, 1, 0), first + way * ivec3(-1, 0, 1));
 }
 
-// Corner k of small triangle t, of which row i has 2 i + 1.
+// Corner k of small triangle t; row i has 2 i + 1 triangles.
 ivec3 corner(int t, int k)
 {
     int i = 0;
@@ -50,7 +52,8 @@ ivec3 corner(int t, int k)
     return inRows(i + int(k == 2), j + int(k > 0));
 }
 
-// Points of skirts: two for each edge of a band, whose outside is to the right of its direction.
+// Number of points of skirts: two for each edge of a band, whose outside is to the right of its
+// direction.
 int skirtPoints()
 {
     return displace_skirts == SKIRTS_OUTLINE ? 6 * (displace_rowCount + 1)
@@ -79,7 +82,7 @@ void main()
         if (displace_skirts == SKIRTS_OUTLINE) {
             ivec3 from = displace_corners[number], to = displace_corners[(number + 1) % 3];
             weights = from * (displace_rowCount - at) + to * at;
-            there = any(equal(from + to, ivec3(0))); // both lie on an edge of the patch
+            there = any(equal(from + to, ivec3(0))); // both are on an edge of the patch
         } else if (displace_skirts == SKIRTS_ALL) {
             weights = corner(number, at % 3);
         } else {

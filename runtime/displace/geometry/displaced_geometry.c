@@ -1,11 +1,12 @@
-/* By a geometry program in loops: patches of n parts are one draw, in which each part of a patch
- * that is within what the driver writes at a time is a point. */
+/* Displacement by a geometry program with loops: patches of n parts are one draw. Each patch is
+ * divided into parts small enough for the geometry program's output limit, and each part is an
+ * input point. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdio.h>
 
-/* Numbers that are captured of a point; and how many points Mesa's software renderers may get of
- * one draw: displaced_tessellation.c. */
+/* Components captured per point; and the limit of points per draw on Mesa's software renderers:
+ * displaced_tessellation.c. */
 enum { COMPONENTS = sizeof(MeshCaptured) / sizeof(float), SOFTWARE_POINTS = 1 << 15 };
 
 bool displaced_geometry_there(const GlContext *gl)
@@ -15,8 +16,8 @@ bool displaced_geometry_there(const GlContext *gl)
     return buffers >= DISPLACED_BUFFERS;
 }
 
-/* How many points a geometry program may write for one that it gets, each with all that is
- * captured. */
+/* Maximum number of points that a geometry program may emit per input, with all captured
+ * components. */
 static int displaced_geometry_points(const GlContext *gl)
 {
     GLint components = 0, points = 0;
@@ -25,8 +26,8 @@ static int displaced_geometry_points(const GlContext *gl)
     return components / COMPONENTS < points ? components / COMPONENTS : points;
 }
 
-/* -- what rows take: n of them are n^2 triangles in strips of n^2 + 2 n points; a band has two
- * points for each of its edge, and two triangles for each part */
+/* -- output sizes: n rows have n^2 triangles in strips of n^2 + 2 n points; a band has two
+ * points for each end of its edges, and two triangles for each edge */
 
 static int points_of(int rows, Word skirts)
 {
@@ -47,7 +48,7 @@ static size_t triangles_of(int n, Word skirts)
                                          : all;
 }
 
-/* As many rows as are within `points`, and divide n. */
+/* The greatest number of rows that divides n and fits into `points`. */
 static int rows_of(int n, Word skirts, int points)
 {
     int rows = n;
@@ -80,8 +81,8 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 /* -- triangles */
 
-/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a
- * time, where it is Mesa's software. */
+/* Draws patches of n parts, captured from row `at` of the mesh on; returns the next row. Draws
+ * few patches at a time on Mesa's software renderers. */
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);

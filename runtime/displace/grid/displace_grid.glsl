@@ -1,5 +1,5 @@
-// The vertex program of a grid: vertex by vertex the points of a patch in rows, as scene_divide has
-// them, patch by patch as instances.
+// Vertex program of a grid: vertices are the points of a patch in rows, ordered as in scene_divide;
+// instances are patches.
 uniform int displace_first; // of displace_drawn
 uniform int displace_parts; // of an edge of the grid
 

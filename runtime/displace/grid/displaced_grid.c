@@ -1,5 +1,5 @@
-/* By grids: patches whose edges have at most n parts are the instances of one draw of (n + 1)(n +
- * 2) / 2 points, in n^2 triangles. */
+/* Displacement by grids: patches whose edges have at most n parts are the instances of one draw
+ * of (n + 1)(n + 2) / 2 points, which form n^2 triangles. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/tessellate/scene_divide.h"
@@ -14,7 +14,7 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
 
-/* Indices of grids as they lie one behind the other. From malloc; NULL: memory ran out. */
+/* Indices of consecutive grids. From malloc; NULL: out of memory. */
 static uint32_t *make_indices(const int first[SCENE_PATCH_PARTS + 2], size_t count)
 {
     uint32_t *indices = malloc((count + 1) * sizeof *indices), *next = indices, place = 0;

@@ -1,23 +1,26 @@
-// The geometry program of points: what stands for one is as wide as the grid's steps are long. All
-// of it has the point's texture coordinates, and shades as the point does but for its normal.
+// Geometry program of points: emits a symbol for each point, as wide as the grid's steps are long.
+// All of the symbol has the point's texture coordinates, and shades as the point does except for
+// the normal.
 #ifdef DISPLACE_VOLUME
-layout(points, invocations = 4) in; // of its heights
+layout(points, invocations = 4) in; // one per height
 #else
 layout(points) in;
 #endif
 layout(triangle_strip, max_vertices = 42) out;
 flat in uint displace_patchOf[];
 in vec3 displace_weights[];
-uniform int displace_symbol;  // 0: a square on the surface; 1: a square that looks at the eye; 2: a cylinder; 3: a ball
-uniform vec3 displace_eye;    // in the object's space
+// 0: square on the surface; 1: billboard facing the eye; 2: cylinder; 3: sphere
+uniform int displace_symbol;
+uniform vec3 displace_eye;    // in object space
 uniform int displace_parts;
 
 const float turn = 6.28318530717958647693;
 vec3 displace_center, displace_along, displace_across, displace_up;
-vec3 own_normal, own_tangentU, own_tangentV, own_base; // the point's, which an emitted vertex takes with it
+// the point's attributes, for each emitted vertex
+vec3 own_normal, own_tangentU, own_tangentV, own_base;
 vec2 own_texcoord;
 
-// The point with its attributes, moved by these steps along the frame.
+// Emits the point with its attributes, offset along the frame by `by`.
 void put(vec3 by, vec3 normal)
 {
     displaced_base = own_base;
@@ -49,7 +52,7 @@ void cylinder()
         put(side - vec3(0, 0, 1), side);
     }
     EndPrimitive();
-    for (int i = 0; i < sides; i++) { // from one side to the other: a strip that is a disc
+    for (int i = 0; i < sides; i++) { // zigzag between both sides: a strip that covers a disc
         int k = i % 2 == 0 ? i / 2 : sides - (i + 1) / 2;
         put(vec3(cos(turn * float(k) / float(sides)), sin(turn * float(k) / float(sides)), 1), vec3(0, 0, 1));
     }
@@ -94,7 +97,7 @@ void main()
     displace_along = normalize(way) * half_step;
     displace_across = cross(displace_up, displace_along);
     displace_up *= half_step;
-    if (!there) // as many triangles, of no extent: whoever captures them counts on them
+    if (!there) // degenerate triangles: the capturing draw expects a fixed number
         displace_along = displace_across = displace_up = vec3(0.0);
     if (displace_symbol == 2)
         cylinder();

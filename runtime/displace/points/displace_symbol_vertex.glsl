@@ -1,9 +1,9 @@
-// Before the geometry program of points: those of a patch in rows, row i of which has i + 1; or
-// three for each of its triangles, on their way from the corners to the middle, so that points that
-// would stand in one place fill the gaps around it.
+// Precedes the geometry program of points: the points of a patch in rows, row i having i + 1
+// points; or, with displace_spread, the three corners of each triangle moved toward its center, so
+// that points that would coincide spread out.
 uniform int displace_first; // of displace_drawn
 uniform int displace_parts;
-uniform float displace_spread; // so much of that way; 0: the corners once
+uniform float displace_spread; // share of the way to the center; 0: each grid point once
 flat out uint displace_patchOf;
 out vec3 displace_weights;
 
@@ -12,7 +12,7 @@ ivec3 corner(int row, int i)
     return ivec3(displace_parts - row, row - i, i);
 }
 
-// Row i has 2 i + 1 triangles: one that points to the row before, one to the next, and so on.
+// Row i has 2 i + 1 triangles, which alternately point to the previous row and to the next.
 vec3 spread(int vertex)
 {
     int triangle = vertex / 3, row = int(sqrt(float(triangle)));

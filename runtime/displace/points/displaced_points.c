@@ -1,11 +1,12 @@
-/* By points: a vertex program has those of a grid, and a geometry program what stands for each. */
+/* Displacement by points: a vertex program computes the points of a grid, and a geometry program
+ * emits a symbol for each. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include "runtime/scene/scene_matrix.h"
 
 enum { SOFTWARE_POINTS = 1 << 15 /* displaced_tessellation.c */ };
 
-/* displace_symbol.glsl's numbers, and how many triangles each has. */
+/* Symbols, by their numbers in displace_symbol.glsl, with their numbers of triangles. */
 static const struct {
     Word word;
     int triangles;
@@ -43,7 +44,7 @@ static void set_eye(Displaced *d, const DisplacedView *view)
 {
     SceneMatrix inverse;
     float eye[3];
-    /* scene_displaced_mesh has seen to that */
+    /* scene_displaced_mesh() has checked that the matrix is invertible */
     scene_matrix_invert(&d->patches->world_from_local, &inverse);
     for (int i = 0; i < 3; i++) {
         double sum = inverse.m[12 + i];
@@ -54,20 +55,20 @@ static void set_eye(Displaced *d, const DisplacedView *view)
     material_set(&d->material, &(MaterialValue){"displace_eye", 3, eye});
 }
 
-/* The grid's, or three for each of its triangles. */
+/* The grid's points, or three for each of its triangles. */
 static int points_of(const Displaced *d, int n)
 {
     return d->patches->dividing.spread > 0 ? 3 * n * n : (n + 1) * (n + 2) / 2;
 }
 
-/* Triangles that stand for the points of a patch. */
+/* Triangles of the symbols of a patch. */
 static int triangles_of(const Displaced *d, int n)
 {
     return points_of(d, n) * symbols[symbol_of(d)].triangles * (d->volume ? HEIGHTS : 1);
 }
 
-/* Those of n parts, from a place of the mesh's buffer on; the place behind them. Few patches at a
- * time, where it is Mesa's software. */
+/* Draws patches of n parts, captured from row `at` of the mesh on; returns the next row. Draws
+ * few patches at a time on Mesa's software renderers. */
 static size_t draw_patches(Displaced *d, const int first[2], int n, const Mesh *mesh, size_t at)
 {
     const GlContext *gl = displaced_context(d);
@@ -95,7 +96,7 @@ static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
     int first[SCENE_PATCH_PARTS + 2];
     if (symbol_of(d) == BILLBOARD)
-        d->written = false; /* for another camera they stand otherwise */
+        d->written = false; /* billboards turn with the camera */
     if (!displaced_parts(d, view, first))
         return false;
     set_eye(d, view);

@@ -1,4 +1,4 @@
-// Edges of a patch have as many parts as are written for it.
+// Tessellation control: sets the levels from the patch's numbers of parts.
 layout(vertices = 3) out;
 flat in int displace_corner[];
 patch out int displace_number;

@@ -1,4 +1,4 @@
-// A point that the tessellator makes.
+// Tessellation evaluation: displaces a point that the tessellator generates.
 layout(triangles, equal_spacing, ccw) in;
 patch in int displace_number;
 

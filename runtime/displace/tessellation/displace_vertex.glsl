@@ -1,4 +1,4 @@
-// Before patches are tessellated: a corner knows which of those that are drawn it is of.
+// Precedes tessellation: passes on the number of the drawn patch to which the corner belongs.
 flat out int displace_corner;
 
 void main()

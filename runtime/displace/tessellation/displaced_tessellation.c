@@ -1,4 +1,5 @@
-/* By the tessellator: all patches are one draw, and what comes out is counted. */
+/* Displacement by hardware tessellation: all patches are one draw, and the resulting triangles
+ * are counted by a query. */
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
@@ -23,8 +24,8 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
 
-/* Mesa's software renderers number what comes out of a part of a draw in 16 bits, and lose what is
- * beyond: there, few patches are drawn at a time. */
+/* Mesa's software renderers number the output of a part of a draw with 16 bits, and lose the
+ * rest: there, few patches are drawn at a time. */
 static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS + 2])
 {
     enum { POINTS = 1 << 15 };
@@ -39,7 +40,7 @@ static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS +
     }
 }
 
-/* How many triangles come out, of which as many are written as there is room for. */
+/* Number of generated triangles, of which as many are written as fit into the buffer. */
 static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const Mesh *mesh)
 {
     const GlContext *gl = displaced_context(d);
@@ -58,10 +59,10 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
     return displaced_end(d) ? (int)made : -1;
 }
 
-/* A tessellator makes about n^2 3 / 2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
+/* A tessellator makes about 3 / 2 n^2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
-    int room, made = 1; /* at least: a buffer of nothing is none */
+    int room, made = 1; /* at least 1: a buffer cannot be empty */
     for (int n = 1; n <= SCENE_PATCH_PARTS; n++)
         made += (first[n + 1] - first[n]) * (3 * n * n / 2 + 2);
     do {

@@ -1,5 +1,5 @@
-/* A grid, and over it what rays are traced through: nodes of a pyramid, hulls of patches; or, of
- * parallax, base triangles. */
+/* Ray-marched displacement: a grid of displaced triangles, and over it the acceleration
+ * structure for rays: nodes of a pyramid, and hulls of patches; for parallax, base triangles. */
 #include "runtime/displace/traced/displaced_traced.h"
 #include "gen/render_text.h"
 #include "runtime/displace/displaced_method.h"
@@ -49,7 +49,8 @@ static void set_numbers(DisplacedTrace *trace, const char *name, int number)
         material_set_number(materials[i], name, (float)number);
 }
 
-/* Hulls of each patch: both ends, and three sides; or the base triangle. */
+/* Index buffer of the hulls: per patch both ends and three sides of a prism; for parallax the
+ * base triangle. */
 static bool make_hulls(GlContext *gl, DisplacedTrace *trace, int patches)
 {
     static const uint32_t prism[CORNERS * HULL_TRIANGLES] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3,
@@ -115,7 +116,7 @@ static void run(const GlContext *gl, Material *stage, int count)
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
 }
 
-/* From the finest level on. */
+/* Computes the pyramid, from the finest level on, and the hulls. */
 static bool write(Displaced *d, const DisplacedView *view, Mesh *mesh)
 {
     DisplacedTrace *trace = d->own;

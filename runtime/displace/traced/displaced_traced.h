@@ -1,28 +1,29 @@
-/* Meshes that are traced. All passes have the triangles of a grid (displaced_grid.c); those that
- * know of it (cache_trace.h) draw the hulls of patches instead, whose program follows each pixel's
- * ray through a pyramid of what the grid's triangles are within, and on to the surface. */
+/* Meshes with ray-marched displacement. All passes can draw the triangles of a grid
+ * (displaced_grid.c). Passes that support ray marching (cache_trace.h) draw the patches' hulls
+ * instead, whose program follows each pixel's ray through a pyramid of bounds of the grid's
+ * triangles, and on to the exact surface. */
 #ifndef MATC_DISPLACE_DISPLACED_TRACED_H
 #define MATC_DISPLACE_DISPLACED_TRACED_H
 #include "runtime/displace/displaced.h"
 
 typedef struct {
     Material
-        /* draws hulls: depth, and where a ray met the surface; its uniforms trace_viewer,
-         * trace_pixel and trace_offset are the caller's */
+        /* Draws hulls: writes the depth, and the surface point that the ray hits. The caller
+         * sets its uniforms trace_viewer, trace_pixel and trace_offset. */
         trace;
-    Mesh hulls;    /* closed, turned outward; of parallax base triangles */
-    int triangles; /* of a hull: 8, or 1 */
-    /* along the tangent plane of a base triangle: parallax_fragment.glsl. Shadow maps have the
-     * grid */
+    Mesh hulls;    /* closed, facing outward; for parallax base triangles */
+    int triangles; /* of a hull: 8, or 1 for parallax */
+    /* Marches along the tangent plane of a base triangle: parallax_fragment.glsl. Shadow maps
+     * use the grid. */
     bool parallax;
-    int parts;             /* of an edge of a patch: a power of two */
-    Material levels, hull; /* compute the pyramid, and the hulls */
+    int parts;             /* of a patch's edge: a power of two */
+    Material levels, hull; /* compute programs of the pyramid, and of the hulls */
     GLuint nodes;
 } DisplacedTrace;
 
-/* NULL: it is not traced. */
+/* NULL: not ray-marched. */
 DisplacedTrace *displaced_traced(const Displaced *displaced);
-/* Binds what the program, and trace_patch.glsl, read: rows and patches of the base, triangles of
- * the grid, nodes. */
+/* Binds the inputs of the program and of trace_patch.glsl: rows and patches of the base,
+ * triangles of the grid, nodes. */
 void displaced_traced_bind(const Displaced *displaced, const Mesh *mesh);
 #endif

@@ -1,12 +1,13 @@
-// Parallax occlusion: a ray goes in even steps along the tangent plane of the triangle that it
-// meets, from where the surface is highest to where it is lowest, and by secants to where it first
-// comes below the surface. A step is a part of an edge of the patch long, as far as there are
-// steps: straight on there are four, aslant 32. Beyond the triangle its map goes on as within. Only
-// z counts (trace_patch.glsl): there is no outline but the triangle's, and what leans is as if it
-// stood.
-//     At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the
-//         plane, of a patch with an edge of 1 in 32 parts in 12 steps.
-// How far the ray is above the surface at t: where that has another sign, it is on the other side.
+// Parallax occlusion mapping: a ray advances in equal steps along the tangent plane of the triangle
+// that it hits, from the surface's maximum height to its minimum, and then by secants to the point
+// where it first comes below the surface. Steps are 1 / trace_parts of a patch edge long, but at
+// least 4, and at most 32 for slanted rays. Outside the triangle its map continues. Only z is
+// displaced (trace_patch.glsl): the silhouette is the triangle's, and overhangs are straightened.
+//  At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the plane,
+//  of a patch with an edge of 1 in 32 parts in 12 steps.
+
+// Signed height of the ray's point above the surface; the ray crosses the surface where the sign
+// changes.
 float parallaxOver(int number, TraceSpace space, vec3 at)
 {
     displaceAt(uint(number), vec3(1.0 - at.x, at.x - at.y, at.y), false);
@@ -15,8 +16,10 @@ float parallaxOver(int number, TraceSpace space, vec3 at)
 
 void main()
 {
-    const int LEAST = 4, MOST = 32, SECANTS = 6; // by regula falsi: of an end that stays, half the height counts (Illinois)
-    const float SLANTED = 1e-3, NEAR = 1e-7;     // of a ray's length: what is along the normal is at least so much; of heights
+    // regula falsi; the height at an end that stays is halved (Illinois method)
+    const int LEAST = 4, MOST = 32, SECANTS = 6;
+    // minimum cosine to the normal; tolerance relative to the range of heights
+    const float SLANTED = 1e-3, NEAR = 1e-7;
     int number = gl_PrimitiveID;
     TraceSpace space = traceSpace(number);
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
@@ -24,12 +27,13 @@ void main()
     vec3 from = space.inner * (leaves - space.corner), along = space.inner * way;
     float side = along.z < 0.0 ? 1.0 : -1.0; // from above, or from below
     vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) / max(abs(along.z), SLANTED * length(way));
-    vec2 ends = side > 0.0 ? -heights.yx : heights; // where it begins, and where it ends
+    vec2 ends = side > 0.0 ? -heights.yx : heights; // begin and end of the march
     if (trace_eye.w > 0.0)
         ends = max(ends, -0.99); // nothing is behind the eye
     int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)), float(LEAST), float(MOST)));
     float enough = NEAR * (trace_nodes[node + 1].w - trace_nodes[node].w);
-    vec2 over = vec2(1.0, -1.0), between = ends; // on both sides of the surface: heights, and where
+    // on both sides of the surface: heights, and parameters
+    vec2 over = vec2(1.0, -1.0), between = ends;
     float t = ends.x, last = 0.0;
     bool found = false;
     for (int step = 0, left = SECANTS; step <= steps && left > 0; step += int(!found), left -= int(found)) {

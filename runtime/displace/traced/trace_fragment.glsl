@@ -1,14 +1,15 @@
-// Where the ray of a pixel meets a displaced patch: down the pyramid to triangles of a grid, the
-// nearest of them first, and from the one that is met to the surface itself, by matc_displaced().
-//     A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray meets the
-//         triangle, two steps later a point of the surface that is off by less than 1e-7.
-uniform vec2 trace_offset; // of depth, as glPolygonOffset has it: by the slope, and by the least step
+// Intersection of a pixel's ray with a displaced patch: descends the pyramid to triangles of a
+// grid, nearest first, and refines the hit to the exact surface by matc_displaced().
+//  A triangle is 0.01 wide and its surface 1e-5 above it in its middle: the ray hits the triangle,
+//  two steps later a point of the surface with an error below 1e-7.
+// polygon offset of depth: factor by the slope, and units of the least step
+uniform vec2 trace_offset;
 
 const int TRACE_STACK = 24; // three of each of at most six levels, and one
 
 struct TraceRay {
-    vec3 from, along; // at t <= 0 before the place where it leaves the hull
-    float begin;      // the least t
+    vec3 from, along; // t = 0 is the point where the ray leaves the hull
+    float begin;      // least t
 };
 
 struct TraceHit {
@@ -17,7 +18,7 @@ struct TraceHit {
     TracePart part;
 };
 
-// Perspective: t is from -1, the eye, to 0. Nothing before the near plane is met.
+// For perspective t is from -1, the eye, to 0. Hits in front of the near plane are ignored.
 TraceRay traceRay()
 {
     TraceRay ray;
@@ -30,13 +31,13 @@ TraceRay traceRay()
     return ray;
 }
 
-// A triangle that the ray comes near.
+// A triangle near the ray.
 struct TraceNear {
-    float miss; // of the triangle's size
+    float miss; // distance relative to the triangle's size
     TraceHit hit;
 };
 
-// When it enters the node, and when it leaves: not before, then it passes by.
+// Parameters at which the ray enters and leaves the node; enter > leave: it misses.
 vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
 {
     int node = 2 * traceNode(number, part);
@@ -45,8 +46,8 @@ vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
     return vec2(max(max(enter.x, enter.y), max(enter.z, enter.w)), min(min(leave.x, leave.y), min(leave.z, leave.w)));
 }
 
-// A triangle that no ray meets, but passes by: where it is nearest to the middle, and how far from
-// the triangle there, of its size.
+// Records the nearest triangle that the ray misses: the ray's point nearest to the triangle's
+// center, and its distance from the triangle relative to the triangle's size.
 void tracePass(TracePart part, vec3 p, mat2x3 edges, TraceRay ray, inout TraceNear near)
 {
     vec3 n = cross(edges[0], edges[1]), middle = p + (edges[0] + edges[1]) / 3.0;
@@ -66,7 +67,8 @@ void tracePass(TracePart part, vec3 p, mat2x3 edges, TraceRay ray, inout TraceNe
     near = TraceNear(miss, TraceHit(t, clamp(place / float(trace_parts), vec2(0.0), vec2(1.0)), part));
 }
 
-// A triangle of the grid; neighbours overlap by a little, so that no ray goes between.
+// Intersects a triangle of the grid; neighbors overlap slightly, so that no ray passes between
+// them.
 void traceTriangle(int number, TracePart part, TraceRay ray, inout TraceHit hit, inout TraceNear near)
 {
     const float OVERLAP = 1e-4;
@@ -95,7 +97,7 @@ TracePart tracePart(int code)
     return TracePart(code >> 24, ivec2(code >> 10, code) & 1023, (code >> 20 & 1) == 1);
 }
 
-// The nearest triangle; hit.t is 1 where there is none.
+// The nearest intersection with the grid; hit.t is 1 for a miss.
 TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear near)
 {
     near = TraceNear(0.25, TraceHit(1.0, vec2(0.0), TracePart(0, ivec2(0), false)));
@@ -123,7 +125,7 @@ TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear nea
             vec2 through = traceThrough(number, child, from, inverse);
             if (through.x > through.y || through.y < ray.begin || through.x > min(hit.t, 0.0))
                 continue;
-            int at = count++; // the nearest on top
+            int at = count++; // nearest on top
             for (; at > first && enters[at - 1] < through.x; at--) {
                 stack[at] = stack[at - 1];
                 enters[at] = enters[at - 1];
@@ -135,7 +137,7 @@ TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear nea
     return hit;
 }
 
-// How the surface goes by a and b, by its triangle there.
+// Derivatives of the surface by a and b, from its triangle at that part.
 void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
 {
     ivec2 corners[3];
@@ -147,18 +149,19 @@ void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
     byB = float(trace_parts) * (part.between ? p[2] - p[0] : p[2] - p[1]);
 }
 
-// From a triangle to the surface, no farther than its neighbours: Broyden's method on what the
-// surface at (a, b) is off the ray at t, begun with the triangle's slopes, which each step corrects
-// by what it finds. Where that leads no nearer, as where the height jumps, the triangle is it.
-// Gives how far it is off.
+// Refines a hit from the triangle to the surface, within the adjacent triangles: Broyden's method
+// on the distance between the surface at (a, b) and the ray at t, starting with the triangle's
+// slopes, which each step corrects. Without convergence, as where the height jumps, the hit stays
+// on the triangle. Returns the remaining distance.
 float traceSurface(int number, TraceRay ray, inout TraceHit hit)
 {
     const int STEPS = 8;
-    const float NEAR = 1e-7; // of a ray's length
+    const float NEAR = 1e-7; // relative to the ray's length
     vec3 byA, byB, move = vec3(0.0), before = vec3(0.0);
     traceSlopes(number, hit.part, byA, byB);
     float volume = dot(cross(byA, byB), ray.along), least = 1e30, enough = NEAR * length(ray.along);
-    mat3 rows = mat3(cross(byB, ray.along), cross(ray.along, byA), -cross(byA, byB)) * (volume == 0.0 ? 0.0 : 1.0 / volume); // of the inverse of slopes
+    // rows of the inverse Jacobian
+    mat3 rows = mat3(cross(byB, ray.along), cross(ray.along, byA), -cross(byA, byB)) * (volume == 0.0 ? 0.0 : 1.0 / volume);
     vec3 x = vec3(hit.at, hit.t), first = x;
     for (int step = 0; step < STEPS; step++) {
         displaceAt(uint(number), vec3(1.0 - x.x, x.x - x.y, x.y), false);
@@ -169,7 +172,7 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
             hit.at = x.xy;
             hit.t = x.z;
         }
-        vec3 found = (off - before) * rows; // a row times a vector, for each
+        vec3 found = (off - before) * rows; // dot product with each row
         float scale = dot(move, found);
         if (step > 0 && abs(scale) > 1e-30) {
             vec3 along = rows * move / scale, more = move - found;
@@ -188,7 +191,7 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
     return sqrt(least);
 }
 
-// Whether the surface is met beside a triangle that is passed by: beyond an outline of the grid,
+// True if the surface is hit next to a triangle that the ray misses: outside the grid's silhouette,
 // where the surface bulges.
 bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
 {

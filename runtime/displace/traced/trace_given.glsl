@@ -1,22 +1,24 @@
-// Inputs of ray-marching programs, and their results: the depth, and data that finds the place
-// again, a and b (trace_patch.glsl), the patch and the instance.
+// Inputs of ray-marching programs, and their outputs: the depth, and data to find the hit again: a
+// and b (trace_patch.glsl), the patch and the instance.
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };
 uniform vec2 trace_pixel;           // of a picture, in clip space
-uniform vec2 trace_corner;          // where gl_FragCoord is 0, there
-in vec3 trace_leaves;               // about where the ray leaves what is drawn, in the object's space
-flat in vec4 trace_eye;             // whence it comes: the eye and 1, or the direction toward it and 0
+uniform vec2 trace_corner;          // clip-space position of gl_FragCoord 0
+// approximate point where the ray leaves the hull, in object space
+in vec3 trace_leaves;
+// origin of the ray: the eye and 1, or the direction toward it and 0
+flat in vec4 trace_eye;
 flat in mat4 trace_clipFromLocal;
 flat in uint trace_place;
 layout(location = 0) out uvec4 trace_seen;
 
-// The point of the pixel's own ray that is nearest to trace_leaves. A GPU's rasteriser moves
-// corners by up to 1/256 of a pixel, and what it interpolates with them: a point goes with its
-// place on the screen to where two planes through the middle of the pixel cross, those of x and of
-// y.
-//     The middle is x = 0.5 and y = 0; clip space is the object's, w = 1: the point (0.501, 0.001,
-//         7) becomes (0.5, 0, 7).
+// The point of the pixel's exact ray that is nearest to trace_leaves. A GPU's rasterizer moves
+// corners by up to 1/256 of a pixel, and with them the interpolated values. The point is projected
+// to the line where two planes through the pixel's center intersect, one of constant x and one of
+// constant y.
+//  The center is x = 0.5 and y = 0; clip space is object space, w = 1: the point (0.501, 0.001, 7)
+//  becomes (0.5, 0, 7).
 vec3 traceLeaves()
 {
     vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;
@@ -29,10 +31,10 @@ vec3 traceLeaves()
     return trace_leaves - ((off.x * yy - off.y * xy) * x.xyz + (off.y * xx - off.x * xy) * y.xyz) / size;
 }
 
-// From the eye to where the ray leaves; of parallel rays the direction.
+// From the eye to the point where the ray leaves; for parallel rays the direction.
 vec3 traceWay(vec3 leaves) { return trace_eye.w > 0.0 ? leaves - trace_eye.xyz : -trace_eye.xyz; }
 
-// It meets the patch there. In clip space.
+// Writes the hit of the patch. Returns its position in clip space.
 vec4 traceMeet(int number, vec2 at, vec3 place)
 {
     vec4 clip = trace_clipFromLocal * vec4(place, 1.0);

@@ -1,5 +1,5 @@
-// Around a patch that is traced: a prism of six points, whose sides are where its first node ends.
-// Rays that meet the patch go through it. Or, of parallax, the base triangle.
+// Hull around a ray-marched patch: a prism of six points, whose sides are the bounds of the root
+// node. Rays that hit the patch pass through the hull. For parallax, the base triangle.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
@@ -28,7 +28,8 @@ void main()
     }
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
     vec4 low = trace_nodes[node], high = trace_nodes[node + 1];
-    vec4 more = 1e-3 * (high - low) + vec4(vec3(1e-4), 1e-4 * length(space.local[0])); // it has a volume, and what rounding takes
+    // margin: gives a volume, and covers rounding
+    vec4 more = 1e-3 * (high - low) + vec4(vec3(1e-4), 1e-4 * length(space.local[0]));
     low -= more;
     high += more;
     vec2 corners[3] = vec2[3](vec2(low.y + low.z, low.y), vec2(high.x, low.y), vec2(high.x, high.x - low.z));

@@ -1,6 +1,6 @@
-// The pyramid of what is traced: a node has the least and the greatest a, b, a - b and z of all
-// triangles in it (trace_patch.glsl), and of how far the surface bulges from them. The finest level
-// asks its four triangles, the others four nodes each.
+// Pyramid of bounds for ray marching: a node has the minimum and the maximum of a, b, a - b and z
+// over all its triangles (trace_patch.glsl), enlarged by the surface's distance from the triangles.
+// The finest level is computed from four triangles per node, the others from four child nodes.
 layout(local_size_x = 64) in;
 layout(std430, binding = 5) buffer TraceNodes {
     vec4 trace_nodes[];
@@ -15,8 +15,8 @@ void traceInclude(TraceSpace space, int row, inout vec4 low, inout vec4 high)
     high = max(high, slabs);
 }
 
-// How far the surface may be from the four triangles: half of what the middles of the three edges
-// around them are off these. A parabola is a quarter.
+// Bound of the surface's distance from the four triangles: half the deviation of the midpoints of
+// the three edges around them. For a parabola it would be a quarter.
 vec4 traceBulge(int number, TraceSpace space, TracePart part)
 {
     ivec2 corners[3];
@@ -48,7 +48,7 @@ void main()
     if (2 << trace_level == trace_parts) {
         TraceSpace space = traceSpace(number);
         ivec2 corners[3];
-        for (int k = 0; k < 3; k++) { // the one in the middle has no other corners
+        for (int k = 0; k < 3; k++) { // the triangle in the middle has no other corners
             traceCorners(traceChild(part, k), corners);
             for (int i = 0; i < 3; i++)
                 traceInclude(space, traceRow(number, corners[i]), low, high);

@@ -1,8 +1,7 @@
-// A patch that is traced: its triangles as grids have them (displaced_grid.c), and the space in
-// which rays go through it. In that space a point is (a, b, z): corner 0 + a (corner 1 - corner 0)
-// + b (corner 2 - corner 1) + z n, with n the unit normal of the base triangle, 0 <= b <= a <= 1
-// within it.
-//     Row i of a grid of 4 parts, place j in it: the base is at a = i / 4, b = j / 4.
+// A ray-marched patch: its grid of triangles (displaced_grid.c), and the space in which rays are
+// traced. In that space a point is (a, b, z): corner 0 + a (corner 1 - corner 0) + b (corner 2 -
+// corner 1) + z n, with n the unit normal of the base triangle, and 0 <= b <= a <= 1 inside it.
+//  Row i of a grid of 4 parts, point j in it: the base is at a = i / 4, b = j / 4.
 layout(std430, binding = 4) readonly buffer TraceRows {
     float trace_rows[]; // of MeshCaptured
 };
@@ -21,9 +20,9 @@ vec3 traceVector(int row, int part)
 }
 
 struct TraceSpace {
-    vec3 corner; // 0
-    mat3 local;  // from that space
-    mat3 inner;  // to it; 0 where the base triangle has no area
+    vec3 corner; // corner 0
+    mat3 local;  // from that space to object space
+    mat3 inner;  // from object space; 0 for a degenerate base triangle
 };
 
 TraceSpace traceSpace(int number)
@@ -35,23 +34,23 @@ TraceSpace traceSpace(int number)
     vec3 across = cross(a, b);
     float area = length(across);
     vec3 n = area > 0.0 ? across / area : vec3(0.0);
-    float scale = area > 0.0 ? 1.0 / area : 0.0; // of the determinant
+    float scale = area > 0.0 ? 1.0 / area : 0.0; // reciprocal determinant
     space.local = mat3(a, b, n);
     space.inner = transpose(mat3(cross(b, n) * scale, cross(n, a) * scale, n));
     return space;
 }
 
-// A triangle of a level: row i, place j in it, and whether it lies between two others of its row:
-// then it has its tip at the top.
-//     corners of a triangle (i, j), (i + 1, j), (i + 1, j + 1), of one between (i, j),
-//     (i + 1, j + 1), (i, j + 1)
+// A triangle of a level: row i, position j in it; `between`: it is between two others of its row,
+// with its tip at the top.
+//  corners of a triangle (i, j), (i + 1, j), (i + 1, j + 1), of one between (i, j),
+//  (i + 1, j + 1), (i, j + 1)
 struct TracePart {
     int level;
     ivec2 at;
     bool between;
 };
 
-// Part 0 to 3 of it, a level finer.
+// Child 0 to 3 of a triangle, on the next finer level.
 TracePart traceChild(TracePart of, int k)
 {
     TracePart child = TracePart(of.level + 1, 2 * of.at, of.between);
@@ -72,7 +71,7 @@ void traceCorners(TracePart part, out ivec2 corners[3])
     corners[2] = part.at + (part.between ? ivec2(0, 1) : ivec2(1, 1));
 }
 
-// Nodes of a patch: levels before the last, each 4^level of them in rows.
+// Index of a node in its patch's pyramid: levels before the last, each with 4^level nodes in rows.
 int traceNode(int number, TracePart part)
 {
     int before = ((1 << 2 * part.level) - 1) / 3, all = (trace_parts * trace_parts - 1) / 3;

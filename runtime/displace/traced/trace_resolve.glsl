@@ -1,15 +1,16 @@
-// The end of the program of a surface that is traced (trace_text.h): attributes where the ray met
-// it, as its triangle has them; what its vertex program makes of them, here and at both neighbours
-// of the pixel on the tangent plane, which is what changes are; then its own main.
+// Appended to the fragment program of a ray-marched surface (trace_text.h): interpolates attributes
+// of the hit's triangle, runs the vertex program's computations at the hit and at both neighboring
+// pixels on the tangent plane, whose differences are the screen-space derivatives; then runs the
+// program's own main.
 uniform usampler2D trace_met;
 uniform vec2 trace_pixel; // of a picture, in clip space
 uniform int trace_hull;   // triangles of a hull
-uniform float trace_turn; // -1: triangles turn the other way round
+uniform float trace_turn; // -1: negative determinant, the winding is flipped
 flat in uint trace_place;
 
 struct TraceCorners {
     int rows[3];
-    vec2 at; // the first of them, in parts
+    vec2 at; // of the first row, in parts
     bool between;
 };
 
@@ -54,7 +55,7 @@ void traceAttributes(TraceCorners corners, vec2 at)
     traceRun();
 }
 
-// Derivatives of the place on the screen, in clip space, by a and b: columns.
+// Derivatives of the screen position, in clip space, by a and b: columns.
 mat2 traceScreen(TraceCorners corners, vec2 at)
 {
     const vec2 one = vec2(1.0, 0.0);

@@ -1,4 +1,4 @@
-// Draws hulls of what is traced: where in the object's space a ray leaves, and whence it comes.
+// Draws hulls for ray marching: the point in object space where a ray leaves, and the ray's origin.
 layout(location = 0) in vec3 position;
 layout(location = 5) in uint matc_instance;
 struct Instance {
@@ -9,13 +9,14 @@ struct Instance {
 layout(std140, binding = 0) readonly buffer Instances {
     Instance matc_instances[];
 };
-layout(std140, binding = 16) uniform View { // as what matc writes has it
+layout(std140, binding = 16) uniform View { // layout as matc writes it
     mat4 matc_clipFromWorld;
     mat3 matc_eyeNormalFromWorld;
 };
-uniform vec4 trace_viewer; // in the world: the eye and 1, or, of parallel rays, the direction toward it and 0
+// in world space: the eye and 1, or for parallel rays the direction toward it and 0
+uniform vec4 trace_viewer;
 out vec3 trace_leaves;
-flat out vec4 trace_eye; // the same in the object's space
+flat out vec4 trace_eye; // trace_viewer in object space
 flat out mat4 trace_clipFromLocal;
 flat out uint trace_place;
 
