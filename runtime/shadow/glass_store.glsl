@@ -1,7 +1,8 @@
-// The end of a program that gives what a surface lets through, for a shadow map: appends that to
-// its texel's list. Nothing opaque is before it, as the light sees them; what lets all through is
-// not kept. Behind the heads of all texels, 0 or 1 + the number of a node, lie the nodes: the next
-// of the list, the depth, and three shares of 21 bits, off by 2.4e-7 at most.
+// End of a fragment program that computes a surface's transmittance, for a shadow map: appends a
+// node to its texel's list. The depth test has rejected fragments behind opaque casters; fully
+// transparent ones are not stored. The buffer holds the heads of all texels, 0 or 1 + the number of
+// a node, followed by the nodes: the next node, the depth, and the transmittance in three
+// components of 21 bits, with an error of at most 2.4e-7.
 layout(early_fragment_tests) in;
 uniform int glass_map;
 
@@ -11,7 +12,7 @@ layout(std430, binding = 3) buffer Glass {
 };
 #define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
-const uint GLASS_MOST = 0x80000000u; // more are not counted, so that their number stays one
+const uint GLASS_MOST = 0x80000000u; // counting stops here, so that the number cannot overflow
 
 void main()
 {

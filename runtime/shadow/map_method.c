@@ -1,4 +1,4 @@
-/* The row of plain shadow maps, which have all that this folder's shared code does. */
+/* The row of plain shadow maps, which need only this folder's shared code. */
 #include "runtime/shadow/shadow_method.h"
 
 extern const ShadowMethod shadow_map;

@@ -1,5 +1,5 @@
-/* The pass shadow: depth as lights see it. Maps stay until the scene changes: a further frame draws
- * none. shadow.glsl says what becomes of them. */
+/* The pass shadow: draws depth maps from the lights. The maps are kept until the scene changes;
+ * further frames reuse them. shadow.glsl reads them. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_area.h"
@@ -8,7 +8,8 @@
 
 enum { SHADOW_MAPS_MIB = 4096 };
 
-/* Some drivers give memory that they do not have, and end the program when it is written. */
+/* Limits the memory: some drivers overcommit, and terminate the program when the memory is
+ * written. */
 static bool check_maps(const Render *render)
 {
     GlContext *gl = render->gl;
@@ -54,7 +55,7 @@ static bool make_solid(Render *render)
     return maps->solid.store || material_make(render->store, NULL, &text, &maps->solid);
 }
 
-/* Draws the depth maps and allocates their lists of transparent fragments. */
+/* Draws the depth maps, and allocates their lists of transparent fragments. */
 static bool pass_shadow_count(Render *render)
 {
     if (!shadow_glass_needed(render) || !render->shadows->maps || render->shadows->drawn)
@@ -99,7 +100,7 @@ static void pass_shadow_forget(Render *render)
     *maps = (ShadowMaps){.solid = maps->solid, .methods = maps->methods};
 }
 
-/* -- the row, which also updates what techniques keep */
+/* -- the pass's row, which also updates the techniques' state */
 
 static void pass_shadow_place(Render *render)
 {

@@ -1,21 +1,21 @@
 // Share of a light that reaches a point, by its shadow maps and by infinite planes. shadow_views.h
-// says what a view's rows are; here they start from the eye's space. SHADOW_SIZE texels has an edge
-// of a map, SHADOW_FILTER is over how many a shadow's edge is spread.
+// defines a view's rows; here they start from eye space. A map's edge has SHADOW_SIZE texels;
+// SHADOW_FILTER is the width of the percentage-closer filter in texels.
 //
-// The bias. A map knows depth at the centres of texels. Each tap is compared at the depth of the
-// receiver's point, moved beside it to the tap's centre: by up to (SHADOW_FILTER + 1) / 2 texels
-// along x and y, sqrt(2) times that aside. So
-//  - the point is lifted along its normal by so much, and a quarter of a texel for the rasteriser's
-//    1/256: no tap goes below its tangent
-//    plane, and what is convex never shades itself, however the light grazes it;
+// The bias against shadow acne. A map stores depth at texel centers. Each tap is compared with the
+// depth of the receiver's point, which is up to (SHADOW_FILTER + 1) / 2 texels away from the tap's
+// center along x and y, sqrt(2) times that in all. So
+//  - the point is lifted along its normal by that distance, plus a quarter of a texel for the
+//    rasterizer's 1/256: no tap is below its tangent plane, and convex surfaces never shade
+//    themselves, even under grazing light;
 //  - the map is drawn with a polygon offset of (SHADOW_FILTER + 1) times a triangle's slope: a
-//    point in front of a triangle's plane is in
-//    front of what the map has of it, so that walls do not shade the floor before them.
-// A shadow is lost only where what casts it is nearer than that, a texel and a half with the
-// default filter, measured across its plane.
+//    point in front of a triangle's plane is in front of the stored depth, so walls do not shade
+//    the floor before them.
+// A shadow is lost only if its caster is nearer than that to the receiver's plane, a texel and a
+// half with the default filter.
 #include "shadow_view.layout.def"
 
-// A share of light; where something transparent casts shadows, one of each colour.
+// A share of light; one per color if a caster is transparent.
 #ifdef SHADOW_COLORED
 #define SHARE vec3
 #else
@@ -23,21 +23,22 @@
 #endif
 
 #ifdef SHADOW_GLASS
-layout(std430, binding = 3) readonly buffer Glass { // glass_store.glsl has what is in it
+layout(std430, binding = 3) readonly buffer Glass { // contents: glass_store.glsl
 #include "shadow_glass.layout.def"
     uint glass_words[];
 };
 #define glass_part uvec4(glass_column, glass_row, glass_columns, glass_rows)
 
-// Lists in parts (shadow_tables.c): a point's share of light is a sum over texels, of which those of
-// the part count. What needs none counts in the part that has the first texel of all.
+// Tiled lists (shadow_tables.c): a point's share of light is a sum over texels, of which those of
+// the current tile count. A share that needs no texel counts in the tile with the first texel of
+// all.
 #ifdef SHADOW_PARTS
 bool shadowIsFirst()
 {
     return glass_part.xy == uvec2(0u);
 }
 
-// Whether a light has anything to give with this part, by its views.
+// True if a light contributes in this tile, by its views.
 bool shadowIsRead(ivec2 views)
 {
     uint size = uint(SHADOW_SIZE), first = uint(views.x) * size, rows = uint(max(views.y, 0)) * size;
@@ -46,7 +47,7 @@ bool shadowIsRead(ivec2 views)
 #endif
 #endif
 
-// All of the light, where no texel is asked.
+// The full share, if no texel is needed.
 SHARE shadowNone()
 {
 #ifdef SHADOW_PARTS
@@ -57,7 +58,7 @@ SHARE shadowNone()
 }
 
 #ifdef SHADOW_SEEN
-uniform usampler2D shadow_seen; // what programs of opaque surfaces wrote at each pixel
+uniform usampler2D shadow_seen; // target that opaque surfaces' programs wrote
 #endif
 
 #ifdef SHADOW_MAPS
@@ -77,7 +78,8 @@ vec3 shadowPlace(int view, vec4 point)
                 dot(shadowRow(view, VIEW_ROWS + 2), point));
 }
 
-// From the axes of a cube's first face, y, z, x, to those of the face that a place is seen on.
+// Converts from the axes of a cube's first face, y, z, x, to those of the face that contains the
+// position.
 vec3 shadowOnFace(vec3 place, out int face)
 {
     vec3 size = abs(place);
@@ -87,7 +89,7 @@ vec3 shadowOnFace(vec3 place, out int face)
     return vec3(turned.xy, abs(turned.z));
 }
 
-// And back.
+// The inverse conversion.
 vec3 shadowOffFace(vec3 place, int face)
 {
     vec3 turned = vec3(place.xy, face % 2 == 0 ? place.z : -place.z);
@@ -95,8 +97,7 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-// A texel's list: its first fragment, the one behind another, or 0; depth, and what it lets
-// through.
+// A texel's list: its first node, the next node, or 0; a node's depth and transmittance.
 uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
 
 uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }
@@ -111,7 +112,7 @@ vec3 shadowLets(uint node)
     return vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
 }
 
-// Where a part has the list of a map's texel; beyond it, where it has none.
+// Position of a map texel's list in the tile; outside of the tile, beyond its size.
 uvec2 shadowAt(int map, ivec2 texel)
 {
     return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
@@ -131,7 +132,8 @@ vec3 shadowThrough(int map, ivec2 texel, float depth)
 }
 #endif
 
-// Opaque casters are the technique's own: maps are asked for transparent ones alone.
+// Set by a technique that handles opaque casters itself: maps are then read for transparent ones
+// only.
 #ifdef SHADOW_APART
 bool shadow_apart = false;
 #else
@@ -148,10 +150,11 @@ SHARE shadowTexel(int map, ivec2 texel, float depth)
 #endif
 }
 
-// Half the edge of a face at distance 1: 1, or more where faces overlap by a border.
+// Half the edge of a cube face at distance 1: 1, or more if faces overlap by a border.
 float shadowWide(vec4 how) { return 0.5 * how.y * float(SHADOW_SIZE); }
 
-// A texel beyond the edge of a face is one of a neighbour's: that which its centre falls into.
+// A texel outside a face's edge is replaced by the neighboring face's texel that contains its
+// center.
 SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
 {
     vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * shadowWide(how) * place.z;
@@ -161,14 +164,14 @@ SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
     return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), how.x / there.z);
 }
 
-// How much of a texel, along an axis, is in a square of SHADOW_FILTER texels that begins within
-// texel 0, `part` of it beyond its edge.
+// Overlap, along an axis, of a texel with a square of SHADOW_FILTER texels that begins in texel 0
+// at `part`.
 float shadowWeight(int texel, float part)
 {
     return texel == 0 ? 1.0 - part : texel == SHADOW_FILTER ? part : 1.0;
 }
 
-// The share of a square of SHADOW_FILTER texels around the point that the light reaches.
+// Percentage-closer filtering: the lit share of a square of SHADOW_FILTER texels around the point.
 SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 {
     int face = 0;
@@ -197,7 +200,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, float pixel);
 #endif
 
-// A view, or those of a cube.
+// Share by one view, or by those of a cube.
 SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, VIEW_HOW);
@@ -212,9 +215,9 @@ SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
     return shadowFiltered(first, cube, shadowPlace(first, vec4(lifted, 1.0)), how);
 }
 
-const float SHADOW_BAND = 0.0625; // along the edge of a cascade, of half its width
+const float SHADOW_BAND = 0.0625; // blend width at the edge of a cascade, in half widths
 
-// 0 where a cascade lacks texels around a point; growing to 1 across the band.
+// 0 if a cascade lacks texels around a point; grows to 1 across the band.
 float shadowInside(int view, vec3 point, vec3 normal, float pixel)
 {
     float lift = SHADOW_LIFT * shadowRow(view, VIEW_HOW).y + pixel / 64.0;
@@ -223,8 +226,8 @@ float shadowInside(int view, vec3 point, vec3 normal, float pixel)
     return clamp((edge - max(place.x, place.y)) / SHADOW_BAND, 0.0, 1.0);
 }
 
-// By cascades: the finest that has the point, which gives way to the next one along its edge, so
-// that no seam is seen. The last has all that casts shadows.
+// Cascaded shadow maps: the finest cascade that contains the point, blended into the next one along
+// its edge to hide the seam. The last one contains all casters.
 SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     SHARE sum = SHARE(0.0);
@@ -237,8 +240,8 @@ SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
     return sum;
 }
 
-// `normal` looks to the light's side; `pixel` is the size of one at the point. A light's views are
-// `count` from `first` on.
+// Share of a light by its maps. `normal` faces the light; `pixel` is a pixel's size at the point.
+// The light has `count` views from `first` on.
 SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     return shadowRow(first, VIEW_HOW).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
@@ -254,8 +257,7 @@ vec4 shadowPlane(int texel)
     return texelFetch(shadow_planes, ivec2(texel % VIEW_ROW, texel / VIEW_ROW), 0);
 }
 
-// A plane stands between a point and a light if they are on its two sides. A point of the plane
-// itself is on both.
+// True if the plane separates the point from the light. A point on the plane is not separated.
 bool shadowBetween(vec4 plane, vec4 light, vec3 point)
 {
     float here = dot(plane, vec4(point, 1.0));
@@ -282,7 +284,7 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 uniform usampler2DArray shadow_sheets;
 
 // Transmittance of planes with varying transparency between a light and a pixel's point:
-// shadow_sheet.c. `layer` is 1 + its layer, or 0.
+// shadow_sheet.c. `layer` is 1 + the light's layer, or 0.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);
@@ -291,8 +293,8 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 }
 #endif
 
-// The share of a light that reaches a point, by planes and maps. `views` has the first of its views,
-// and how many; it casts no shadow if that is less than 0.
+// Share of a light that reaches a point, by planes and maps. `views` is the light's first view and
+// their number; negative: it casts no shadow.
 SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {
     SHARE share = SHARE(1.0);

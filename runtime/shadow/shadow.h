@@ -1,5 +1,5 @@
-/* Shadows, for the passes: maps of lights, what is transparent in them, planes; and what the
- * lighting of surfaces reads of them. */
+/* Interface of shadows for the passes: shadow maps, lists of transparent fragments, infinite
+ * planes; and data that the lighting reads. */
 #ifndef MATC_SHADOW_SHADOW_H
 #define MATC_SHADOW_SHADOW_H
 #include "runtime/frame/frame_pass.h"
@@ -8,69 +8,90 @@
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/render_options.h"
 
-/* Some light of the scene casts shadows, which are wanted. */
+/* Shadows are enabled, and some light of the scene casts them. */
 bool shadow_is_cast(const Render *render);
-/* Some area light does. */
+/* Shadows are enabled, and some area light casts them. */
 bool shadow_is_soft(const Render *render);
-/* How what is transparent does. */
+/* How transparent surfaces cast shadows. */
 SetCasts shadow_casts(const Render *render);
 
-/* Shadows are coloured by something (shadow_glass.c): all texels, without fragments; bytes of a
- * part's lists; a buffer of so many; a part's lists begun, which are none where the buffer has no
- * room for their heads, and ended; the fragments that were to be listed then. */
+/* -- The buffer of transparent fragments (shadow_glass.c) -------------------------------------- */
+
 enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
+/* Some caster has colored shadows. */
 bool shadow_glass_needed(const Render *render);
+/* All texels of the maps, with 0 fragments. */
 ShadowPart shadow_glass_whole(const Render *render);
+/* Bytes of a part's lists. */
 size_t shadow_glass_bytes(const ShadowPart *part);
 bool shadow_glass_make(Render *render, size_t bytes);
+/* Clears a part's lists before they are drawn. A buffer too small for the heads only counts. */
 void shadow_glass_begin(const Render *render, const ShadowPart *part);
 void shadow_glass_end(const Render *render);
+/* Number of the fragments drawn since then, listed or not. */
 bool shadow_glass_count(Render *render, GLuint *count);
 void shadow_glass_delete(Render *render);
 
-/* Draws all maps, but for what lists are of; a part's lists (shadow_draw.c). While a map is drawn:
- * its layer becomes the target of depth; casters of a view are drawn, opaque or transparent ones.
- */
+/* -- Drawing maps (shadow_draw.c) -------------------------------------------------------------- */
+
+/* Draws all maps, without casters that are in lists. */
 void shadow_draw_depths(Render *render);
+/* Draws a part's lists of transparent fragments. */
 void shadow_draw_lists(Render *render, const ShadowPart *part);
+/* Attaches a view's layer as the depth target. */
 void shadow_draw_layer(const Render *render, int view);
+/* Draws the opaque or the transparent casters of a view into the attached layer. */
 void shadow_draw_cast(Render *render, const CacheSource *source, int view, bool transparent);
 
-/* The lists, in one piece, or in parts with room for the largest (shadow_tables.c): made; counted,
- * and in one piece drawn. False: there may not be so much, or, in parts, not even for one texel. In
- * parts would do. How many there are; one of them drawn, if there are several. */
+/* -- Lists in one piece, or tiled to limit memory (shadow_tables.c) ---------------------------- */
+
 bool shadow_parts_make(Render *render);
+/* Counts fragments and allocates the lists, in one piece also draws them. False: they exceed the
+ * memory limit; if tiled, even those of a single texel. */
 bool shadow_parts_count(Render *render);
+/* The lists exceed the memory limit in one piece, so tiles should be tried. */
 bool shadow_parts_fall_back(const Render *render);
+/* Number of tiles. */
 int shadow_parts_number(const Render *render);
+/* Draws the lists of one of several tiles. */
 void shadow_parts_load(Render *render, int part);
 
-/* Planes whose transparency varies (shadow_sheet.c): a light has a layer of what they let through;
- * some cast shadows; the choice of transparency can be met with that; bytes of a pixel; a line on
- * them; made; told where the camera, lights and planes are, or where the tile is; a uniform of a
- * material, false: none has it; drawn, of what has these depths; deleted. */
+/* -- Infinite planes of varying transparency (shadow_sheet.c) ---------------------------------- */
+
+/* The light has a layer of the planes' transmittance. */
 bool shadow_sheet_reads(const SceneLight *light);
+/* Some plane of varying transparency casts shadows. */
 bool shadow_sheet_needed(const Render *render);
+/* Reports an error if the chosen transparency method cannot be combined with such planes. */
 bool shadow_sheet_check(const Render *render);
+/* Bytes per pixel of the layers. */
 int shadow_sheet_bytes(const Render *render);
+/* Appends a line for --stats. */
 void shadow_sheet_put(Text *out, const Render *render);
 bool shadow_sheet_make(Render *render);
+/* Updates uniforms after a change of the camera, lights or planes. */
 void shadow_sheet_change(const Render *render);
+/* Updates uniforms for another tile. */
 void shadow_sheet_place(const Render *render);
+/* Sets a uniform of a material's programs. False: none has that uniform. */
 bool shadow_sheet_set(const Render *render, int material, const MaterialValue *value);
+/* Draws the layers, for surfaces at the depths of the texture `depth`. */
 void shadow_sheet_draw(const Render *render, GLuint depth);
 void shadow_sheet_delete(Render *render);
 
-/* An infinite plane in the eye's space, where its matrix says: its normal, and what makes points of
- * it 0. */
+/* -- Views, tables and the lighting ------------------------------------------------------------ */
+
+/* The equation of an infinite plane in eye space, from its matrix: the unit normal, and the
+ * offset that makes points of the plane 0. */
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4]);
 /* Makes the views of lights, before any pass is made. */
 bool shadow_make_views(Render *render);
-/* The view is another; or the lights or objects are, and the maps are drawn again. False: lights
- * cast shadows by more or fewer maps. */
+/* Updates shadows after a change of the camera; `drawn_again`: of lights or objects, so that
+ * maps are fitted and drawn again. False: failed, or lights need another number of maps. */
 bool shadow_change(Render *render, bool drawn_again);
-/* GLSL of shadows for a program that lights surfaces (shadow_text.c): pieces that stay valid as
- * long as this; none if no light casts shadows. `nearest`: what the depth buffer has is lit. */
+/* GLSL of shadows for a program that lights surfaces (shadow_text.c). The pieces are valid as
+ * long as the struct; no pieces: no light casts shadows. `nearest`: the surfaces in the depth
+ * buffer are lit. */
 enum {
     SHADOW_TEXT_CHARS = 1536,
     SHADOW_TEXT_PIECES = 12,
@@ -82,18 +103,21 @@ typedef struct {
     const char *pieces[SHADOW_TEXT_PIECES];
 } ShadowText;
 void shadow_text(const Render *render, bool nearest, ShadowText *made);
-/* Infinite planes cast shadows: how many are transparent by the same everywhere. */
+/* Infinite planes cast shadows. */
 bool shadow_has_planes(const Render *render);
+/* Number of planes with constant transparency. */
 int shadow_count_panes(const Render *render);
+/* Makes the textures that lighting reads, of views and planes. */
 bool shadow_make_tables(Render *render);
-/* Behind the cone of each light: the first of its views, and how many; 0: planes alone; -1: it
- * casts no shadows. Behind its light: 1 + the layer of what sheets let through of it, or 0. Behind
- * its direction: the number of its technique, plus SHADOW_METHODS_MAX for each light before it that
- * has the same. */
+/* Stores shadow data in a light's texels. LIGHT_CONE zw: the first of its views, and their
+ * number; 0: only planes; -1: no shadows. LIGHT_POWER w: 1 + the layer of plane transmittance,
+ * or 0. LIGHT_AXIS w: the number of its technique, plus SHADOW_METHODS_MAX for each earlier
+ * light of the same technique. */
 void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTIONS],
                        float (*texels)[4]);
-/* SHADOW_UNITS units from `unit` on, and uniforms, after each change; textures and buffers. */
+/* Sets samplers for SHADOW_UNITS texture units from `unit` on, and uniforms, after each change. */
 void shadow_set(const Render *render, int unit, ScreenPass *pass);
+/* Binds textures and buffers to these units. */
 void shadow_bind(const Render *render, int unit);
 /* Some light has a shadow map. */
 bool shadow_has_maps(const Render *render);

@@ -1,5 +1,5 @@
-// Draws depth alone, for a shadow map: the vertex program. Nothing of a material is computed.
-// Matrices are found as matc's own programs do.
+// Vertex program that draws depth only, for a shadow map, independent of the material. Matrices are
+// laid out as in matc's own programs.
 layout(location = 0) in vec3 position;
 #ifdef INSTANCES
 layout(location = 5) in uint matc_instance;

@@ -1,4 +1,4 @@
-/* Draws shadow maps: depth as lights see it, and what is transparent into its lists. */
+/* Draws shadow maps: depth from the lights, and transparent casters into their lists. */
 #include "runtime/frame/frame.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/shadow/shadow.h"
@@ -6,7 +6,7 @@
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 
-/* Clip space from the world. Depth goes from 0 to 1 there, or from -1: twice that, less w. */
+/* Clip space from world space, with depth from 0 to 1, or from -1 to 1 (twice that minus w). */
 static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 {
     static const double one[4] = {0, 0, 0, 1};
@@ -23,7 +23,7 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
     }
 }
 
-enum { STEPS_PUSHED = -2 }; /* of depth */
+enum { STEPS_PUSHED = -2 }; /* depth offset units */
 
 /* Slope-scaled bias of a map in texels. shadow.glsl gives its size and reason. */
 static float slopes_of(const Render *render)
@@ -51,7 +51,7 @@ static void begin(const Render *render)
         gl->ClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
 }
 
-/* As a context begins. */
+/* Restores the context's initial state. */
 static void end(const Render *render)
 {
     const GlContext *gl = render->gl;
@@ -63,7 +63,7 @@ static void end(const Render *render)
     gl->Disable(GL_DEPTH_TEST);
 }
 
-/* Into the layer of that number; what is traced with that offset, and texels of that size. */
+/* A view, its layer, and the bias and texel size for ray-marched casters. */
 typedef struct {
     const ShadowView *view;
     int number;
@@ -89,8 +89,8 @@ static void cast_view(Render *render, const CacheSource *source, const Casting *
                transparent);
 }
 
-/* All faces lie in one layer. A texel is asked by a point's own way, so that slopes push by one
- * texel. */
+/* Draws a half-cube map, whose faces share one layer. Lookups go along the point's own ray, so a
+ * slope-scaled bias of one texel suffices. */
 static void cast_soft(Render *render, const CacheSource *source, int number, bool transparent)
 {
     const GlContext *gl = render->gl;
@@ -153,7 +153,7 @@ void shadow_draw_depths(Render *render)
             (*row)->drawn(render);
 }
 
-/* Texels of a part in a map; beyond the map's end there are none to cut off. */
+/* Scissors a part's texels in a map; the viewport clips at the map's end. */
 static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
 {
     const GLint first = (GLint)part->row - (GLint)map_row, low = first > 0 ? first : 0;
@@ -161,13 +161,13 @@ static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
                 first + (GLsizei)part->rows - low);
 }
 
-/* The maps that a part has texels of. */
+/* Draws the lists of a part, for all maps in which it has texels. */
 void shadow_draw_lists(Render *render, const ShadowPart *part)
 {
     const CacheSource source = frame_source(render);
     const GLuint size = (GLuint)render->scene->shadow_size;
     begin(render);
-    render->gl->DepthMask(GL_FALSE); /* what is transparent hides nothing */
+    render->gl->DepthMask(GL_FALSE); /* transparent casters do not occlude */
     render->gl->Enable(GL_SCISSOR_TEST);
     shadow_glass_begin(render, part);
     for (GLuint i = part->row / size; i * size < part->row + part->rows; i++) {

@@ -1,11 +1,11 @@
-/* Lists of what is transparent, for each texel of the shadow maps: the buffer. glass_store.glsl
- * fills it, shadow.glsl reads it. */
+/* Lists of transparent fragments, for each texel of the shadow maps: the buffer.
+ * glass_store.glsl fills it, shadow.glsl reads it. */
 #include "gen/shadow_glass_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/shadow.h"
 #include <stdlib.h>
 
-enum { NODE = 4 /* words of a fragment */ };
+enum { NODE = 4 /* words of a node */ };
 
 bool shadow_glass_needed(const Render *render)
 {
@@ -40,7 +40,7 @@ bool shadow_glass_make(Render *render, size_t bytes)
     return gl_check(render->gl, "making room for shadows of what is transparent");
 }
 
-/* Four words. Nothing but a clear, so that a frame may do it. */
+/* Writes four words by a clear, which a frame may do without a transfer. */
 static void write_words(const GlContext *gl, GLuint first, const GLuint words[4])
 {
     gl->ClearBufferSubData(GL_SHADER_STORAGE_BUFFER, GL_RGBA32UI, (GLintptr)(first * sizeof *words),
@@ -54,7 +54,7 @@ void shadow_glass_begin(const Render *render, const ShadowPart *part)
     const GLuint size = (GLuint)render->scene->shadow_size;
     const size_t start = sizeof(GLuint) * SHADOW_GLASS_STATE_WORDS,
                  all = sizeof(GLuint) * texels_of(part);
-    const bool counts = glass->bytes < start + all; /* it holds no list yet */
+    const bool counts = glass->bytes < start + all; /* no capacity for lists yet: only counts */
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, SHADOW_GLASS_LISTS, glass->buffer);
     write_words(gl, SHADOW_GLASS_COLUMN,
                 (GLuint[]){part->column, part->row, part->columns, part->rows});

@@ -1,4 +1,4 @@
-/* The rows of shadow techniques in a renderer: their states, and what they need together. */
+/* The rows of shadow techniques in a renderer: their states, and their combined needs. */
 #include "runtime/shadow/shadow_method.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/soft_views.h"
@@ -53,7 +53,7 @@ int shadow_method_lights(const Render *render, Word word)
     return count;
 }
 
-/* Rays from within an area light pass beside what its points see. */
+/* Rays from points of an area light pass outside the view's surroundings. */
 ShadowNeeds shadow_methods_need(const Render *render)
 {
     ShadowNeeds needs = {.even = true};

@@ -1,7 +1,8 @@
-/* A shadow technique is a row of this type, beside the technique's code. A light's `shadows:` key
- * selects the row by its word; runtime/render/shadow_methods.c lists all rows. This folder has what
- * they share: views of lights, depth maps, planes, lists of transparent fragments. Its code and the
- * lighting call the rows through the functions at the end of this header. */
+/* Interface of a shadow technique: a row of this type, next to the technique's code. A light's
+ * `shadows:` key selects the row by its keyword; runtime/render/shadow_methods.c lists all rows.
+ * This folder has their shared parts: views of lights, depth maps, planes, lists of transparent
+ * fragments. Its code and the lighting call the rows through the functions at the end of this
+ * header. */
 #ifndef MATC_SHADOW_SHADOW_METHOD_H
 #define MATC_SHADOW_SHADOW_METHOD_H
 #include "compiler/base/text.h"
@@ -12,16 +13,16 @@
 
 enum { SHADOW_METHOD_DEFINITIONS = 256, SHADOW_METHOD_TEXTS = 3 };
 
-/* GLSL functions of a method that the lighting calls. Arguments are in the eye's space; `side` is
- * the surface's normal towards the light, `size` that of a pixel at the point.
- *   pixel  void (ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view), once for a pixel; ray
- *          and view are those of view_space.h
- *   way    void (vec3 normal, vec3 l), before a light in direction l is shadowed
+/* GLSL functions of a technique that the lighting calls. Arguments are in eye space; `side` is
+ * the surface's normal towards the light, `size` a pixel's size at the point.
+ *   pixel  void (ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view), once per pixel; ray
+ *   and view are those of view_space.h
+ *   way    void (vec3 normal, vec3 l), before the shadow of a light in direction l
  *   light  vec3 (int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel): the
- *          share of a light that arrives, by which the maps' share is multiplied; `number` counts
- *          the method's lights, views.x is the light's first view and views.y how many it has
- *   view   SHARE (int first, int count, vec3 point, vec3 side, float size): the share by a view, or
- *          by the six of a cube, in place of filtered depths */
+ *   share of a light that arrives, a factor on the maps' share; `number` counts the technique's
+ *   lights, views.x is the light's first view and views.y their number
+ *   view   SHARE (int first, int count, vec3 point, vec3 side, float size): the share by a view,
+ *   or by the six of a cube, instead of percentage-closer filtering */
 typedef enum {
     SHADOW_CALL_pixel,
     SHADOW_CALL_way,
@@ -30,41 +31,43 @@ typedef enum {
     SHADOW_CALLS
 } ShadowCall;
 
-/* A method's GLSL in a program that lights surfaces: definitions, texts behind shadow.glsl, and
- * names of functions. What is NULL or empty is left out. */
+/* A technique's GLSL in a program that lights surfaces: definitions, texts that follow
+ * shadow.glsl, and names of functions. NULL or empty members are omitted. */
 typedef struct {
     char defined[SHADOW_METHOD_DEFINITIONS];
     const char *texts[SHADOW_METHOD_TEXTS];
     const char *calls[SHADOW_CALLS];
 } ShadowMethodText;
 
-/* Every function may be NULL. All rows are called, whether a light has the method or not. Functions
- * that return bool return false on failure, with a reason in the context's error. */
+/* Every function may be NULL. All rows are called, whether a light uses the technique or not.
+ * Functions that return bool return false on failure, with a reason in the context's error. */
 struct ShadowMethod {
-    Word word;    /* of the list Shadows */
-    size_t state; /* bytes of its state in a renderer, which begin as zeros */
+    Word word;    /* keyword of the list Shadows */
+    size_t state; /* bytes of its state in a renderer, initially zeros */
 
     /* Needs */
     bool triangles; /* triangles of casters on the host, even if the driver displaces them */
-    bool beside;    /* casters beside the view as finely divided as those in view */
+    bool beside;    /* casters outside the view are subdivided as finely as those inside */
     bool meshes;    /* depth maps of triangles, not of ray-marched surfaces */
-    bool apart;     /* it has opaque casters apart from its maps, which are asked for transparent
-                     * ones alone and have no alpha-tested ones */
-    bool even; /* it has all casters but those whose transparency varies: maps have the others */
-    /* Text with which programs of opaque surfaces write the target `seen`, for the first row that
-     * wants it; whether the row wants it, before and after the scene's surfaces are known. */
+    /* handles opaque casters itself: its maps are read for transparent ones only, and have no
+     * alpha-tested ones */
+    bool apart;
+    bool even; /* handles all casters except those of varying transparency, which maps have */
+    /* Text with which opaque surfaces' programs write the target `seen`, for the first row that
+     * wants it. */
     const SeenText *seen;
+    /* The row wants the target: before, and after, the scene's surfaces are known. */
     bool (*seen_wanted)(const Render *render);
     bool (*seen_needed)(const Render *render);
-    void (*seen_bind)(const Render *render); /* what these programs read */
-    /* The format of a target that the method uses; NULL: as without it. */
+    void (*seen_bind)(const Render *render); /* binds the inputs of these programs */
+    /* The format of a target that the technique uses; NULL: the default. */
     const char *(*target)(const Render *render, FrameTarget target);
 
-    /* Views of a light: faces of a cube overlap by a border of two texels; a directional light has
-     * one view of all casters instead of cascades; crossings of silhouettes are found (NULL:
-     * never). */
+    /* Views of a light: cube faces overlap by a border of two texels; a directional light has
+     * one view of all casters instead of cascades. */
     bool border, single;
     bool views; /* its GLSL has SHADOW_CALL_view */
+    /* Silhouette crossings are found; NULL: never. */
     bool (*crossed)(const Scene *scene);
 
     bool (*make)(Render *render);      /* after the cache and views, before the frame's passes */
@@ -75,65 +78,66 @@ struct ShadowMethod {
     bool (*changed)(Render *render, unsigned what);      /* a set of FrameChange */
     bool (*moved)(Render *render, int first, int count); /* these objects have moved */
     void (*forget)(Render *render);                      /* frees all resources of the scene */
-    void (*close)(Render *render);                       /* and those of the renderer */
+    void (*close)(Render *render);                       /* frees those of the renderer */
 
-    /* For programs that light surfaces: `nearest`, what the depth buffer has. */
+    /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
     void (*text)(const Render *render, bool nearest, ShadowMethodText *made);
     void (*set)(const Render *render, ScreenPass *pass); /* uniforms, after each change */
-    const char *sampler;                                 /* reads a texture unit of its own, */
-    void (*bind)(const Render *render, int unit);        /* at which this binds what it reads */
+    /* sampler name of a texture unit of its own, */
+    const char *sampler;
+    void (*bind)(const Render *render, int unit); /* to which this binds a texture */
 
     void (*put)(Text *out, const Render *render); /* lines for --stats */
     void (*put_time)(Text *out, Render *render);
 
-    /* A debug view of the picture by its name, or NULL; what it takes, made with the pass tools,
-     * and drawn to light and tools with depth. */
+    /* A debug view by its name, or NULL; its resources, made with the pass tools, and drawn to
+     * the targets light and tools, with depth. */
     const FrameLook *(*look)(const char *name);
     bool (*look_make)(Render *render);
     void (*look_place)(Render *render); /* the tile or the camera has moved */
     void (*look_draw)(Render *render);
 
-    /* Variants for pictures side by side: selects the one of that word. False: it has none of it.
-     */
+    /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
     bool (*vary)(Scene *scene, Word variant);
 };
 
 /* -- A renderer's rows ----------------------------------------------------------------------- */
 
-/* Takes the rows, up to NULL, and makes their states; frees these, and what rows hold. */
+/* Stores the rows, up to NULL, and allocates their states; frees the states and the rows'
+ * resources. */
 bool shadow_methods_open(Render *render, const ShadowMethod *const *methods);
 void shadow_methods_close(Render *render);
-/* The state of a word's row. */
+/* The state of a keyword's row. */
 void *shadow_method_state(const Render *render, Word word);
-/* The row that a light's word selects; NULL: it casts no shadows. */
+/* The row that a light's keyword selects; NULL: the light casts no shadows. */
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light);
 /* The rows, up to NULL. */
 static inline const ShadowMethod *const *shadow_methods_of(const Render *render)
 {
     return render->shadows->methods.rows;
 }
-/* How many lights have the word; 0 if shadows are off. */
+/* Number of lights with the keyword; 0 if shadows are off. */
 int shadow_method_lights(const Render *render, Word word);
-/* 1 + the place of a word's row in the list: its number in GLSL. */
+/* 1 + the index of a keyword's row in the list: its number in GLSL. */
 int shadow_method_number(const Render *render, Word word);
 
-/* Needs of all lights that cast shadows: of some of them, and (`even`) of each. */
+/* Combined needs of all lights that cast shadows: any of them, or (`even`) all of them. */
 typedef struct {
     bool triangles, beside, cuts, even;
 } ShadowNeeds;
 ShadowNeeds shadow_methods_need(const Render *render);
-/* The first row that wants the target `seen`, or NULL; and whether it needs it. */
+/* The first row that wants the target `seen`, or NULL; and whether it needs it now. */
 const ShadowMethod *shadow_method_seen(const Render *render);
 bool shadow_method_sees(const Render *render);
 void shadow_method_seen_bind(const Render *render);
 /* The view is the picture or its light. */
 bool shadow_shows_light(const Render *render);
-/* The driver has room for that target beside those of the G-buffer. */
+/* The driver supports one more target in addition to those of the G-buffer. */
 bool shadow_seen_fits(const Render *render);
-/* The format of a target by the first row that says one; NULL: none does. */
+/* The format of a target by the first row that defines it; NULL: none does. */
 const char *shadow_methods_target(const Render *render, FrameTarget target);
 bool shadow_methods_make(Render *render);
-/* A debug view by its name; NULL: no row has it. */
+/* Finds a debug view by its name; NULL: unknown to all rows. */
 const FrameLook *shadow_methods_look(const ShadowMethod *const *methods, const char *name);
 bool shadow_methods_look_make(Render *render);
 void shadow_methods_look_place(Render *render);

@@ -1,10 +1,12 @@
-/* Shadows of infinite planes whose transparency varies over them, here called sheets. Of what a
- * pixel shows, the way to a light meets a sheet at a point, and what passes there is the material's
- * value: the plane's program, compiled for a layout of that slot alone, is drawn over all pixels
- * with the ray that meets the sheet just there (shadow_sheet.glsl). All sheets between multiply,
- * into a layer of texels for each light, which the passes that light read.
+/* Shadows of infinite planes with varying transparency, called sheets. The ray from a pixel's
+ * surface point to a light intersects a sheet, and the material's value there is the
+ * transmittance. The plane's program, compiled for a layout of that slot only, is drawn over all
+ * pixels, with the view ray replaced by one through the intersection (shadow_sheet.glsl). The
+ * transmittances of all sheets in between are multiplied, in a texture layer for each light,
+ * which the lighting passes read.
  *
- * As a texel has one depth, surfaces that are transparent are peeled where there are sheets. */
+ * Since a texel has one depth, transparent surfaces are rendered by depth peeling if there are
+ * sheets. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -19,7 +21,7 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 
 static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
 
-/* An extent has many points, and no layer. */
+/* An area light has many points, and no layer. */
 bool shadow_sheet_reads(const SceneLight *light)
 {
     return scene_light_casts(light) && light_from(light) != LIGHT_FROM_extent;
@@ -71,7 +73,7 @@ void shadow_sheet_put(Text *out, const Render *render)
                     "RG32UI", shadow_sheet_bytes(render), render->shadows->sheets.layer_count);
 }
 
-/* -- what is made */
+/* -- resources */
 
 static bool make_layers(Render *render)
 {
@@ -94,8 +96,8 @@ static bool make_layers(Render *render)
     return gl_check(gl, "making room for what planes let through");
 }
 
-/* The text with worldRay as a variable: "layout(location = 7) in vec3 worldRay;" less what stands
- * before the type. From malloc. */
+/* Replaces the input worldRay by a variable: blanks out the qualifiers before the type in
+ * "layout(location = 7) in vec3 worldRay;". From malloc. */
 static char *without_input(const char *fragment)
 {
     char *text = strdup(fragment), *name = text ? strstr(text, "vec3 worldRay;") : NULL;
@@ -108,7 +110,7 @@ static bool make_material(Render *render, const SetProgram *program, Material *m
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
-    /* behind its #version */
+    /* the text after its #version line */
     char *own = without_input(strchr(set_fragment(&render->set, program), '\n') + 1);
     if (!own)
         return gl_fail(render->gl, "out of memory");
@@ -138,7 +140,7 @@ static bool make_materials(Render *render)
     return true;
 }
 
-/* -- what they are told */
+/* -- uniforms */
 
 static void set(Material *material, const char *name, int lanes, const float *values)
 {
@@ -177,8 +179,8 @@ static void set_light(const Render *render, const SceneLight *light, Material *m
     set(material, "sheet_light", 4, place);
 }
 
-/* Rays come from a point near the camera, on the light's side of the plane, from where they meet it
- * steeply. */
+/* Rays start at a point near the camera, on the light's side of the plane, from where they
+ * intersect it steeply. */
 static void set_plane(const Render *render, const SceneLight *light, const SceneMatrix *plane,
                       Material *material)
 {

@@ -1,22 +1,22 @@
-// Transmittance of a plane for a light, for each pixel: behind a plane's fragment program, whose
-// main() is surfaceMain() here, and whose input worldRay is a variable. The way from what is seen
-// at a pixel to the light meets the plane at a point, and the ray to it from sheet_eye is what the
-// program is asked for. Where the plane is not between, it is asked for a point that there is.
-// fragment0 has three floats.
+// Transmittance of a plane towards a light, for each pixel. Follows a plane's fragment program,
+// whose main() is renamed to surfaceMain(), and whose input worldRay is a variable. The ray from
+// the pixel's surface point to the light intersects the plane, and the program is evaluated for the
+// ray from sheet_eye to the intersection. If the plane is not in between, the program is evaluated
+// at an existing point and its result ignored. fragment0 contains three floats.
 //
-// They are multiplied into the light's layer: three shares of 21 bits, as glass_store.glsl has
-// them.
+// The result is multiplied into the light's layer: three components of 21 bits, as in
+// glass_store.glsl.
 layout(std140) uniform Sheet {
     mat4 sheet_worldFromEye;
-    vec4 sheet_ray;   // as light_ray, light_view
+    vec4 sheet_ray;   // like light_ray and light_view
     vec4 sheet_view;
-    vec4 sheet_light; // in the eye's space: its place, w 1, or the way to it, w 0
-    vec4 sheet_plane; // the plane there
-    vec3 sheet_eye;   // in the world, on the light's side of the plane
-    vec3 sheet_foot;  // the plane's point nearest to it
+    vec4 sheet_light; // in eye space: its position, w 1, or the direction to it, w 0
+    vec4 sheet_plane; // the plane in eye space
+    vec3 sheet_eye;   // in world space, on the light's side of the plane
+    vec3 sheet_foot;  // the plane's point nearest to sheet_eye
     int sheet_layer;  // of the light
-    int sheet_more;   // 1: planes before this one left something there
-    int sheet_cut;    // 1: all or nothing passes
+    int sheet_more;   // 1: earlier planes were stored in the layer
+    int sheet_cut;    // 1: alpha test, all or nothing passes
 };
 uniform sampler2D sheet_depth;
 layout(rg32ui) uniform uimage2DArray sheet_layers;
@@ -27,7 +27,8 @@ vec3 sheetSeen(ivec2 pixel, float depth)
     return sheet_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * sheet_view.x) : ray * (sheet_view.x / depth);
 }
 
-// Whether the plane is between a point and the light, as shadowBetween() has it, and where.
+// True if the plane separates the point from the light, like shadowBetween(); `met` is the
+// intersection.
 bool sheetBetween(vec3 point, out vec3 met)
 {
     float here = dot(sheet_plane, vec4(point, 1.0)), there = dot(sheet_plane, sheet_light);

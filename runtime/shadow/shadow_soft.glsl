@@ -1,42 +1,42 @@
-// Soft shadows of area lights: the share of the light in the penumbra. From SOFT_POINTS x SOFT_POINTS points of the light, evenly spread
-// from edge to edge, a map each shows what is in front of it (soft_views.h); so each says exactly,
-// but for its texels, whether its point reaches a surface. Four neighbours are the corners of a
-// cell:
-//  - all of them arrive: so does the cell's light. If that is so for all cells, the light is left
-//    as it is, bit for bit;
-//  - none does: the cell's light, the closed form of its own parallelogram, is taken away;
-//  - else what is taken away is the share of sixteen ways from inside the cell that something
-//    stops. The corners that do not arrive say where
-//    that stands: at the share `along` of the way from the light. A way passes there through a
-//        place that the map of the nearest corner
-//    knows, and is stopped by what is there: by what is nearer to the light than the middle between
-//        there and the surface.
-// So the end of a shadow is as wide as the light, what casts it and the surface make it, and
-// smooth; and for ever more points it is exact.
+// Soft shadows of area lights: the share of the light in the penumbra. SOFT_POINTS x SOFT_POINTS
+// points are evenly distributed over the light, from edge to edge. Each has a map of the scene in
+// front of it (soft_views.h), which tells, up to its texels, whether the point is visible from a
+// surface. Four adjacent points are the corners of a cell:
+//  - all four visible: the cell is unoccluded. If all cells are, the light stays unchanged, bit for
+//    bit;
+//  - none visible: the cell's light, the closed form of its parallelogram, is subtracted;
+//  - otherwise the subtracted share is the share of sixteen rays from inside the cell that are
+//    occluded. The occluded corners tell the occluder's position: at the fraction `along` of the
+//    ray from the light. A ray passes there through a place that the map of the nearest corner
+//    stores, and is occluded by what is nearer to the light than the midpoint between the occluder
+//    and the surface.
+// So the penumbra has the width given by light, occluder and receiver, and is smooth; it converges
+// to the exact shadow as the number of points grows.
 //
 // Worked example: five points along an edge, sixteen cells. A straight edge hides the left 3/8 of
-// the light: the first two columns of points do not arrive. Four cells lose all, and of the four
-// beside them the ways from their left halves: in all 4/16 + 4 (1/2)/16 = 3/8.
+// the light: the first two columns of points are occluded. Four cells lose all, and of the four
+// adjacent ones the rays from their left halves: in all 4/16 + 4 (1/2)/16 = 3/8.
 //
 // A texel's surface occludes a point only if it is above the point's tangent plane, by SOFT_OFF
-// texels and the error of a pixel of the picture. So no plane and no
-// convex body shades itself, without a lift that would lose what stands close.
+// texels plus the error of a pixel of the picture. So planes and convex surfaces do not shade
+// themselves, without a lift that would lose contact shadows.
 const float SOFT_OFF = 0.25;
-const float SOFT_INSET = 1.0 / 256.0; // of an edge, that the outermost points stand inside of it
+// distance of the outermost points from the light's edge, as a share
+const float SOFT_INSET = 1.0 / 256.0;
 const int SOFT_CELLS = SOFT_POINTS - 1, SOFT_WAYS = 16;
 const int SOFT_WORDS = (SOFT_POINTS * SOFT_POINTS + 31) / 32;
 
-// A light, and a surface's point in its axes: x along u, z along the normal, to the point's side;
-// the origin is its corner.
+// A light, and a surface point in its axes: x along u, z along the normal, to the point's side; the
+// origin is the light's corner.
 struct Soft {
-    vec3 corner, u, v; // in the eye's space
-    vec3 eye;          // the point there
+    vec3 corner, u, v; // in eye space
+    vec3 eye;          // the surface point in eye space
     vec2 along_u, along_v;
     vec3 point, normal;
-    float pixel;  // the size of one of the picture, there
+    float pixel;  // a pixel's size at the point
     bool through; // light from behind the surface counts, too
     int layer;    // of the first point's map
-    float near;   // of all of them
+    float near;   // near distance of all maps
 };
 
 Soft softOf(int light, Seen seen)
@@ -58,7 +58,8 @@ vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_
 
 vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
-// Weight of a place of the light for a diffuse surface, up to a factor of the light and the point.
+// Weight of a position on the light for a diffuse surface, up to a factor of the light and the
+// point.
 float softWeight(Soft s, vec3 place)
 {
     vec3 way = place - s.point;
@@ -69,7 +70,7 @@ float softWeight(Soft s, vec3 place)
 #ifdef SHADOW_MAPS
 const int SOFT_QUARTER = SHADOW_SIZE / 4;
 
-// The texel in which something lies that way from a map's point, and how far along its face.
+// Texel in the direction `way` from a map's point, and the distance along the cube face's axis.
 ivec2 softTexel(vec3 way, out float away)
 {
     vec2 size = abs(way.xy);
@@ -78,7 +79,8 @@ ivec2 softTexel(vec3 way, out float away)
     vec2 at = way.xy / away;
     ivec2 low = ivec2(SOFT_QUARTER), high = ivec2(3 * SOFT_QUARTER - 1);
     if (side > way.z) {
-        bool x = size.x >= size.y; // no lane is indexed by a variable: some drivers keep what is so in memory
+        // no component is indexed by a variable: some drivers keep such vectors in memory
+        bool x = size.x >= size.y;
         float beyond = 2.0 - max(way.z, 0.0) / side;
         int first = (x ? at.x : at.y) < 0.0 ? 0 : 3 * SOFT_QUARTER, last = first + SOFT_QUARTER - 1;
         at = x ? vec2(at.x * beyond, at.y) : vec2(at.x, at.y * beyond);
@@ -88,7 +90,7 @@ ivec2 softTexel(vec3 way, out float away)
     return clamp(ivec2(floor((at + 2.0) * float(SOFT_QUARTER))), low, high);
 }
 
-// The way to a texel's middle, as far as 1 along its face.
+// Direction to a texel's center, scaled to 1 along its face's axis.
 vec3 softWay(ivec2 texel)
 {
     vec2 at = (vec2(texel) + 0.5) / float(SOFT_QUARTER) - 2.0, size = abs(at);
@@ -96,7 +98,7 @@ vec3 softWay(ivec2 texel)
     return size.x > size.y ? vec3(sign(at.x), at.y, 2.0 - size.x) : vec3(at.x, sign(at.y), 2.0 - size.y);
 }
 
-// Whether what a map has so far away stands before the surface.
+// True if an occluder at the distance `away` in a map is in front of the surface.
 bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
 {
     vec3 normal = dot(s.normal, from - s.point) < 0.0 ? -s.normal : s.normal;
@@ -104,8 +106,8 @@ bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
     return away < limit && dot(normal, from + ray * away - s.point) > over;
 }
 
-// The share of light that goes this way from a point, by what stands at less than `limit` of it;
-// `along`: at which share of it something is, or 0.
+// Share of light that arrives along a ray from a point, considering occluders nearer than `limit`
+// of the ray; `along`: fraction of the ray at which an occluder is, or 0.
 SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 {
     float away;
@@ -132,7 +134,7 @@ SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 }
 #endif
 
-// Transmittance of infinite planes, from a place of the light.
+// Transmittance of infinite planes, from a position on the light.
 SHARE softPlanes(Soft s, vec2 part)
 {
 #ifdef SHADOW_PLANES
@@ -142,7 +144,8 @@ SHARE softPlanes(Soft s, vec2 part)
 #endif
 }
 
-// A bit for each point. Words are gone through, not indexed by a variable, for the same reason.
+// A bit for each point. Words are looped over rather than indexed by a variable, for the same
+// reason.
 struct SoftBits {
     uint words[SOFT_WORDS];
 };
@@ -169,14 +172,14 @@ int softBit(SoftBits bits, int point)
     return int(word >> uint(point % 32) & 1u);
 }
 
-// Visibility of a surface from a light's points.
+// Visibility of a light's points from a surface.
 struct SoftPoints {
-    SoftBits dim, dark;     // less than all arrives, or nothing
-    int asked, dims, darks; // numbers of points: of those that are not behind the surface
+    SoftBits dim, dark;     // partly occluded, fully occluded
+    int asked, dims, darks; // numbers of points that are not behind the surface
 };
 
-// The share of a point's light that arrives; `along`: where what is on the way stands, or 0: no map
-// knows.
+// Share of a point's light that arrives; `along`: fraction of the ray at which the occluder is, or
+// 0 if unknown.
 SHARE softPointShare(Soft s, ivec2 point, out float along)
 {
     vec2 part = softPart(point);
@@ -208,7 +211,7 @@ SoftPoints softAsk(Soft s)
     return points;
 }
 
-// How many of a cell's corners are dim, and dark.
+// Numbers of a cell's corners that are partly and fully occluded.
 ivec2 softCorners(SoftPoints points, ivec2 cell)
 {
     ivec2 count = ivec2(0);
@@ -219,8 +222,8 @@ ivec2 softCorners(SoftPoints points, ivec2 cell)
     return count;
 }
 
-// Where what stands before a cell's corners is, as the mean; 1: no map knows. They are asked once
-// more, as few cells are so.
+// Mean position of the occluders of a cell's corners; 1: unknown. The maps are read once more, as
+// few cells need it.
 float softAlong(Soft s, ivec2 cell)
 {
     float sum = 0.0, known = 0.0;
@@ -234,8 +237,8 @@ float softAlong(Soft s, ivec2 cell)
     return known > 0.0 ? clamp(sum / known, 0.01, 1.0) : 1.0;
 }
 
-// The share of a cell's light that arrives. No two ways from any cells of a row, or of a column,
-// start at one height.
+// Share of a cell's light that arrives. The rays' start points form a low-discrepancy set: no two
+// in a row or a column of cells have the same offset.
 SHARE softCell(Soft s, ivec2 cell)
 {
     vec2 shift = (vec2(cell.yx) + 0.5) / float(SOFT_CELLS);
@@ -259,8 +262,8 @@ SHARE softCell(Soft s, ivec2 cell)
     return all > 0.0 ? sum / all : SHARE(1.0);
 }
 
-// Light of an area light that a surface reflects, each component for radiance 1: first without
-// occlusion, then less the occluded part of each cell.
+// Reflected light of an area light, per component for radiance 1: first without occlusion, then
+// minus the occluded part of each cell.
 vec3 softLight(int light, Seen seen)
 {
     vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);

@@ -7,28 +7,29 @@
 
 enum { SHADOW_METHODS_MAX = 16 };
 
-/* Texels of the maps, one above the other, and how many fragments what is transparent has there. */
+/* A rectangle of texels of the maps, stacked vertically, and the number of its transparent
+ * fragments. */
 typedef struct {
     GLuint column, row, columns, rows;
     GLuint fragments;
 } ShadowPart;
 
-/* Fragments of what is transparent, of each texel of the maps: glass_store.glsl. */
+/* Transparent fragments of the maps' texels: glass_store.glsl. */
 typedef struct {
     GLuint buffer;
     size_t bytes;
-    ShadowPart *parts; /* whose lists take the buffer in turn; all texels, if that is one */
+    ShadowPart *parts; /* tiles whose lists use the buffer in turn; a single tile has all texels */
     int part_count;
-    bool full; /* all of them would take more than there may be */
+    bool full; /* the lists of all texels exceed the memory limit */
 } ShadowGlass;
 
 /* Transmittance of infinite planes if it varies: shadow_sheet.c. */
 typedef struct {
     Material *materials;    /* by layer and sheet */
     int layer_count, count; /* of lights, of sheets */
-    /* an array of shares of each pixel, a layer for each light that casts shadows */
+    /* Array texture of transmittances per pixel, a layer for each light that casts shadows. */
     GLuint layers;
-    int depth_unit; /* where they find the depth of what is lit */
+    int depth_unit; /* texture unit of the depth of the lit surfaces */
 } ShadowSheets;
 
 /* The rows of techniques, up to NULL, and the state of each. */
@@ -41,14 +42,14 @@ struct ShadowMaps {
     ShadowViews views;
     ShadowGlass glass;
     ShadowSheets sheets;
-    GLuint maps; /* an array of depths, a layer for each view */
-    /* texels of the views, four each: their rows from the eye's space; near, texel */
+    GLuint maps; /* array of depth maps, a layer for each view */
+    /* Texture of the views, four texels each: their rows from eye space; near, texel. */
     GLuint table;
-    GLuint planes;         /* texels of infinite planes in the eye's space */
+    GLuint planes;         /* texture of infinite planes in eye space */
     GLuint framebuffer;    /* of the layer that is drawn */
-    Material solid;        /* draws depth alone; stays until the renderer goes */
-    bool drawn;            /* the maps hold the scene */
-    bool seen;             /* the target `seen` holds what this frame's camera sees */
-    ShadowMethods methods; /* stay, too */
+    Material solid;        /* draws depth only; lives as long as the renderer */
+    bool drawn;            /* the maps are up to date with the scene */
+    bool seen;             /* the target `seen` is up to date with this frame's camera */
+    ShadowMethods methods; /* live as long as the renderer */
 };
 #endif

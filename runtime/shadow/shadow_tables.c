@@ -1,4 +1,4 @@
-/* Shadow data that lighting reads: views and planes as texels. */
+/* Shadow data that lighting reads: views and planes as texels; and the tiling of lists. */
 #include "gen/shadow_view_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -13,7 +13,7 @@
 
 enum { VIEW_TEXELS = SHADOW_VIEW_TEXELS, ROW = SHADOW_VIEW_ROW };
 
-/* A row from the world, as one from the eye's space, which is turned and moved. */
+/* Converts a row from world space to one from eye space. */
 static void from_eye(const double *eye_from_world, const double row[4], float out[4])
 {
     double last = row[3];
@@ -27,7 +27,7 @@ static void from_eye(const double *eye_from_world, const double row[4], float ou
     out[3] = (float)last;
 }
 
-/* `layer` is 1 + that of its crossings, or 0. */
+/* `layer` is 1 + the layer of its crossings, or 0. */
 static void put_view(const Render *render, const ShadowView *view, int layer, float (*texels)[4])
 {
     const float last[4] = {
@@ -48,7 +48,8 @@ void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4])
     from_eye(render->space.eye_from_world, row, texel);
 }
 
-/* `count` times `texels` texels, ROW times a row, into the texture that is there, or a new one. */
+/* Writes `count` times `texels` texels, ROW times per row, into the existing texture or a new
+ * one. */
 static bool write_table(GlContext *gl, const float (*from)[4], const int extents[2], GLuint *table)
 {
     const int count = extents[0], row = count < ROW ? count : ROW;
@@ -79,7 +80,7 @@ static bool write_views(Render *render)
     return done;
 }
 
-/* Such a plane has a shadow that is known without a map: that of what is the same everywhere. */
+/* True for a plane of constant transparency, whose shadow needs no map. */
 static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
 
 int shadow_count_panes(const Render *render)
@@ -90,7 +91,7 @@ int shadow_count_panes(const Render *render)
     return count;
 }
 
-/* Transmittance of a plane: 0 or 1 for a cut-out. */
+/* Transmittance of a plane: 0 or 1 if shadows are alpha-tested. */
 static void put_through(const Render *render, const SetProgram *program, float texel[4])
 {
     const float *t = program->through;
@@ -99,7 +100,7 @@ static void put_through(const Render *render, const SetProgram *program, float t
             !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
 }
 
-/* Opaque ones, then those of glass, each with what it lets through behind it. */
+/* Opaque planes, then those of constant transparency, each followed by its transmittance. */
 static bool write_planes(Render *render)
 {
     const Cache *cache = &render->cache;
@@ -192,7 +193,7 @@ bool shadow_change(Render *render, bool drawn_again)
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
-/* Entry of an area light, behind its first edge: 1 + the first of its layers, or 0 if it casts no
+/* Entry of an area light, after its first edge: 1 + the first of its layers, or 0 if it casts no
  * shadow. */
 static void put_extent(const Render *render, int light, float (*texels)[4])
 {
@@ -235,16 +236,16 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
     }
 }
 
-/* -- lists of transparent fragments, in parts
+/* -- lists of transparent fragments, in tiles
  *
- * Lists that take more memory than there may be are drawn in parts. A part is a rectangle of texels
- * of all maps, one above the other, whose lists find room. Light is a sum over the texels that a
- * point reads, so it is exact to sum over those of one part after the other: each pass that lights
- * runs once for each part (lighting_run), and the lists are drawn again before it.
+ * Lists that exceed the memory limit are drawn in tiles. A tile is a rectangle of texels of all
+ * maps, stacked vertically, whose lists fit. Light is a sum over the texels that a point reads,
+ * so the sum over one tile after the other is exact: each lighting pass runs once per tile
+ * (lighting_run), and the lists are drawn again before it.
  *
- * Worked example: two maps of 4 x 4 texels with three fragments each, 8 + 32 + 96 words. If there
- * may be 80: rows 0 to 3 take 8 + 16 + 48, so they are one part, and rows 4 to 7 the other. If
- * there may be 20: a row takes 8 + 4 + 12 and is too much, two of its texels take 16. */
+ * Worked example: two maps of 4 x 4 texels with three fragments each, 8 + 32 + 96 words. With a
+ * limit of 80: rows 0 to 3 take 8 + 16 + 48, so they are one tile, and rows 4 to 7 the other.
+ * With a limit of 20: a row takes 8 + 4 + 12 and is too much, two of its texels take 16. */
 
 static bool count(Render *render, ShadowPart *part)
 {
@@ -265,7 +266,7 @@ static bool fail_room(Render *render, const ShadowPart *part)
                    (unsigned long)transparency_most_bytes(render));
 }
 
-/* Room for all that there is, if there may be so much. */
+/* Allocates the lists of all texels, if within the limit. */
 static bool make_whole(Render *render, const ShadowPart *whole)
 {
     ShadowGlass *glass = &render->shadows->glass;
@@ -276,7 +277,7 @@ static bool make_whole(Render *render, const ShadowPart *whole)
     return shadow_glass_make(render, shadow_glass_bytes(whole));
 }
 
-/* Draws until all fragments find room. */
+/* Draws, and enlarges the buffer, until all fragments fit. */
 static bool count_whole(Render *render)
 {
     ShadowPart part = *render->shadows->glass.parts;
@@ -288,7 +289,7 @@ static bool count_whole(Render *render)
     return make_whole(render, &part) && count_whole(render);
 }
 
-/* -- in parts */
+/* -- in tiles */
 
 static bool add(Render *render, const ShadowPart *part)
 {
@@ -307,7 +308,7 @@ static GLuint shorter(GLuint length, double share)
     return wanted < 1 ? 1 : wanted < length ? wanted : length - 1;
 }
 
-/* Fewer rows of it, or of a single row fewer columns, until they find room. */
+/* Reduces the tile's rows, or the columns of a single row, until its lists fit. */
 static bool fit(Render *render, ShadowPart *part)
 {
     const size_t most = transparency_most_bytes(render);
@@ -338,14 +339,12 @@ static bool divide(Render *render)
         if (!fit(render, &part) || !add(render, &part))
             return false;
         bytes = shadow_glass_bytes(&part) > bytes ? shadow_glass_bytes(&part) : bytes;
-        rows = 2 * part.rows; /* the next one may have more */
+        rows = 2 * part.rows; /* the next tile may be larger */
         column = (column + part.columns) % whole.columns;
         row += column ? 0 : part.rows;
     }
     return shadow_glass_make(render, bytes);
 }
-
-/* -- */
 
 bool shadow_parts_make(Render *render)
 {

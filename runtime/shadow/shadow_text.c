@@ -1,5 +1,5 @@
 /* GLSL of shadows for a program that lights surfaces: shadow.glsl, texts of techniques, and
- * functions that call theirs by the number of the row. */
+ * functions that dispatch to the techniques by the row's number. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/shadow.h"
@@ -11,7 +11,7 @@
 enum { MAPS_UNIT, VIEWS_UNIT, PLANES_UNIT, SHEETS_UNIT, SEEN_UNIT, OWN_UNIT };
 _Static_assert(OWN_UNIT + SHADOW_OWN_UNITS == SHADOW_UNITS, "units");
 
-/* Behind what is there. */
+/* Appends formatted text. */
 __attribute__((format(printf, 2, 3))) static void add(char text[SHADOW_TEXT_CHARS],
                                                       const char *format, ...)
 {
@@ -30,7 +30,7 @@ static void add_piece(ShadowText *made, const char *piece)
     made->pieces[count] = piece;
 }
 
-/* Definitions that all techniques share. False: no light casts shadows by any. */
+/* Definitions that all techniques share. Returns false if no light casts shadows by them. */
 static bool define(const Render *render, bool nearest, char defined[SHADOW_TEXT_CHARS])
 {
     const bool maps = shadow_has_maps(render), planes = shadow_has_planes(render);
@@ -59,8 +59,8 @@ static bool define(const Render *render, bool nearest, char defined[SHADOW_TEXT_
 
 /* -- calls of the techniques' functions */
 
-/* `otherwise`: for lights and views of a technique that has no such function; NULL: all functions
- * are called, whatever the light. */
+/* `otherwise`: the value for lights and views of a technique without the function; NULL: every
+ * technique's function is called, whatever the light. */
 static const struct {
     const char *name, *head, *arguments, *otherwise;
 } calls[SHADOW_CALLS] = {
@@ -79,7 +79,7 @@ static const struct {
                           "vec3 side, float size)",
                           "(first, count, point, side, size)", "SHARE(1.0)"}};
 
-/* Adds what a technique has for a call: `number` is that of its row. */
+/* Adds the call of a technique's function; `number` is that of its row. */
 static void add_call(ShadowText *made, ShadowCall call, int number, const char *function)
 {
     if (!strstr(made->defined, calls[call].name)) {
@@ -129,7 +129,7 @@ void shadow_text(const Render *render, bool nearest, ShadowText *made)
     add_piece(made, made->calls);
 }
 
-/* -- what it reads */
+/* -- textures and buffers */
 
 void shadow_set(const Render *render, int unit, ScreenPass *pass)
 {

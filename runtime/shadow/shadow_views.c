@@ -1,4 +1,4 @@
-/* Fits views to lights and to the boxes around what casts shadows. */
+/* Fits views to lights and to the bounding boxes of shadow casters. */
 #include "runtime/shadow/shadow_method.h"
 #include "runtime/shadow/soft_views.h"
 #include "runtime/scene/scene_matrix.h"
@@ -8,20 +8,21 @@
 
 enum { CORNERS = 8 };
 
-/* of the distance to the farthest object: what is nearer casts no shadow */
+/* Least near distance as a share of the distance to the farthest object; nearer objects cast no
+ * shadow. */
 static const double nearest = 1.0 / 4096;
 
-static const double coarser = 4; /* a cascade ends at so many times the depth of the one before */
-static const double steps = 4;   /* of sizes of a cascade's texels from one to twice it */
+static const double coarser = 4; /* maximum ratio of the depths at which successive cascades end */
+static const double steps = 4;   /* texel sizes of cascades per octave */
 
 typedef struct {
     const ShadowMethod *const *methods;
     const Scene *scene;
     ShadowViews *made;
     const int *size;      /* of the picture */
-    double (*corners)[3]; /* of boxes around what casts shadows, in the world */
+    double (*corners)[3]; /* corners of the casters' bounding boxes, in world space */
     int count;
-    bool varying; /* something casts shadows whose transparency varies */
+    bool varying; /* some caster's transparency varies */
 } Fit;
 
 static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_from_local)
@@ -45,8 +46,9 @@ static void set_row(const double axis[3], double scale, const double origin[3], 
 
 /* -- point and spot */
 
-/* How near the view begins: at the nearest box around an object, but no nearer than a share of the
- * distance to the farthest. Nearer, and depth far away would be lost; further, and objects. */
+/* Near distance of a view: the distance to the nearest object's box, but at least a share of the
+ * distance to the farthest. A smaller value would lose depth precision far away; a greater one
+ * would lose objects. */
 static double near_of(const Fit *fit, const double position[3])
 {
     double least = INFINITY, most = 0;
@@ -70,14 +72,15 @@ static double near_of(const Fit *fit, const double position[3])
         }
         least = fmin(least, sqrt(square));
     }
-    const double along = least / sqrt(3); /* of a cube's view, at its corner, as far as that */
+    /* axis distance of a cube view's corner at that distance */
+    const double along = least / sqrt(3);
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
-/* Half the edge of a cube's face, at distance 1: more where faces overlap by a border. */
+/* Half the edge of a cube's face at distance 1: more than 1 if faces overlap by a border. */
 static double face_of(const Fit *fit, const SceneLight *light)
 {
-    /* texels, of both sides: the border, and half of one to the centre of the next */
+    /* texels of both sides: the border, and half a texel to the center of the next one */
     enum { BORDER = 4 };
     const double size = fit->scene->shadow_size;
     return shadow_method_of(fit->methods, light)->border ? size / (size - BORDER) : 1;
@@ -99,12 +102,12 @@ static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[S
                     light->position, views[face].rows[row]);
         views[face].near = near;
         views[face].texel = 2 * half / fit->scene->shadow_size;
-        /* x, y and z of a right-handed view: z comes towards it */
+        /* x, y and z of a right-handed view: z points towards the light */
         views[face].mirrored = face % 2 == 0;
     }
 }
 
-/* Room beside the cone for what the filter reads. */
+/* Margin around the cone for the filter's texels. */
 static double widened(const Scene *scene)
 {
     return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size;
@@ -138,16 +141,16 @@ static void range_of(const Fit *fit, const double axis[3], double range[2])
     }
 }
 
-/* The middle of a map along an axis, and half of what it shows. */
+/* The center of a map along an axis, and half of its extent. */
 typedef struct {
     double middle, half;
 } Reach;
 
-/* Texels of a cascade lie where they lay before the camera moved a little: their size is one of
- * few, and their edges are at multiples of it. So ends of shadows stand still. A map of 8 texels
- * for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ... seven texels of 0.707 hold it,
- * and one is for the shift; its middle, 7.5, goes to 11 of them, 7.778. It shows 4.950 to 10.606.
- * For 5.2 to 10, too. */
+/* Stabilizes a cascade: its texels keep their positions when the camera moves a little. Their
+ * size is one of a few, and their edges are at multiples of that size, so shadow edges do not
+ * flicker. A map of 8 texels for 5.1 to 9.9, 4.8 wide: of the sizes 0.595, 0.707, 0.841, ...
+ * seven texels of 0.707 cover the range, and one is for the shift; its center, 7.5, goes to 11
+ * texels, 7.778. The map covers 4.950 to 10.606; the range 5.2 to 10 gives the same map. */
 static void snap(int size, Reach *reach)
 {
     const double least = 2 * reach->half / (size - 1);
@@ -183,7 +186,7 @@ static void fit_box(const Fit *fit, const SceneLight *light, const double (*show
     view->mirrored = true;
 }
 
-/* The nearest and farthest depth at which the camera can see something that casts shadows. */
+/* The nearest and farthest depth at which the camera can see a shadow caster. */
 static void depths_of(const Fit *fit, double depths[2])
 {
     const SceneCamera *camera = &fit->scene->camera;
@@ -200,7 +203,7 @@ static void depths_of(const Fit *fit, double depths[2])
     depths[1] = fmax(depths[1], depths[0] * (1 + 1e-6));
 }
 
-/* A corner of what the picture shows at a depth, 0 to 3. */
+/* A corner of the view frustum's section at a depth, 0 to 3. */
 static void corner_of(const Fit *fit, double depth, int number, double corner[3])
 {
     const SceneCamera *camera = &fit->scene->camera;
@@ -213,7 +216,7 @@ static void corner_of(const Fit *fit, double depth, int number, double corner[3]
                     up * camera->up[i];
 }
 
-/* From the least depth to another: how far that reaches along two axes across the light. */
+/* Extent of the frustum between two depths along two axes perpendicular to the light. */
 static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2],
                        double shown[2][2])
 {
@@ -231,9 +234,9 @@ static void find_shown(const Fit *fit, const SceneLight *light, const double dep
     }
 }
 
-/* Four cascades of what is seen from 1 to 64: to 4, to 16, to 64, and the last of all objects.
- * Where less is seen, by smaller steps: from 1 to 8 they end at 2, 4, 8. What is seen nowhere takes
- * the view of all. */
+/* Four cascades of a visible depth range from 1 to 64 end at 4, 16, 64, and the last contains
+ * all objects. For a smaller range the ratio is smaller: from 1 to 8 they end at 2, 4, 8. Points
+ * outside all of these use the last one. */
 static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *views)
 {
     const int seen = fit->scene->shadow_cascades - 1;
@@ -250,7 +253,7 @@ static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *vi
 
 /* -- area */
 
-/* The points' depths begin at the same distance. */
+/* Fits the views of an area light's points, with one near distance. */
 static void fit_area(Fit *fit, int number)
 {
     const SceneLight *light = &fit->scene->lights[number];
@@ -267,8 +270,6 @@ static void fit_area(Fit *fit, int number)
     fit->made->lights[number] = (ShadowLight){first, count};
     fit->made->count += count;
 }
-
-/* -- */
 
 static void fit_light(Fit *fit, int number)
 {
@@ -300,7 +301,7 @@ static void fit_light(Fit *fit, int number)
     fit->made->count += fit->made->lights[number].count;
 }
 
-/* Views that there may be, at most. */
+/* Maximum number of views. */
 static size_t room_for(const Scene *scene)
 {
     size_t room = 1;

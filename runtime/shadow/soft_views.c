@@ -1,11 +1,12 @@
-/* Half a cube around each of a light's points. */
+/* Half-cube views around the points of an area light. */
 #include "runtime/shadow/soft_views.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* of an edge: a point is not in what stands along the light's edge */
+/* Inset of the outermost points, as a share of an edge: they must not be inside an object along
+ * the light's edge. */
 static const double inset = 1.0 / 256;
 
 bool soft_views_wanted(const SceneLight *light)
@@ -58,7 +59,7 @@ void soft_views_make(const Scene *scene, const SceneLight *light, int number, do
     }
 }
 
-/* Left-handed, as a map's own axes are if z goes away from the light. */
+/* True for left-handed axes, like a map's own if z points away from the light. */
 static bool is_mirrored(const ShadowView *view)
 {
     double across[3];

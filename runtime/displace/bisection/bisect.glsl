@@ -109,7 +109,7 @@ void bisectFence()
 // A thread's task, from the workgroup's tasks.
 uint bisectTask(uint group)
 {
-#ifdef BISECT_FEW // neighboring tasks go to different warps, as divergent threads of one run in turn
+#ifdef BISECT_FEW // neighboring tasks go to different warps: divergent threads run in turn
     const uint STEP = BISECT_THREADS / 32u;
     return BISECT_THREADS * group + gl_LocalInvocationIndex % 32u * STEP + gl_LocalInvocationIndex / 32u;
 #else

@@ -1,12 +1,14 @@
-/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume for
- * all that casts shadows: its texels are the vertices, and those without depth lie infinitely far
- * away. Where the volume's surface lies behind what is seen, back faces are counted up and front
- * faces down, in the stencil; a count that is not 0 is a bit of the light in the target mask.
+/* The pass volume: hybrid shadows. The depth map of a light is the surface of one shadow volume
+ * for all shadow casters: its texels are the vertices, and those without depth are infinitely
+ * far away. The depth-fail method counts in the stencil: where the volume's surface is behind
+ * the visible surface, back faces increment and front faces decrement; a nonzero count sets the
+ * light's bit in the target mask.
  *
- * The volume is closed, so that counts are right with the camera in the shadow, too. Of parallel
- * light all that is infinitely far away is one point. A spot or a face of a cube has a far side,
- * from border to border; as it has the vertices of the border, both cancel exactly where there is
- * no shadow. Depth is clamped: nothing is cut off. */
+ * The volume is closed, so that counts are also right with the camera inside the shadow. For
+ * parallel light the infinitely distant points coincide in one point. A spot, or a face of a
+ * cube map, has a far cap over the map's border; since both share the border's vertices, they
+ * cancel exactly where there is no shadow. Depth is clamped, so nothing is clipped at the far
+ * plane. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
@@ -15,12 +17,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { BITS = 8 /* of a lane of the mask */ };
+enum { BITS = 8 /* per component of the mask */ };
 
 /* -- programs */
 
-/* Points of the world, times 1 or, infinitely far away, 0, from a place in the map: x, y, and 1 and
- * depth, or, of parallel light, depth and 1. */
+/* Columns of the matrix from the map to homogeneous world space, where w is 1, or 0 at infinity.
+ * Its input is x, y, and (1, depth), or for parallel light (depth, 1). */
 static void world_from_place(const ShadowView *view, double m[4][4])
 {
     const double(*rows)[4] = view->rows;
@@ -51,11 +53,11 @@ static void transform(const double m[16], const double v[4], double out[4])
     }
 }
 
-/* A direction that goes across the view has no place in the picture: w is 0 in clip space, which a
- * GPU may not draw. An orthographic camera sees all directions so. What is infinitely far away is
- * therefore taken to be far away only: of light from a place always, 2^10 times as far as the
- * camera, where a millionth of the light arrives; of parallel light where it goes across the view.
- * Its walls end in one point then, so they lean by 2^-20 of the way to that. */
+/* A direction across the view has w = 0 in clip space, and no position in the picture; a GPU may
+ * not draw such points. For an orthographic camera this holds for all directions. Infinite
+ * distances are therefore replaced by large ones. For light from a point always: 2^10 times the
+ * camera's distance, where a millionth of the light arrives. For parallel light only where it
+ * runs across the view: its sides then meet in one point, and are tilted by 2^-20. */
 static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024; /* cosine */
 
 static double distance_to(const Render *render, const double point[4])
@@ -75,8 +77,8 @@ static bool goes_across(const Render *render, const double along[4])
            fabs(vec3_dot(camera->back, along)) < across * sqrt(vec3_dot(along, along));
 }
 
-/* In clip space, from the columns for x, y, z and 1: where parallel light goes. Of the map's middle
- * and corners that with the greatest w. */
+/* Direction of parallel light in clip space, from the columns for x, y, z and 1. If it runs
+ * across the view, the distant point from the map's center or corners with the greatest |w|. */
 static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
 {
     static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -155,7 +157,7 @@ static bool make_view(Render *render, int number)
     return true;
 }
 
-/* Adds the bit of a light to what is there. */
+/* Program that adds a light's bit to the mask. */
 static bool make_mark(Render *render, int number)
 {
     static const char text[] =
@@ -245,7 +247,7 @@ static void count_faces(Render *render, const ShadowLight *light)
     gl->ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-/* Counts become 0 where they are read. */
+/* Adds the light's bit where the count is not 0, and resets the counts. */
 static void mark(Render *render, int number)
 {
     const GlContext *gl = render->gl;

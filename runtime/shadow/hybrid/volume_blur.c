@@ -1,5 +1,5 @@
-/* Depth blurring: a map's depths are drawn to a texture of their own first; their means are the
- * map. */
+/* Depth blurring: a map's depths are first drawn to a separate texture; their weighted means
+ * become the map. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/hybrid/volume.h"

@@ -1,6 +1,5 @@
-// Depth blurring: the mean of a texel and of eight samples around it, 1.5 texels away, each linear
-// between texels. So the texel counts 4 times, those beside it on an axis twice, all others of 5 x
-// 5 once, of 36.
+// Depth blurring: mean of a texel and of eight bilinear samples at a distance of 1.5 texels. So of
+// 36 weights the texel has 4, its neighbors along an axis 2, and all others in the 5 x 5 square 1.
 uniform sampler2D blur_depths;
 
 void main()

@@ -1,7 +1,7 @@
-/* Shadow volumes that silhouettes cut, volume_cells.glsl: its vertices have no attributes. When
- * maps are drawn, a program lists the cells of each view that have a surface, those that
- * silhouettes cross apart from the rest (volume_list.glsl), and counts the vertices that they take,
- * which two draws then go by. */
+/* Shadow volumes cut at silhouettes (volume_cells.glsl), whose vertices have no attributes.
+ * After the maps are drawn, a compute program lists the cells of each view that have a surface,
+ * those that silhouettes cross separately (volume_list.glsl), and counts their vertices for two
+ * indirect draws. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -13,11 +13,11 @@ enum {
     LIST,
     COMMANDS /* binding points */,
     GROUP = 8,
-    PARTS = 2 /* not crossed, crossed */,
+    PARTS = 2 /* cells without and with crossings */,
     CROSSINGS_UNIT = 1
 };
 
-/* As GL has it. */
+/* An indirect draw command of GL. */
 typedef struct {
     GLuint count, instances, first, base;
 } Command;

@@ -1,6 +1,6 @@
-// The copied path, perfect triangulation: a texel for each corner of each quad, two by two. Where a
-// quad is turned its corners move on by one, as in the thesis, and the depth's sign says so: depths
-// are not negative, and 0 has a sign, too.
+// The path `copy`, perfect triangulation: writes a texel for each corner of each quad, 2 x 2. The
+// corners of a turned quad are rotated by one, as in the thesis, and marked by the sign of the
+// depth: depths are not negative, and 0 has a sign, too.
 uniform sampler2DArray volume_depths;
 uniform float volume_layer;
 out float corner_depth;

@@ -1,8 +1,9 @@
-/* Where the vertices of shadow volumes come from, by the scene's path. Fetched: each vertex reads
- * the map. Copied, as in the thesis: a map's depths go through a pixel buffer that becomes a vertex
- * buffer; of the perfect triangulation a texture is drawn first that has a texel for each corner of
- * each quad. Computed: a program writes depths, and of the perfect triangulation the indices.
- * Buffers are written when maps are drawn. All three draw the same triangles, corner by corner. */
+/* Sources of a shadow volume's vertices, selected by the scene's path. `fetch`: each vertex
+ * reads the map. `copy`, as in the thesis: a map's depths are copied through a pixel buffer that
+ * becomes a vertex buffer; for the perfect triangulation a texture with a texel for each corner
+ * of each quad is drawn first. `compute`: a program writes depths, and for the perfect
+ * triangulation the indices. Buffers are written after the maps are drawn. All three draw the
+ * same triangles, corner by corner. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/hybrid/volume.h"
@@ -20,8 +21,8 @@ enum {
 
 /* -- indices */
 
-/* Rows of quads: a strip each, two vertices a column, from the upper to the lower one, and a
- * restart. */
+/* Rows of quads: one strip each, two vertices per column, from the upper to the lower one, and a
+ * primitive restart. */
 static GLsizei put_strips(GLuint *indices, GLuint size)
 {
     GLsizei count = 0;
@@ -35,7 +36,7 @@ static GLsizei put_strips(GLuint *indices, GLuint size)
     return count;
 }
 
-/* Two triangles a quad, whose corners are a, b, c, d. */
+/* Two triangles per quad, whose corners are a, b, c, d. */
 static const GLuint triangles[QUAD_INDICES] = {0, 1, 3, 1, 2, 3};
 
 static GLsizei put_quads(GLuint *indices, GLuint size)
@@ -47,7 +48,7 @@ static GLsizei put_quads(GLuint *indices, GLuint size)
     return count;
 }
 
-/* Indices for a texture with two by two texels a quad, from its lower left corner around. */
+/* Indices for a texture with 2 x 2 texels per quad, from its lower left corner around. */
 static GLsizei put_corners(GLuint *indices, GLuint size)
 {
     static const GLuint right[QUAD_CORNERS] = {0, 1, 1, 0}, up[QUAD_CORNERS] = {0, 0, 1, 1};
@@ -73,7 +74,7 @@ static bool has_compute(const GlContext *gl)
            gl->BindBufferBase;
 }
 
-/* The indices of a view are its own: the program that writes them has decided diagonals. */
+/* True if each view has its own indices: the program that writes them has selected diagonals. */
 static bool writes_indices(const Render *render)
 {
     return volume_state(render)->path == WORD_Path_compute && is_perfect(render);
@@ -135,7 +136,7 @@ const char *volume_data_text(const Render *render, bool shown)
 
 /* -- buffers */
 
-/* Makes the indices of all views that are fetched or copied; a computed view has its own. */
+/* Makes the indices, shared by all fetched or copied views; computed views have their own. */
 static bool make_indices(Render *render)
 {
     GlContext *gl = render->gl;
@@ -176,7 +177,7 @@ static bool make_vertices(Render *render)
     return gl_check(gl, "making vertices of shadow volumes");
 }
 
-/* An offset, by GL's habit. */
+/* An offset as a pointer, as GL takes it. */
 static const void *offset_of(size_t count)
 {
     return (const void *)(uintptr_t)(count * sizeof(GLuint));
@@ -210,7 +211,7 @@ static bool make_arrays(Render *render)
     return gl_check(render->gl, "making shadow volumes");
 }
 
-/* Makes the program that decides diagonals, or writes everything. */
+/* Makes the program that selects diagonals, or writes everything. */
 static bool make_writer(Render *render)
 {
     FrameVolumes *volumes = volume_state(render);
@@ -246,7 +247,7 @@ bool volume_data_make(Render *render)
 
 /* -- writing */
 
-/* Depths of a map, as they are. */
+/* Copies the depths of a map. */
 static void copy_depths(const Render *render, int view, size_t first)
 {
     const GlContext *gl = render->gl;
@@ -316,7 +317,7 @@ void volume_data_write(Render *render)
 
 /* -- drawing */
 
-/* Among views of hybrid lights. */
+/* Index of a view among the hybrid views. */
 static int number_of(const Render *render, int view)
 {
     int number = 0;

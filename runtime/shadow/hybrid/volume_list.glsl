@@ -1,13 +1,13 @@
-// Lists a view's cells: those that no silhouette crosses from the first place on, two triangles
-// each; the others from the last one back, VOLUME_MOST each. Of parallel light cells without depth
-// are none: all their corners are the one point where it goes.
+// Lists a view's cells: those without crossings from the beginning on, two triangles each; the
+// others from the end backwards, VOLUME_MOST triangles each. For parallel light, cells without
+// depth are omitted: their corners coincide at infinity.
 layout(local_size_x = 8, local_size_y = 8) in;
-struct Command { // of a draw: vertices, instances, first vertex and instance
+struct Command { // draw command: vertices, instances, first vertex and instance
     uint count, instances, first, base;
 };
 layout(std430, binding = 0) writeonly buffer Cells { uint listed_cells[]; };
-layout(std430, binding = 1) buffer Commands { Command commands[]; }; // two for each view
-uniform vec4 volume_listed; // the maps' layers, the view among those that are volumes, 1: of parallel light
+layout(std430, binding = 1) buffer Commands { Command commands[]; }; // two per view
+uniform vec4 volume_listed; // the map's two layers, index among hybrid views, 1: parallel light
 
 void main()
 {

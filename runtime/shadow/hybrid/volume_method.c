@@ -1,15 +1,15 @@
-/* The row of hybrid shadows. */
+/* The technique's row: hybrid shadows. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/hybrid/volume.h"
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
-enum { LANE_LIGHTS = 8 /* bits of a lane of the mask */ };
+enum { LANE_LIGHTS = 8 /* bits per component of the mask */ };
 
 static bool crossed(const Scene *scene) { return scene->shadow_volume == WORD_Volume_silhouette; }
 
-/* A stencil, and a bit for each light. */
+/* Formats: depth with a stencil, and a mask with a bit for each light. */
 static const char *target(const Render *render, FrameTarget target)
 {
     if (target == FRAME_TARGET_depth && volume_lights_cast(render))
@@ -23,8 +23,8 @@ static bool make_maps(Render *render)
     return volume_blur_make(render) && volume_data_make(render);
 }
 
-/* One side of what is opaque, and nothing at the border, so that the volume that
- * is made of it is closed. */
+/* Draws one side of opaque casters, and nothing at the border, so that the resulting volume is
+ * closed. */
 static void draw(Render *render, const CacheSource *source, int view)
 {
     const GlContext *gl = render->gl;
@@ -50,9 +50,9 @@ static void draw(Render *render, const CacheSource *source, int view)
     }
 }
 
-/* -- for the lighting of surfaces */
+/* -- for lighting */
 
-/* Text for transparent surfaces, which look up a volume's cells; other surfaces count its faces. */
+/* Text for transparent surfaces, which look up a volume's cells; opaque surfaces read the mask. */
 static const char *cells_text(const Render *render, bool nearest)
 {
     return volume_cells_are(render) && !nearest
@@ -82,7 +82,7 @@ static void bind(const Render *render, int unit)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_mask, 0), unit);
 }
 
-/* A picture for each volume. */
+/* A variant for each kind of volume. */
 static bool vary(Scene *scene, Word variant)
 {
     if (!scene_volume_name(variant))

@@ -1,15 +1,16 @@
-// Hybrid shadows: whether a volume has a point of a surface. It stands behind shadow.glsl and shadow_volume.glsl.
+// Hybrid shadows: tests whether a shadow volume contains a surface point. Follows shadow.glsl and
+// shadow_volume.glsl.
 #ifdef SHADOW_MASK
 uniform sampler2D shadow_mask;
 
-// Opaque surfaces: volumes were counted at the pixel, a bit for each light.
+// Opaque surfaces: the volumes' faces were counted at the pixel, a bit for each light.
 float volumeShare(int bit, ivec2 views, vec3 point, ivec2 at)
 {
     return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
 }
 #else
-// A triangle's depth over a place between three texels: b is beside a, c beyond b. Of parallel
-// light it is as high as the map if one of them is far.
+// Interpolates a triangle's depth between three texels: b is adjacent to a, c adjacent to b. For
+// parallel light the triangle reaches infinity if one texel has no depth.
 float volumeHeight(vec3 abc, vec2 part, bool parallel)
 {
     return parallel && min(abc.x, min(abc.y, abc.z)) <= 0.0 ? 0.0 : abc.x + (abc.y - abc.x) * part.x + (abc.z - abc.y) * part.y;
@@ -19,7 +20,7 @@ float volumeHeight(vec3 abc, vec2 part, bool parallel)
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel); // volume_cells.glsl
 #endif
 
-// Whether the volume of a view has a point in it: the same triangles.
+// True if the volume of a view contains the point; uses the same triangles as the drawn volume.
 bool volumeHas(int view, vec3 point)
 {
     vec4 how = shadowRow(view, VIEW_HOW);
@@ -45,7 +46,7 @@ bool volumeHas(int view, vec3 point)
 #endif
 }
 
-// Transparent surfaces are in no pixel's count.
+// Transparent surfaces have no counts in the stencil.
 float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 {
     for (int view = views.x; view < views.x + views.y; view++)
@@ -54,7 +55,7 @@ float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 }
 #endif
 
-// For shadow_text.c.
+// Entry point, called by shadow_text.c's functions.
 vec3 volumeLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     shadow_apart = true;

@@ -1,13 +1,13 @@
-/* Volumes of hybrid shadows as one can look at them. They are drawn beside the lines of the pass
- * tools: tone mapping leaves their colours as they are, and what lies before them in the depth
- * hides them. Their GLSL is volume_vertex.glsl and volume_shown.glsl. */
+/* Debug views of hybrid shadow volumes. They are drawn with the lines of the pass tools: tone
+ * mapping keeps their colors, and nearer surfaces hide them by the depth test. Their GLSL is
+ * volume_vertex.glsl and volume_shown.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/shadow/hybrid/volume.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Views of the picture with volumes in it. */
+/* Views of the picture with volumes. */
 static const FrameLook views[] = {
     /* name                   scene              volume */
     {"volume", FRAME_LOOK_faces, FRAME_LOOK_faces},
@@ -40,8 +40,8 @@ void volume_shown_place(Render *render)
             place(render, i);
 }
 
-/* Lines hide what is behind them, and so do faces where there is nothing else; over the scene one
- * looks through faces. */
+/* Lines hide lines behind them, and so do faces if nothing else is drawn; over the scene faces
+ * are translucent. */
 static const char *define_look(const Render *render)
 {
     const FrameLook *look = render->look;
@@ -86,7 +86,7 @@ bool volume_shown_make(Render *render)
     return fine;
 }
 
-/* Surfaces behind show through a face by a share, in any order: depth stays. */
+/* Surfaces behind show through a face by a constant share, in any order: depth is not written. */
 static void begin(const Render *render)
 {
     const GlContext *gl = render->gl;

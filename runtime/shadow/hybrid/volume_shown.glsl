@@ -1,15 +1,15 @@
-// A shadow volume as one can look at it: its front faces orange, its back faces blue, lighter the
-// more they face the eye; or lines. What is infinitely far away is left out.
+// Debug view of a shadow volume: front faces orange, back faces blue, lighter the more they face
+// the eye; or lines. Infinitely distant parts are omitted.
 layout(std140) uniform Look {
     vec4 look_ray; // view_space.h
     vec4 look_view;
 };
 in float volume_away; // 1 where no corner has a depth
-layout(location = 0) out vec4 look_light; // as tools_light: what of the light is covered
+layout(location = 0) out vec4 look_light; // like tools_light: covered share of the light
 layout(location = 1) out vec4 look_shown;
 
-// The cosine between the normal and the way to the eye. Depth is linear over the picture, in what
-// tools_fragment.glsl calls the ray's x and y: its slopes are the normal.
+// Cosine between the normal and the direction to the eye. Depth is linear over the picture, in the
+// coordinates that tools_fragment.glsl calls the ray's x and y: its slopes give the normal.
 float facing()
 {
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / (2.0 * look_ray.xy);

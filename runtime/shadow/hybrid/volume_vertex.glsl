@@ -1,19 +1,21 @@
-// The shadow volume of a depth map: the vertex program. A vertex is a texel, or, of the perfect
-// triangulation, a corner of a quad, four each; behind CAP it is one of a fan that closes the
-// volume infinitely far away, over the map's border. Behind DEPTHS its depth comes out of a buffer;
-// behind CORNERS, too, four vertices a quad, and is negative where the quad is turned
-// (volume_corners.glsl). Behind CELLS it is a corner of a cell's triangles (volume_cells.glsl): of
-// all cells, VOLUME_MOST triangles each; or, behind LISTED, of those in a list (volume_list.glsl).
-// Triangles that a cell lacks are one point.
+// Vertex program of a depth map's shadow volume. A vertex is a texel, or for the perfect
+// triangulation a corner of a quad, four each. CAP: a vertex of a fan that closes the volume at
+// infinity, over the map's border. DEPTHS: its depth is an attribute. CORNERS: the same with four
+// vertices per quad, and a negative depth marks a turned quad (volume_corners.glsl). CELLS: a
+// corner of a cell's triangles (volume_cells.glsl), for all cells with VOLUME_MOST triangles each;
+// with LISTED, for the cells in a list (volume_list.glsl). Missing triangles of a cell are
+// degenerate.
 #ifndef CELLS
 uniform sampler2DArray volume_depths;
 #endif
 layout(std140) uniform Volume {
-    vec4 volume_x, volume_y, volume_z, volume_w; // clip space from a place: columns
-    vec4 volume_map;                             // its layer, its size, 1: of parallel light, 1: stretched
-    vec4 volume_far;                             // of parallel light, where it goes; else the least depth
+    vec4 volume_x, volume_y, volume_z, volume_w; // columns of the matrix from the map to clip space
+    vec4 volume_map;                             // layer, size, 1: parallel light, 1: stretched
+    // parallel light: its direction; else x: least depth
+    vec4 volume_far;
 #ifdef CELLS
-    vec4 volume_cells; // its layer of crossings; the view among those that are volumes; 1: what is crossed is drawn, 0: the rest
+    // layer of crossings; index among hybrid views; 1: draws crossed cells, 0: the rest
+    vec4 volume_cells;
 #endif
 };
 #ifdef LISTED
@@ -22,7 +24,7 @@ layout(std430, binding = 0) readonly buffer Cells { uint listed_cells[]; };
 #if defined DEPTHS || defined CORNERS
 layout(location = 0) in float volume_depth;
 #endif
-invariant gl_Position; // caps and sheets meet
+invariant gl_Position; // caps and sheets share vertices
 #ifdef VIEWED
 out float volume_away; // 1 where there is no depth (volume_shown.glsl)
 #endif
@@ -31,8 +33,8 @@ out float volume_away; // 1 where there is no depth (volume_shown.glsl)
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
 #endif
 
-// Perspective depth is near / z: a homogeneous point. What has no depth is as far away as
-// pass_volume.c says.
+// A homogeneous point: perspective depth is near / z. A point without depth is as distant as
+// pass_volume.c sets.
 vec4 volumePoint(vec2 place, float depth)
 {
 #ifdef VIEWED
@@ -43,7 +45,7 @@ vec4 volumePoint(vec2 place, float depth)
 }
 
 #ifdef CAP
-// The k-th texel of the border, counterclockwise.
+// Texel k of the border, counterclockwise.
 ivec2 volumeBorder(int k)
 {
     int last = int(volume_map.y) - 1, along = k % last, side = k / last % 4;
@@ -55,7 +57,7 @@ ivec2 volumeBorder(int k)
 vec3 volumeVertex()
 {
     int row = int(volume_map.y) - 1, most = 3 * VOLUME_MOST;
-    bool cut = true; // it may be
+    bool cut = true; // crossings are possible
 #ifdef LISTED
     cut = volume_cells.z > 0.0;
     most = cut ? most : 6;

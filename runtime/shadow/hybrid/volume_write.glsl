@@ -1,11 +1,11 @@
-// The computed path: a thread for each texel of a map writes its depth as a vertex; of the perfect
-// triangulation also the two triangles of the quad to its right and above, whose corners go around
-// from the one that the diagonal does not touch.
+// The path `compute`: a thread for each texel of a map writes its depth as a vertex; for the
+// perfect triangulation also the two triangles of the quad to its right and above, whose corners go
+// around from the one opposite the diagonal.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 0) writeonly buffer Depths { float written_depths[]; };
 layout(std430, binding = 1) writeonly buffer Indices { uint written_indices[]; };
 uniform sampler2DArray volume_depths;
-uniform float volume_layer, volume_number; // of the map; of it among those that are volumes
+uniform float volume_layer, volume_number; // layer of the map; its index among hybrid views
 
 float depthAt(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_layer)), 0).x; }
 

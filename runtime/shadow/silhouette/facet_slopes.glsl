@@ -1,12 +1,13 @@
-// The end of a surface's program where shadows are found by silhouettes: how steep the triangle is
-// that is drawn, beside the G-buffer. A surface's normal is the mean of its corners', and may look
-// to the light where the triangle looks away. Slopes are those of depth from pixel to pixel, over
-// depth: halves.
+// End of a surface's program for silhouette shadows: writes the depth slopes of the drawn triangle,
+// in addition to the G-buffer. An interpolated normal may face the light although the triangle
+// faces away. Slopes are differences of depth from pixel to pixel, divided by depth: half floats.
 layout(location = SEEN_TARGET) out uint facet_slopes;
 
 void main()
 {
-    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / gl_FragCoord.z; // before anything is discarded
+    // before any discard
+    vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / gl_FragCoord.z;
     surfaceMain();
-    facet_slopes = packHalf2x16(clamp(slope * 4096.0, -65504.0, 65504.0)) | 1u; // 0: nothing is drawn
+    // 0: nothing is drawn
+    facet_slopes = packHalf2x16(clamp(slope * 4096.0, -65504.0, 65504.0)) | 1u;
 }

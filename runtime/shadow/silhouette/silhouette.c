@@ -1,5 +1,5 @@
-/* Silhouette shadows: edges of meshes in a buffer, once; for each view, crossings into a buffer of
- * whole numbers, and from there into a texture. */
+/* Silhouette shadows: puts edges of meshes into a buffer, once; for each view, writes crossings
+ * into an integer buffer, and from there into a texture. */
 #include "gen/render_text.h"
 #include "runtime/shadow/silhouette/silhouette.h"
 #include "runtime/cache/instances.h"
@@ -17,7 +17,7 @@ enum {
     SQUARE = 8,
     MOST_GROUPS = 65535
 };
-enum { MOST_EDGES = MOST_GROUPS * GROUP /* one dispatch has so many */ };
+enum { MOST_EDGES = MOST_GROUPS * GROUP /* limit of one dispatch */ };
 
 int silhouette_layer(const Render *render, int view)
 {
@@ -42,8 +42,8 @@ static void put_edge(const MeshEdge *from, int face, SilhouetteEdge edge)
     memcpy(edge[3], from->apexes[from->open ? face : 1], sizeof edge[3]);
 }
 
-/* An open edge is put once for each face, of which there may be more than two: the first and the
- * last that were met. */
+/* An open edge is stored once for each face. If it has more than two faces, the first and the
+ * last one are stored. */
 static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
 {
     int count = 0;
@@ -56,7 +56,7 @@ static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
     return count;
 }
 
-/* More of them behind those that are there. */
+/* Appends a mesh's edges. */
 static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, SilhouetteEdge **edges)
 {
     const size_t most = (size_t)made->edge_count + 2 * (size_t)mesh->count;
@@ -88,7 +88,7 @@ static bool gather_edges(const Render *render, Silhouettes *made, SilhouetteEdge
     return fine;
 }
 
-/* -- what is there before a view is drawn */
+/* -- resources */
 
 static GLuint make_buffer(Render *render, const void *from, size_t bytes)
 {
@@ -176,7 +176,7 @@ void silhouette_delete(Render *render)
 
 /* -- a view */
 
-/* Three rows, then its near, the map's edge, its number: as columns of a matrix. */
+/* Sets a matrix whose columns are the three rows, and (near, the map's size, its number). */
 static void set_view(const Render *render, int number, Material *material)
 {
     const ShadowView *view = &render->shadows->views.views[number];
@@ -189,8 +189,8 @@ static void set_view(const Render *render, int number, Material *material)
     material_set(material, &(MaterialValue){"silhouette_view", 16, m});
 }
 
-/* Opaque objects that a view sees, sorted by mesh: what casts by depth alone comes first. How
- * many. */
+/* Lists the opaque objects in a view, sorted by mesh, those drawn by depth only first. Returns
+ * their number. */
 static int list_places(Render *render, const ShadowView *view)
 {
     Cache *cache = &render->cache;

@@ -1,44 +1,45 @@
-// Silhouette shadows: whether a light reaches a point, by the depths at the four centres of texels
-// around it and by where silhouettes cross between them.
+// Silhouette shadows: tests whether a light reaches a point, by the depths at the four surrounding
+// texel centers and the silhouette crossings between them.
 //
-// Each centre is compared with the plane through the point that has its normal: what is nearer to
-// the light there by more than the bias covers the point from there. Centres beside each other
-// without a crossing between them are of one surface, which covers all that is below it or nothing:
-// it is free if one of its centres is. So neither a slope nor a surface that bends towards the
-// light shades itself. If some centres are covered, a line through the cell parts them from the
-// others, from crossing to crossing.
+// Each center is compared with the plane through the point with the point's normal: a depth nearer
+// to the light there, by more than the bias, occludes the point. Adjacent centers without a
+// crossing in between belong to one surface, which occludes everything below it or nothing: it is
+// free if one of its centers is. So neither slopes nor surfaces that curve towards the light shade
+// themselves. If some centers are covered, a line through the cell from crossing to crossing
+// separates them from the others.
 //
-// The bias is a texel along the light, but across the plane 1/16 to 1/4 texel: so much the
-// triangles around may bend towards the light before they shade the point. To this comes what the
-// normal may be off, times the way from the point to a centre.
+// The bias is a texel along the light, but 1/16 to 1/4 texel perpendicular to the plane: adjacent
+// triangles may deviate that much towards the light before they shade the point. Added to it is the
+// normal's tolerated error times the distance from the point to a center.
 //
-// A cell between four centres: where that line runs, as marching squares have it.
+// The line through a cell between four centers is that of marching squares.
 //
-//     covered: (0, 0) alone; cuts at .3 of the lower segment, .6 of the left one: covered where x /
-//         .3 + y / .6 < 1
+//  covered: (0, 0) alone; cuts at .3 of the lower segment, .6 of the left one: covered where x / .3
+//  + y / .6 < 1
 //
-// Two covered centres across the cell from each other are one surface if more than half of the four
-// segments is covered.
+// Two diagonally opposite covered centers are one surface if more than half of the four segments is
+// covered.
 
-// Whether a point is in the corner (0, 0) of a cell, before the line from legs.x on one segment to
+// True if a point is in the corner (0, 0) of a cell, before the line from legs.x on one segment to
 // legs.y on the other.
 bool silhouetteCuts(vec2 legs, vec2 point)
 {
     return point.x * legs.y + point.y * legs.x < legs.x * legs.y;
 }
 
-// `low` and `high` are the covered centres of two sides, at (0, 0) and (1, 0), at (0, 1) and (1,
-// 1); where segments are cut: the lower and the upper one along x, the left and the right one along
-// y.
+// True if the point is covered. `low` and `high` are the covered centers at (0, 0) and (1, 0), and
+// at (0, 1) and (1, 1); `cut` has the crossings of the lower and the upper segment along x, and of
+// the left and the right one along y.
 bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 {
     int count = int(low.x) + int(low.y) + int(high.x) + int(high.y);
     if (count == 2 && low.x == low.y) return (point.y < mix(cut.z, cut.w, point.x)) == low.x;
     if (count == 2 && low.x == high.x) return (point.x < mix(cut.x, cut.y, point.y)) == low.x;
-    bool alone = count == 1; // what one centre is, and the others are not
+    bool alone = count == 1; // state of the single center that differs
     bool right = count == 2 ? low.y : low.y == alone || high.y == alone;
     bool up = count != 2 && (high.x == alone || high.y == alone);
-    point = vec2(right ? 1.0 - point.x : point.x, up ? 1.0 - point.y : point.y); // that centre, or a covered one, is (0, 0) now
+    // moves that center, or a covered one, to (0, 0)
+    point = vec2(right ? 1.0 - point.x : point.x, up ? 1.0 - point.y : point.y);
     if (right) cut = vec4(1.0 - cut.xy, cut.wz);
     if (up) cut = vec4(cut.yx, 1.0 - cut.zw);
     if (count != 2) return silhouetteCuts(cut.xz, point) == alone;
@@ -48,21 +49,22 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
     return silhouetteCuts(cut.xz, point) || silhouetteCuts(1.0 - cut.yw, 1.0 - point);
 }
 
-#ifdef SHADOW_SILHOUETTES // behind shadow.glsl
-const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0; // of the bias across the plane, in texels
+#ifdef SHADOW_SILHOUETTES // follows shadow.glsl
+// bias perpendicular to the plane, in texels
+const float SILHOUETTE_LEAST = 1.0 / 16.0, SILHOUETTE_MOST = 1.0 / 4.0;
 const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
-// A point in a view: its place there, and the change of depth from texel to texel on its plane.
+// A point in a view: its position there, and the change of depth per texel on its plane.
 struct SilhouettePlace {
     vec2 at;     // in texels
     float depth; // greater is nearer to the light
     vec2 slope;
-    float texel; // how much depth is as long as a texel is wide
+    float texel; // depth difference as long as a texel is wide
 };
 
-// `normal` is the plane's; point and normal are in the eye's space. By p = (x, y, z) of the view
-// the plane is n . p = k. Of parallel light z is depth; else depth is near / z, which is near / k
-// (n.x x / z + n.y y / z + n.z).
+// Position of a point in a view; `normal` is its plane's; both are in eye space. In the view's
+// coordinates p = (x, y, z) the plane is n . p = k. For parallel light z is depth; else depth is
+// near / z, which is near / k (n.x x / z + n.y y / z + n.z).
 SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
 {
     vec4 rows[3] = vec4[3](shadowRow(view, VIEW_ROWS), shadowRow(view, VIEW_ROWS + 1), shadowRow(view, VIEW_ROWS + 2)), how = shadowRow(view, VIEW_HOW);
@@ -79,30 +81,34 @@ SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
     return SilhouettePlace(((parallel ? p.xy : p.xy / p.z) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5, depth, slope, texel);
 }
 
-// Which of the centres around a point do not cover it: 1 or 0, in textureGather's order, which is
+// 1 for each surrounding center that does not occlude the point, else 0, in textureGather's order:
 // (0, 1), (1, 1), (1, 0), (0, 0) of the cell.
 vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
     float steep = length(place.slope) / place.texel, square = 1.0 + steep * steep;
-    float lift = clamp(inversesqrt(square), SILHOUETTE_LEAST, SILHOUETTE_MOST) + pixel / 64.0; // along the light 1, between both
+    // along the light 1, clamped to both bounds
+    float lift = clamp(inversesqrt(square), SILHOUETTE_LEAST, SILHOUETTE_MOST) + pixel / 64.0;
     vec4 bias = lift * sqrt(square) + min(SILHOUETTE_TILT * square, max(steep, 0.25)) * sqrt(x * x + y * y);
     vec4 off = depths - place.depth - place.slope.x * x - place.slope.y * y;
-    return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0)))); // 0: there is nothing
+    // 0: empty texel
+    return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0))));
 }
 
-// Whether a view's light reaches a point. `pixel` is the size of one there, in texels.
+// True if a view's light reaches a point. `pixel` is a pixel's size there, in texels.
 bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
 {
     SilhouettePlace place = silhouettePlace(view, point, normal);
     vec2 low = clamp(floor(place.at), vec2(0.0), vec2(SHADOW_SIZE - 2)), part = place.at - low;
-    if (any(lessThan(part, vec2(0.0))) || any(greaterThan(part, vec2(1.0)))) return true; // beyond the map
+    // outside the map
+    if (any(lessThan(part, vec2(0.0))) || any(greaterThan(part, vec2(1.0)))) return true;
     vec3 middle = vec3((low + 1.0) / float(SHADOW_SIZE), view);
     vec4 depths = textureGather(shadow_maps, middle), free = silhouetteFree(place, part, depths, pixel);
     if (free == vec4(0.0) || free == vec4(1.0)) return free.x > 0.0;
     middle.z = shadowRow(view, VIEW_HOW).w - 1.0;
     vec4 rows = textureGather(silhouette_crossings, middle, 0), columns = textureGather(silhouette_crossings, middle, 1);
-    vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0))); // from each centre to the next around the cell
+    // no crossing from each center to the next around the cell
+    vec4 joined = vec4(equal(vec4(rows.x, columns.z, rows.w, columns.w), vec4(0.0)));
     for (int i = 0; i < 3; i++)
         free = max(free, max(joined * free.yzwx, joined.wxyz * free.wxyz));
     if (free == vec4(1.0)) return true;
@@ -112,13 +118,14 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
 }
 
 #ifdef FACETS // facet.glsl sets them for each light
-vec3 facet_side = vec3(0.0); // the normal of the triangle that is seen, towards the light; 0: it is not known
-bool facet_away = false;     // it looks away from the light, while the surface's normal does not
+vec3 facet_side = vec3(0.0); // triangle normal of the pixel, towards the light; 0: unknown
+// the triangle faces away from the light, while the shading normal does not
+bool facet_away = false;
 #endif
 
 #ifdef SHADOW_GLASS
-// Transmittance of all transparent casters, over texels that nothing opaque covers; its edges are
-// those of a map.
+// Transmittance of all transparent casters, filtered over texels that no opaque caster covers;
+// edges are as in a plain map.
 SHARE silhouetteThrough(int view, vec3 point)
 {
     vec4 how = shadowRow(view, VIEW_HOW);
@@ -140,7 +147,7 @@ SHARE silhouetteThrough(int view, vec3 point)
 }
 #endif
 
-// A view, or those of a cube, which overlap by two texels on each side.
+// Share by one view, or by those of a cube, which overlap by two texels on each side.
 SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, VIEW_HOW);

@@ -1,18 +1,18 @@
-// Where silhouettes cross the segments between the centres of a shadow map's texels: a thread for
-// an edge of a mesh and an object. An edge is one of the silhouette if both its faces lie to the
-// same side of it, as the light sees them; an edge of one face is given that face twice. It is
-// walked along all rows and columns of texels that it crosses.
+// Finds where silhouettes cross the segments between the centers of a shadow map's texels: one
+// thread per edge of a mesh and object. An edge belongs to the silhouette if both its faces are on
+// the same side of it, as seen from the light; an edge with one face stores that face twice. The
+// thread walks along all rows and columns of texels that the edge crosses.
 //
-// A crossing counts on a segment whose one centre is nearer to the light than the other, if its
-// edge is no deeper than what lies at the farther one, and its faces are to the nearer one's side.
-// If there are several, the one farthest from the nearer center stays: all between is covered. It
-// is kept as its distance from there.
+// A crossing counts on a segment with one center nearer to the light than the other, if its edge is
+// no deeper than the surface at the farther center, and its faces are on the nearer center's side.
+// Of several crossings the one farthest from the nearer center is kept: everything up to it is
+// covered. It is stored as its distance from that center.
 //
 //     depths .9 and .5 at the columns 3 and 4 of a row, an edge at column 3.25 of depth .8: .25;
-//         one at 3.75 of depth .7, too: .75
+//         another one at 3.75 of depth .7: .75
 //
-// A rasteriser rounds corners to 1/256 of a texel, so that a centre nearer than that to an edge may
-// be on its other side: the segment beyond has the crossing as well.
+// A rasterizer rounds corners to 1/256 of a texel, so a center nearer than that to an edge may be
+// on its other side: the crossing is also stored for the adjacent segment.
 layout(local_size_x = 64) in;
 
 struct Instance {
@@ -26,22 +26,25 @@ layout(std140, binding = 0) readonly buffer Instances {
 layout(std430, binding = 1) readonly buffer Places {
     uint places[];
 };
-layout(std430, binding = 2) readonly buffer Edges { // of a mesh: two ends, then the third corners of both faces
+// of all meshes: two ends, then the third corners of both faces
+layout(std430, binding = 2) readonly buffer Edges {
     float edge_lanes[];
 };
-layout(std430, binding = 3) buffer Extents { // of each texel: of the segment to the right, and upwards
+layout(std430, binding = 3) buffer Extents { // per texel: of the segment to the right, and upwards
     uint extents[];
 };
 uniform sampler2DArray silhouette_maps;
-uniform mat4 silhouette_view; // three rows from the world; near, edge of the map in texels, its number
-uniform vec3 silhouette_run;  // of a mesh: its first edge, how many; where its objects' numbers begin
+// three rows from world space; near, edge of the map in texels, its number
+uniform mat4 silhouette_view;
+// of a mesh: its first edge, their number; offset of its objects' numbers
+uniform vec3 silhouette_run;
 
 const float NEAR_CENTRE = 1.0 / 128.0; // texels
-const float FLAT = 2e-6; // of a face: it is seen from its side
+const float FLAT = 2e-6; // tolerance for faces seen edge-on
 
 float near, size;
 
-// x, y, depth and 1, times w.
+// Position in the view: x, y, depth and 1, times w.
 vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
 {
     uint at = edge * 12u + corner * 3u;
@@ -50,7 +53,7 @@ vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
     return near > 0.0 ? vec4(place.xy, near, place.z) : vec4(place, 1.0);
 }
 
-// To which side of an edge something is, as the light sees it: 1, -1; 0: it is on it.
+// Side of an edge on which a point is, as seen from the light: 1, -1; 0: on the edge.
 float sideOf(vec3 from, vec3 edge, vec3 there)
 {
     vec3 way = there - from, across = cross(edge, way);
@@ -69,21 +72,21 @@ float depthAt(ivec2 texel)
     return texelFetch(silhouette_maps, ivec3(clamp(texel, ivec2(0), ivec2(size) - 1), int(silhouette_view[3].z)), 0).x;
 }
 
-// An edge, as the map has it.
+// An edge in the map's coordinates.
 struct Edge {
     vec3 ends[2];
-    vec2 faces; // there is one to the side 1; to the side -1
+    vec2 faces; // 1 if a face is on the side 1; on the side -1
 };
 
-// `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`, the crossing is at
-// `part` of it.
+// Stores a crossing. `along` is 0 on a row of texels, 1 on a column; the segment begins at `texel`,
+// and the crossing is at `part` of the segment.
 void record(Edge edge, int along, ivec2 texel, float part, float depth)
 {
     ivec2 next = ivec2(along == 0, along == 1);
     if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel + next, ivec2(size)))) return;
     float first = depthAt(texel), second = depthAt(texel + next);
     if (first == second) return;
-    bool nearer = first > second; // the first
+    bool nearer = first > second; // the first center is nearer
     float deepest = min(first, second), beyond = depthAt(nearer ? texel + 2 * next : texel - next);
     float left = nearer ? 1.0 - part : part;
     if (depth < min(deepest, deepest + (deepest - beyond) * left) * (1.0 - 2e-6)) return;
@@ -94,7 +97,7 @@ void record(Edge edge, int along, ivec2 texel, float part, float depth)
         atomicMax(extents[(texel.y * int(size) + texel.x) * 2 + along], uint((1.0 - left) * 65534.0 + 0.5) + 1u);
 }
 
-// All rows that an edge crosses, or all columns.
+// Visits all rows, or all columns, that an edge crosses.
 void walk(Edge edge, int along)
 {
     int across = 1 - along;
@@ -125,7 +128,7 @@ void main()
     vec2 sides = vec2(sideOf(a.xyw, way, placeOf(number, 2u, world).xyw), sideOf(a.xyw, way, placeOf(number, 3u, world).xyw));
     if (sides.x * sides.y < 0.0) return;
     vec2 faces = vec2(max(sides.x, sides.y) >= 0.0, min(sides.x, sides.y) <= 0.0);
-    float least = near > 0.0 ? near * 0.99 : 0.0; // what is nearer is in no map
+    float least = near > 0.0 ? near * 0.99 : 0.0; // nearer points are in no map
     if (max(a.w, b.w) <= least) return;
     vec4 first = a.w < least ? mix(a, b, (least - a.w) / (b.w - a.w)) : a;
     vec4 second = b.w < least ? mix(b, a, (least - b.w) / (a.w - b.w)) : b;

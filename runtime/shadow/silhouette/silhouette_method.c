@@ -1,4 +1,4 @@
-/* The row of silhouette shadows, and the planes of triangles that pixels see. */
+/* The technique's row: silhouette shadows, with the planes of the triangles that pixels show. */
 #include "runtime/frame/frame.h"
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow.h"
@@ -21,7 +21,7 @@ static bool seen_wanted(const Render *render)
 
 static bool seen_needed(const Render *render) { return silhouette_layers(render) > 0; }
 
-/* silhouette.glsl compares with planes. */
+/* Draws without slope-scaled bias, since silhouette.glsl compares with planes. */
 static void draw(Render *render, const CacheSource *source, int view)
 {
     render->gl->PolygonOffset(-1.0f / 64, -2);
