@@ -1,24 +1,26 @@
-// Reflections that are longer one way: GGX of two widths, a along a direction and b across it, by
-// plain numbers. OpenPBR 1.1's: with strength s, b / a = 1 - s and a^2 + b^2 = 2 roughness^4.
-// Before it stands surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials,
-// test_principled_anisotropy.c holds them against the integrals.
+// Anisotropic reflection: GGX with two widths, a along a direction and b across it, as polynomials.
+// As in OpenPBR 1.1, with strength s: b / a = 1 - s and a^2 + b^2 = 2 roughness^4. Follows
+// surface_facets.glsl. tests/fits/anisotropy.c prints its polynomials, test_principled_anisotropy.c
+// compares them with the integrals.
 //
-// The loss of facets for light from a direction v, and the share of it that grazes, depends on v's
-// cosine and on the widths along v and across it, nearly alone: of roughness^2 g, g^2 = 1 + k
-// (v.x^2 - v.y^2), k = (a^2 - b^2) / (a^2 + b^2), x along the direction. Over all azimuths g^2 is
-// 1, roughness^2 the width.
+// The multiple-scattering loss for light from a direction v, and its share at grazing angles,
+// depend almost only on v's cosine and on the widths along v: roughness^2 g, with g^2 = 1 + k
+// (v.x^2 - v.y^2), k = (a^2 - b^2) / (a^2 + b^2), and x along the direction. Over all azimuths the
+// mean of g^2 is 1, that is, the width roughness^2.
 //   Worked example, strength 0.5 and roughness 0.5: a = 0.25 sqrt(2 / 1.25) = 0.316, b = 0.158, k =
-//   0.6; seen along the direction at 60 degrees g is 1.2, across it 0.74.
+//   0.6; viewed along the direction at 60 degrees g is 1.2, across it 0.74.
 #if defined(SURFACE_HAS_anisotropy) && !defined(SURFACE_LACKS_anisotropy)
 #define LIT_ANISOTROPY
 #endif
 
 #ifdef LIT_ANISOTROPY
 struct Anisotropy {
-    vec3 along, across; // with the normal at right angles to each other
+    vec3 along, across; // orthogonal to each other and to the normal
     vec2 widths;
-    float alpha, rough, ratio; // alpha and rough: of the facets that are as wide in the mean; k
-    vec4 loss[6], grazing[6];  // polynomials in what an angle gives, each number one in g
+    // alpha and roughness of isotropic microfacets with the same mean width; k
+    float alpha, rough, ratio;
+    // polynomials in a function of the angle, each coefficient a cubic in g
+    vec4 loss[6], grazing[6];
 };
 
 // Polynomials in p, roughness^2, and 1 - k^2.
@@ -135,7 +137,7 @@ void grazingLines(float p, float rest, out vec4 lines[6])
                 p * (vec4(9.08247, -6.70663, 13.406, 4.9278))))));
 }
 
-// The frame that anisotropyStored() counts the angle in.
+// The angle is relative to the frame of anisotropyStored().
 Anisotropy anisotropyOf(vec2 slot, vec3 normal, float rough)
 {
     Anisotropy m;
@@ -171,7 +173,7 @@ Row rowOf(vec4 lines[6], vec4 g)
     return Row(vec4(dot(lines[0], g), dot(lines[1], g), dot(lines[2], g), dot(lines[3], g)), vec2(dot(lines[4], g), dot(lines[5], g)));
 }
 
-// As albedo(): within 0.011 and 0.006 of the integrals for cosines from 0.03 on.
+// Like albedo(): within 0.011 and 0.006 of the integrals for cosines from 0.03 on.
 vec2 albedoAlong(float cosine, float g, Anisotropy m)
 {
     vec4 powers = vec4(1.0, g, g * g, g * g * g);
@@ -181,7 +183,8 @@ vec2 albedoAlong(float cosine, float g, Anisotropy m)
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
-// The mean over azimuths: at two, whose numbers v.x^2 - v.y^2 are Gauss' points of all.
+// The mean over azimuths: at two azimuths whose values v.x^2 - v.y^2 are Gauss points of the
+// distribution.
 vec2 albedoAround(float cosine, Anisotropy m)
 {
     float off = 0.70710678 * m.ratio * (1.0 - cosine * cosine);
@@ -195,7 +198,7 @@ float maskedAlong(Anisotropy m, vec3 v, float cosine)
     return sqrt(cosine * cosine + dot(wide, wide));
 }
 
-// As facets(): the light's direction l and the half vector, the light's cosine; of the eye its
+// Like facets(): the light's direction l, the half vector, and the light's cosine; `eye`: the eye's
 // cosine and its maskedAlong().
 float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
 {

@@ -1,5 +1,5 @@
-// Surfaces of both models in one G-buffer: which one a pixel has, its slot `model` says. Before it
-// stand the texts of both, whose names begin with phong and principled (surface_model.c).
+// Both surface models in one G-buffer: the slot `model` selects the pixel's model. Follows the
+// texts of both, whose names have the prefixes phong and principled (surface_model.c).
 #undef Lit
 #undef surfaceLit
 #undef surfaceOwn

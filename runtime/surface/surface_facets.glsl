@@ -1,6 +1,6 @@
-// Reflection by microfacets, coats and fuzz, by plain numbers: lobes, and polynomials that
-// approximate their integrals. tests/fits/principled.c prints the polynomials; test_principled.c
-// and test_principled_lobes.c compare them with the integrals.
+// Microfacet reflection, coats and fuzz: lobes, and polynomials that approximate their integrals.
+// tests/fits/principled.c prints the polynomials; test_principled.c and test_principled_lobes.c
+// compare them with the integrals.
 #if defined(SURFACE_HAS_coat) && !defined(SURFACE_LACKS_coat)
 #define LIT_COAT
 #if defined(SURFACE_HAS_coatNormal) && !defined(SURFACE_LACKS_coatNormal)
@@ -17,7 +17,7 @@
 #define LIT_FILM
 #endif
 #ifdef LIT_FILM
-#define TONE vec3 // a share of light, of each lane
+#define TONE vec3 // a share of light per component
 #else
 #define TONE float
 #endif
@@ -39,8 +39,8 @@ struct Row {
 
 float rowAt(Row a, float x) { return a.low.x + x * (a.low.y + x * (a.low.z + x * (a.low.w + x * (a.high.x + x * a.high.y)))); }
 
-// The part of GGX's albedos that depends on the roughness alone: polynomials in a function of the
-// angle, by albedo().
+// Part of GGX's albedos that depends on the roughness only: polynomials in a function of the angle,
+// evaluated by albedo().
 struct Gloss {
     float alpha, rough;
     Row loss, grazing;
@@ -72,8 +72,8 @@ Row grazingOf(float rough)
 
 Gloss glossOf(float rough) { return Gloss(rough * rough, rough, lossOf(rough * rough), grazingOf(rough)); }
 
-// Albedos of the lobe with Fresnel's term 1: x is 1 - E, what is lost to facets behind others, y
-// the part of E that Schlick's (1 - cosine)^5 has. Fitted to integrals of the lobe: within 0.0055
+// Albedos of the lobe with a Fresnel term of 1: x is 1 - E, the multiple-scattering loss; y is the
+// part of E weighted by Schlick's (1 - cosine)^5. Fitted to integrals of the lobe: within 0.0055
 // and 0.0035 for all roughnesses and angles (tests/renderer/light/test_principled.c).
 vec2 albedo(float cosine, Gloss g)
 {
@@ -82,28 +82,28 @@ vec2 albedo(float cosine, Gloss g)
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
-// Directional albedo of the dielectric.
+// Directional albedo of the dielectric, with multiple scattering.
 TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 {
     return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
 }
 
 #ifdef LIT_GRAIN
-// A rough diffuse base: Fujii's form of Oren and Nayar's lobe (2012), once (1 + rough s / t), s =
-// l.v - n.l n.v, t the greater of n.l and n.v where s is above 0, else 1. What it sends less than
-// an even base does is sent evenly, with the colour of light that goes on within, as OpenPBR 1.1
-// has it (Portsmouth, Kutz and Hill 2025); here both stand below what facets reflect and layers
-// keep: light comes in, and leaves, by high - tilt x - low x^5 of the mean, x = 1 - cosine, as
-// Schlick's formula goes, and fuzz, nearly.
+// Rough diffuse base: Fujii's form of the Oren-Nayar lobe (2012), once (1 + rough s / t), s = l.v -
+// n.l n.v, t the greater of n.l and n.v if s is above 0, else 1. The energy missing relative to a
+// Lambertian base is added uniformly, in the color of light scattered within, as in OpenPBR 1.1
+// (Portsmouth, Kutz and Hill 2025). Here both are below the microfacets and layers: light enters
+// and leaves with high - tilt x - low x^5 of the mean transmittance, x = 1 - cosine, like Schlick's
+// formula, and nearly like fuzz.
 //   Worked example, nothing above it and rough 1: high is 1, the others 0; along the normal it
-//   sends once, 0.78 of all, and 0.22 are spread.
+//   scatters 0.78 of all once, and 0.22 are uniform.
 struct Grain {
     float rough, once;
-    TONE high, tilt, low, all; // all: the share of light that is sent once, of light from all around to all sides
+    TONE high, tilt, low, all; // all: single-scattering albedo for light from all directions
 };
 
-// Light that enters along the normal, where the cosine is 1/4, and in the mean: the means of x and
-// x^5 are 1/3 and 1/21.
+// From the transmittance along the normal, at cosine 1/4, and in the mean: the means of x and x^5
+// are 1/3 and 1/21.
 Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 {
     Grain g;
@@ -118,7 +118,7 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
     return g;
 }
 
-// Share of a direction's light that single scattering loses: 1 - the integral, within 0.001 of it
+// Share of a direction's light that single scattering loses: 1 - the integral, within 0.001
 // (tests/fits/diffuse.c prints the polynomials).
 TONE grainLost(Grain g, float cosine)
 {
@@ -128,7 +128,7 @@ TONE grainLost(Grain g, float cosine)
     return max(1.0 - g.once * (1.0 + g.rough * (g.high * even - g.tilt * tilted - g.low * grazing)), TONE(0.0));
 }
 
-// The colour of what goes on within and leaves, over what is not sent once in the mean.
+// Color of the light scattered repeatedly within, over the mean single-scattering loss.
 vec3 grainAgain(Grain g, vec3 color) { return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all)); }
 
 // Reflection from l toward v, relative to that of a Lambertian base of color 1.
@@ -144,10 +144,10 @@ struct Film {
     float weight, path, ior;
 };
 
-// How lanes of linear sRGB respond to light whose strength goes by cos(2 pi path / wavelength), the
-// path in micrometres: what they weigh wavelengths by, as bells of wave numbers, whose integrals
-// are bells of the path (the idea of Belcour and Barla 2017). Within 0.06 of sums over wavelengths,
-// 0.02 in root mean square; tests/fits/film.c prints the numbers.
+// Response of linear sRGB to light whose intensity varies as cos(2 pi path / wavelength), with the
+// path in micrometers: the color matching functions as sums of Gaussians of the wave number, whose
+// Fourier transforms are Gaussians of the path (the idea of Belcour and Barla 2017). Within 0.06 of
+// sums over wavelengths, 0.02 in root mean square; tests/fits/film.c prints the numbers.
 vec3 filmResponse(float path)
 {
     vec4 bells = exp(-path * path * vec4(0.273996, 0.440534, 0.0788179, 0.247647)) * cos(path * vec4(10.4149, 11.0117, 9.48353, 13.9191));
@@ -155,19 +155,19 @@ vec3 filmResponse(float path)
                 dot(bells, vec4(0.0874771, -0.257019, 0.00607568, 1.16348)));
 }
 
-// Light of one polarisation, of amplitudes that both sides of the film reflect: 1 - (1 - a^2) (1 -
-// b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as the sum over how often light goes to and fro, up
-// to three times.
+// Reflectance of one polarization, from the reflection amplitudes a and b of both sides of the
+// film: 1 - (1 - a^2) (1 - b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as a series over the number
+// of internal reflections, up to three.
 vec3 filmSum(float a, vec3 b, vec3 once, vec3 twice, vec3 thrice)
 {
     vec3 q = a * b;
     return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) * (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
 }
 
-// Reflectance of a film on a base at an angle; the base is given by its reflectance along the
-// normal without a film, as of a dielectric with that reflectance; metals' own phase is left out.
-// Worked example, the path 0 and the index 1: there is no film, and the base reflects by Fresnel's
-// formulas.
+// Reflectance of a film on a base at an angle. The base is given by its reflectance at normal
+// incidence without a film, and treated as a dielectric with that reflectance; the phase shift of
+// metals is left out. Worked example, path 0 and index 1: there is no film, and the base follows
+// Fresnel's formulas.
 vec3 filmReflected(Film film, float cosine, vec3 base)
 {
     float sine2 = 1.0 - cosine * cosine, inner2 = 1.0 - sine2 / (film.ior * film.ior), n = film.ior;
@@ -180,9 +180,10 @@ vec3 filmReflected(Film film, float cosine, vec3 base)
     return clamp(0.5 * (across + along), 0.0, 1.0);
 }
 
-// At which angles facets of a width mirror light of a direction, by its cosine: two that have the
-// mean and the spread of all, within 0.04 of sums over facets that are seen (Heitz 2018), the
-// flatter one as far off as keeps a white surface white. Smooth ones: the direction's own.
+// Angles of incidence on microfacets of a width that mirror light of a direction, by its cosine:
+// two angles with the mean and spread of all, within 0.04 of sums over visible normals (Heitz
+// 2018), the flatter one shifted to keep a white surface white. Smooth ones: the direction's own
+// angle.
 vec2 filmAngles(float cosine, float alpha)
 {
     float alpha2 = alpha * alpha, along = cosine * (1.0 - alpha * (0.19 - 0.09 * alpha)), spread = alpha / (alpha + 0.15) * (0.33 - 0.25 * cosine);
@@ -190,7 +191,7 @@ vec2 filmAngles(float cosine, float alpha)
     return clamp(mean + spread * vec2(-1.0, 1.15), 0.0, 1.0);
 }
 
-// Mean reflectance of a film over microfacets of a width, for those that mirror the light.
+// Mean reflectance of a film over the microfacets that mirror the light.
 vec3 filmAround(Film film, float cosine, float alpha, vec3 base)
 {
     vec2 angles = filmAngles(cosine, alpha);
@@ -209,7 +210,7 @@ Film filmOf(Surface s)
     return film;
 }
 
-// As reflectedOf(), where a film is; `at` is the cosine and the width.
+// Like reflectedOf(), with a film; `at` is the cosine and the width.
 vec3 filmedOf(Film film, vec2 albedo, vec2 at, float reflectance, vec3 again)
 {
     vec3 plain = reflectedOf(albedo, reflectance, again);
@@ -218,7 +219,7 @@ vec3 filmedOf(Film film, vec2 albedo, vec2 at, float reflectance, vec3 again)
 }
 #endif
 
-// The share of the surface that is not there. What is let through by a dielectric does not count.
+// Share of the surface that is cut out. Transmission by the dielectric does not count.
 float holesOf(Surface s)
 {
     float holes = 0.0;
@@ -234,33 +235,33 @@ float holesOf(Surface s)
 // cosine (1 + 2 Lambda) of Smith's masking, by the direction's cosine.
 float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
 
-// GGX with Smith's masking by height and Fresnel's term 1, over 4 cosine of the eye, as in the
-// header; h is the half vector, and `eye` the eye's cosine and its maskedOf().
+// GGX with Smith's height-correlated masking and a Fresnel term of 1, divided by 4 times the eye's
+// cosine; h is the half vector, and `eye` the eye's cosine and its maskedOf().
 float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
     vec3 across = cross(normal, h);
-    float width = alpha2 * high * high + dot(across, across); // of small angles, too
+    float width = alpha2 * high * high + dot(across, across); // accurate for small angles, too
     float masked = cosine * eye.y + eye.x * maskedOf(alpha, cosine);
     return 0.5 * cosine * alpha2 / (width * width * masked);
 }
 
 #ifdef LIT_LAYERS
 // Transmittance of a layer for light reflected below it, from its transmittance for each direction
-// and its mean: symmetric in light and eye. A mirror has the same share both ways, which counts
-// once; diffuse reflection counts the one over the mean, times the other. A rough mirror is
-// between, by evenOf(); the part that lacks is spread, see below(). For the eye, x is its share,
-// and y veiled() of it.
+// and its mean: reciprocal in light and eye. For a mirror both directions have the same
+// transmittance, which counts once; for diffuse reflection it is the product of both over the mean.
+// A rough mirror is in between, by evenOf(); its missing energy is spread, see below(). For the
+// eye, x is its transmittance, and y veiled() of it.
 float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
 
-// Diffuse share by angle: grazing light is spread most.
+// Share of diffuse behavior, by roughness and angle: grazing light is spread most.
 float evenOf(float rough, float cosine) { return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough); }
 
 vec2 veiled(float through, float mean, float rough, float cosine) { return vec2(through, mix(through, mean, evenOf(rough, cosine))); }
 #endif
 
 #ifdef LIT_COAT
-// The slots of the coat but its weight.
+// The coat's slots except its weight.
 struct Coat {
     vec3 tint;
     float rough, reflectance;
@@ -282,7 +283,7 @@ Coat coatOf(Surface s)
     return coat;
 }
 
-// Where it has no normal of its own, it lies as the surface does.
+// The coat's normal; the surface's if the coat has none of its own.
 vec3 coatNormalOf(Surface s, vec3 normal)
 {
 #ifdef LIT_COAT_NORMAL
@@ -292,8 +293,8 @@ vec3 coatNormalOf(Surface s, vec3 normal)
 #endif
 }
 
-// Light that a white mirror of a roughness loses below a coat: `share` is that of such a coat
-// relative to a smooth one.
+// Share of light that a white rough mirror loses below a coat: `share` is that coat's loss relative
+// to a smooth one's.
 Row coatSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -308,7 +309,7 @@ Row coatSpread(float rough, float share)
 #endif
 
 #ifdef LIT_FUZZ
-// Narrower fibres of that lobe would send more than arrives.
+// Bounded from below, since narrower fibers of the lobe would reflect more than arrives.
 float fuzzRoughOf(Surface s)
 {
 #ifdef SURFACE_HAS_fuzzRoughness
@@ -318,8 +319,8 @@ float fuzzRoughOf(Surface s)
 #endif
 }
 
-// All that fuzz of weight 1 sends of light from a direction: a polynomial, fitted to integrals of
-// its lobe within 0.005 for cosines from 0.04 on.
+// Directional albedo of fuzz of weight 1: a polynomial, fitted to integrals of its lobe within
+// 0.005 for cosines from 0.04 on.
 float fuzzAlbedo(float cosine, float rough)
 {
     vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -330,15 +331,15 @@ float fuzzAlbedo(float cosine, float rough)
         x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
 }
 
-// Fibres that stand up, by the sine of the half angle (Estevez and Kulla 2017), masked as Neubelt
-// and Pettineo have it.
+// Upright fibers: a lobe in the sine of the half angle (Estevez and Kulla 2017), with the masking
+// of Neubelt and Pettineo.
 float fibres(float rough, float high, float cosine, float eye)
 {
     float power = 0.5 / rough;
     return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) / (2.0 * (cosine + eye - cosine * eye));
 }
 
-// As coatSpread(), below fuzz.
+// Like coatSpread(), below fuzz.
 Row fuzzSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -353,13 +354,12 @@ Row fuzzSpread(float rough, float share)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// Directions in which GGX is a cosine, nearly (linearly transformed cosines: Heitz, Dupuy, Hill and
-// Neubelt 2016): a direction l, times the result, has what the lobe sends of it, as a share of all,
-// as the density max(z, 0) / pi of directions. Of what a parallelogram gives within 0.1 of all that
-// the lobe sends, 0.02 in root mean square, for roughnesses from 0.1 and angles to 84 degrees
-// (test_principled.c); Phong's lobe has 0.2 and 0.06. What of it lies below the horizon is lost.
-// tests/fits/area.c prints the polynomials. X, Y and Z are at right angles, Z the lobe's mean
-// direction, and a direction o of that density goes to X (m11 o.x + m13 o.z) + Y m22 o.y + Z o.z.
+// Linearly transformed cosines (LTC; Heitz, Dupuy, Hill and Neubelt 2016): a matrix that maps
+// directions l so that GGX's lobe becomes the density max(z, 0) / pi. For parallelograms within 0.1
+// of the lobe's total, 0.02 in root mean square, for roughnesses from 0.1 and angles to 84 degrees
+// (test_principled.c); Phong's lobe has 0.2 and 0.06. The part of the lobe below the horizon is
+// lost. tests/fits/area.c prints the polynomials. X, Y and Z are orthogonal, Z is the lobe's mean
+// direction, and a direction o of that density maps to X (m11 o.x + m13 o.z) + Y m22 o.y + Z o.z.
 //   Worked example, roughness 1 along the normal: m11 = m22 = 1.1, m13 = 0: directions are spread
 //   by 1.1.
 mat3 areaFacets(float rough, vec3 normal, vec3 eye)
@@ -403,7 +403,7 @@ mat3 areaFacets(float rough, vec3 normal, vec3 eye)
               rough * (vec4(63.5235, 103.261, -62.0517, 45.7668) +
               rough * (vec4(-24.1714, -23.8377, 16.1749, -8.02276))))));
     vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // m11, m22, m13
-    float turn = alpha * p.w; // from the mirrored direction up
+    float turn = alpha * p.w; // from the mirrored direction upwards
     vec3 flat_ = eye - dot(normal, eye) * normal;
     float sine = length(flat_);
     vec3 along = sine > 1e-4 ? flat_ / sine : normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));

@@ -1,5 +1,5 @@
-/* Each model by its text. Of two in one scene the texts stand one after the other, their names told
- * apart by macros, and one behind them that chooses. */
+/* Texts of the surface models. If a scene has both, their texts follow each other, with names
+ * made distinct by macros, followed by a text that selects per pixel. */
 #include "runtime/surface/surface_model.h"
 #include "compiler/layout/layout.h"
 #include "gen/render_text.h"

@@ -1,6 +1,6 @@
-// The surface model Phong (semantics.md 4.1), as surface_model.h asks for one: what a point with
-// these slots sends to the eye. What a layout lacks is as slots.def says of absent slots, and costs
-// nothing.
+// The surface model Phong (semantics.md 4.1), with the functions of surface_model.h: reflection of
+// a point with these slots toward the eye. Slots that a layout lacks have the absent values of
+// slots.def, and cost nothing.
 struct Lit {
     vec3 normal, reflected, diffuse, specular, through, behind, ambient, emissive;
     float shininess, straightness;
@@ -62,7 +62,7 @@ vec3 surfaceGloss(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }
 
-// Light that passes straight through has no cosine.
+// Light that is transmitted straight has no cosine factor.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -100,8 +100,8 @@ vec3 surfaceHemisphere(Lit m)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// Transmitted light belongs to the other side: one of its power is the cosine that the integral
-// includes.
+// Transmitted light belongs to the other side: one power of the lobe is the cosine that the
+// integral includes.
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {

@@ -1,72 +1,77 @@
-// The surface model Principled, as surface_model.h asks for one: GGX's microfacets with Smith's
-// masking by height, over a diffuse base, or of metal. Light that is reflected more than once
-// between facets is Kulla and Conty's lobe (2017), and so is the diffuse base, which sends what was
-// not reflected: all three are the same when light and eye change places, and a white surface sends
-// all that arrives.
+// The surface model Principled, with the functions of surface_model.h: GGX microfacets with Smith's
+// height-correlated masking, over a diffuse base or of metal. Light reflected more than once
+// between microfacets is Kulla and Conty's lobe (2017), and so is the diffuse base, which reflects
+// the light that was not reflected specularly: all three are reciprocal, and a white surface
+// reflects all light.
 //
-// Worked example, reflectance 0.04 and roughness 0, seen along the normal: E is 1, so 0.04 are
-// reflected. What reaches the base from a direction is 1 - E(its cosine), and what leaves it 1 -
-// E(1) = 0.96: over all directions a white base sends 0.96, and together that is 1.
+// Worked example, reflectance 0.04 and roughness 0, along the normal: E is 1, so 0.04 are
+// reflected. The base receives 1 - E(its cosine) from a direction, and emits 1 - E(1) = 0.96: over
+// all directions a white base emits 0.96, and together that is 1.
 //
-// Fresnel's formulas are Schlick's, with white at the horizon; of metal with an edge tint, its
-// reflection at 82 degrees (Hoffman 2019; OpenPBR 1.1). What a layout lacks is as slots.def says of
-// absent slots. Skies are looked up where facets send their light to the eye, area lights meet
-// linearly transformed cosines; both have as much light as GGX sends of light from all around.
-// Before it stand surface_facets.glsl and surface_anisotropic.glsl.
+// The Fresnel term is Schlick's, white at the horizon; for metal with an edge tint at 82 degrees
+// (Hoffman 2019; OpenPBR 1.1). Slots that a layout lacks have the absent values of slots.def. Skies
+// are sampled where microfacets mirror them to the eye, area lights use linearly transformed
+// cosines; both are normalized to GGX's reflection of uniform light. Follows surface_facets.glsl
+// and surface_anisotropic.glsl.
 struct Lit {
     vec3 normal, toEye, reflected, base, tint, dip, emissive;
-    vec3 metalAgain;  // the share of what was reflected twice and more, of metal
-    vec3 even, gloss; // what it sends of light from all around: diffusely, by reflection
+    vec3 metalAgain;  // multiple-scattering color of metal
+    vec3 even, gloss; // reflection of uniform light: diffuse, specular
 #ifdef LIGHT_HAS_SKY
-    vec3 glossAgain; // of gloss: what is reflected more than once, or spread by layers
+    vec3 glossAgain; // part of gloss that is scattered repeatedly, or spread by layers
 #endif
     Gloss facets;
     float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() the eye
-    TONE again, baseOfEye;                                 // what comes from below to the eye, with what layers let through
-    TONE baseRatio;                                        // of all that leaves there, and is not the eye's
-    float lossRatio;                                       // the same of what facets reflect again
+    // multiple scattering; diffuse transmittance to the eye, layers included
+    TONE again, baseOfEye;
+    TONE baseRatio;                                        // baseOfEye over the mean transmittance
+    float lossRatio;                                       // ratio for the multiple-scattering lobe
 #ifdef LIT_ANISOTROPY
     Anisotropy anisotropy;
 #endif
 #ifdef LIT_GRAIN
     Grain grain;
-    vec3 grainAgain; // what of the eye's light goes on within
+    vec3 grainAgain; // eye's part of the light scattered within the base
 #endif
 #ifdef LIT_FILM
     Film film;
-    vec3 filmMean, metalFilmMean, filmLeft; // what is reflected where it is: over all directions; once, times what layers let through
+    // reflectance with the film: means over all directions; without multiple scattering, times the
+    // layers' transmittance
+    vec3 filmMean, metalFilmMean, filmLeft;
 #endif
 #ifdef LIGHT_HAS_AREAS
     mat3 glossInto, coatInto; // areaFacets()
 #endif
 #ifdef LIT_COAT
     vec3 coatTint, coatNormal;
-    float coatCosine; // of the eye
+    float coatCosine; // for the eye
     Gloss coatFacets;
     float coat, coatShine, coatAlpha, coatReflectance, coatGloss, coatMasked;
-    float coatOfEye, coatMean; // what is let through: of the eye's light, in the mean
-    vec2 coatVeil;             // veiled(), of what the base reflects
-    Row spread; // what a white rough mirror below lacks, by the angle
+    float coatOfEye, coatMean; // transmittance: for the eye, and the mean
+    vec2 coatVeil;             // veiled(), for the base's reflection
+    Row spread; // loss of a white rough mirror below, by angle
     float stray;
 #endif
 #ifdef LIT_FUZZ
-    vec3 fuzzColor; // its weight in it
-    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the same
+    vec3 fuzzColor; // includes its weight
+    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // as for the coat
     vec2 fuzzVeil, fuzzCoatVeil;
     Row fuzzSpread;
 #endif
 #ifdef LIT_BEHIND
-    vec3 behind, evenBehind; // what leaves on the other side, of what comes through the surface; that, of light from all around
+    // diffuse transmission, of light through the surface; and for uniform light
+    vec3 behind, evenBehind;
 #endif
 #ifdef LIT_LAYERS
-    bool layered; // there is a coat or fuzz
-    vec3 metalBounce, dielectricBounce; // what the base reflects of light that layers send back to it
-    vec2 strayOfEye, strayRatio;        // below(), of metal and of the dielectric; over the mean
+    bool layered; // has a coat or fuzz
+    vec3 metalBounce, dielectricBounce; // base's reflection of light that layers reflect back
+    // multiple-scattering loss, below(), of metal and of the dielectric; over the mean
+    vec2 strayOfEye, strayRatio;
     float strayMore;
 #endif
 };
 
-// albedo() of the base, of a direction that has this cosine, and over all that have it.
+// albedo() of the base for a direction with this cosine, and over all directions with that cosine.
 vec2 baseAlbedo(Lit m, vec3 v, float cosine)
 {
 #ifdef LIT_ANISOTROPY
@@ -125,7 +130,8 @@ void litCoat(Surface s, inout Lit m)
     m.layered = m.coat > 0.0;
     m.coatGloss = m.kept * (1.0 - m.coatOfEye);
     float smoother = 1.0 - m.coatFacets.rough * m.coatFacets.rough, smoother2 = smoother * smoother;
-    float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563; // 1 of a smooth coat of index 1.6
+    // 1 for a smooth coat of index 1.6
+    float share = m.coat * (1.0 - m.coatReflectance) * smoother2 * smoother2 * smoother * 1.0563;
     m.spread = coatSpread(m.facets.rough, share);
     m.stray = 0.022 * share * smoothstep(0.1, 0.35, m.facets.rough);
 }
@@ -148,7 +154,7 @@ void litFuzz(Surface s, inout Lit m)
 #endif
 
 #ifdef LIT_LAYERS
-// The cosine of a direction against the coat, of one that has that cosine against the base.
+// Cosine of a direction against the coat's normal, from its cosine against the base's.
 float coatCosineOf(Lit m, vec3 v, float cosine)
 {
 #ifdef LIT_COAT_NORMAL
@@ -158,12 +164,12 @@ float coatCosineOf(Lit m, vec3 v, float cosine)
 #endif
 }
 
-// Layers from a direction, by its cosines against the base and the coat: x, y what coat and fuzz
-// let through; z both; w what a white rough mirror below lacks of that, since light comes to the
-// eye by one way and goes by another, which the product of veil() cannot tell. It is spread as what
-// facets reflect twice is. Of each layer it is a polynomial in the base's roughness and the root of
-// the cosine, fitted to integrals within 0.011 of all light; a small share more, `stray`, keeps it
-// above 0.
+// Transmittance of the layers for a direction, by its cosines against the base and the coat: x, y
+// of coat and fuzz; z of both; w the additional loss of a white rough mirror below, since light
+// enters and leaves by different directions, which the product of veil() neglects. The loss is
+// spread like multiple scattering. Per layer it is a polynomial in the base's roughness and the
+// square root of the cosine, fitted to integrals within 0.011 of all light; a small additional
+// share, `stray`, keeps it above 0.
 vec4 below(Lit m, float cosine, float ofCoat, float loss)
 {
     vec4 found = vec4(1.0, 1.0, 1.0, 0.0);
@@ -184,15 +190,15 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
 
 // Multiple-scattering loss of a white mirror, and of one that reflects as the dielectric does, by
 // its directional reflectance; greatest from directions where layers transmit least, so that a
-// rough one loses up to 2.75 times as much.
+// rough mirror loses up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
     return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
-// Means over all directions by Gauss' rule in the root of the cosine: of 1, and of albedo(); left,
-// of the same times what layers let through. meanStray: of strayed().
+// Means over all directions by Gaussian quadrature in the square root of the cosine: `mean` of 1
+// and of albedo(); `left` of the same times the layers' transmittance; `meanStray` of strayed().
 void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
@@ -247,7 +253,7 @@ TONE comesToBase(Lit m, float cosine)
 #endif
 }
 
-// Reflection of light from all around, relative to that of a Lambertian base.
+// Reflection of uniform light, relative to that of a Lambertian base.
 vec3 litGrain(Surface s, TONE meanBase, inout Lit m)
 {
     m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), meanBase);
@@ -291,7 +297,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #ifdef SURFACE_HAS_transparency
     m.kept = 1.0 - holesOf(s);
 #endif
-    m.facets = glossOf(clamp(rough, 0.0316227766, 1.0)); // of floats: a narrower lobe would lie between them
+    // limit of float precision: a narrower lobe would fall between floats
+    m.facets = glossOf(clamp(rough, 0.0316227766, 1.0));
 #ifdef LIT_ANISOTROPY
     m.anisotropy = anisotropyOf(s.anisotropy, m.normal, m.facets.rough);
 #endif
@@ -328,7 +335,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     m.again = fresnel * fresnel * (1.0 - mean.y) / (1.0 - fresnel * mean.y);
     m.baseOfEye = 1.0 - baseReflected(m, eye, m.cosine);
-    m.lossRatio = eye.x / max(left.y, 1e-3); // so smooth that a second reflection is nothing
+    // bounded, as smooth surfaces have no multiple scattering
+    m.lossRatio = eye.x / max(left.y, 1e-3);
     TONE reflected = TONE(mix(left.z, left.x - left.y, m.reflectance));
 #ifdef LIT_FILM
     reflected = mix(reflected, m.filmLeft, m.film.weight);

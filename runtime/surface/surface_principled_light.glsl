@@ -1,8 +1,8 @@
-// Light that a Principled surface reflects: of a direction, of ambient light, the sky, hemispheres,
-// areas. Before it stands surface_principled.glsl, which makes a Lit of a Surface.
+// Reflection of a Principled surface: of directional light, ambient light, the sky, hemispheres,
+// area lights. Follows surface_principled.glsl, which makes a Lit of a Surface.
 vec3 surfaceOwn(Lit m) { return m.emissive; }
 
-// Specular reflection of light from all around, with the coat's share.
+// Specular reflection of uniform light, including the coat's.
 vec3 glossAround(Lit m)
 {
 #ifdef LIT_COAT
@@ -12,7 +12,7 @@ vec3 glossAround(Lit m)
 #endif
 }
 
-// Diffuse transmission of light from all around behind it.
+// Diffuse transmission of uniform light from behind.
 vec3 evenFromBehind(Lit m)
 {
 #ifdef LIT_BEHIND
@@ -25,7 +25,8 @@ vec3 evenFromBehind(Lit m)
 vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + evenFromBehind(m) + glossAround(m)) * ambient; }
 vec3 surfaceEven(Lit m) { return m.even; }
 
-// Without its tint nothing is reflected by the dielectric; metal reflects alone.
+// Without its tint the dielectric reflects nothing specularly, and without its share metal reflects
+// nothing.
 Lit surfaceMatt(Lit m)
 {
     m.base *= 1.0 - m.metal;
@@ -47,7 +48,8 @@ Lit surfaceMatt(Lit m)
 }
 
 #ifdef LIT_BEHIND
-// Light that comes in on the other side, as through this one, and was scattered within.
+// Diffuse transmission: light that enters on the other side, with the same transmittance as on this
+// side, and is scattered within.
 vec3 fromBehind(Lit m, vec3 l, float cosine)
 {
     vec2 own = baseAlbedo(m, l, cosine);
@@ -62,8 +64,8 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
-// Values that do not depend on l are in m. A lobe of no weight is skipped: a GPU does so where all
-// threads of a group do.
+// Values that do not depend on l are in m. A lobe of weight 0 is skipped, which a GPU does if all
+// threads of a group agree.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -74,7 +76,8 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 between = l + m.toEye;
     float square = max(dot(between, between), 1e-12), over = inversesqrt(square);
     vec3 h = between * over;
-    float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest; // l.h is half of its length
+    // l.h is half of its length
+    float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest;
 #ifdef LIT_ANISOTROPY
     float once = facetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));
 #else
@@ -134,7 +137,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
 }
 
 #ifdef LIGHT_HAS_SKY
-// The frame that facets stand in, and how wide they are along its first two axes.
+// The microfacets' frame, and their widths along its first two axes.
 struct SkyFacets {
     mat3 frame;
     vec2 widths;
@@ -146,13 +149,13 @@ SkyFacets skyFacetsEven(vec3 normal, float alpha)
     return SkyFacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
-// The mean of the sky by what facets send of it that reflect `low` along their normal and `high`
-// where light grazes them; 1 of a white sky. Facets are drawn by how much the eye sees of each
-// (Heitz 2018; by caps of a sphere: Dupuy and Benyoub 2023), in a spiral. Each counts by what of
-// its light others leave, and looks the sky up at the level of the cube whose texels are as large
-// as the solid angle around its direction.
-//   Worked example, width 1 along the normal: facets' directions are even over the sphere's upper
-//   cap, and a facet at 60 degrees sends from below the horizon, so counts for nothing.
+// Mean of the sky weighted by the microfacets' reflection, with reflectance `low` at normal
+// incidence and `high` at grazing angles; 1 for a white sky. Importance sampling: microfacet
+// normals are drawn by their visible area (Heitz 2018; by spherical caps: Dupuy and Benyoub 2023),
+// in a spiral. Each sample is weighted by masking, and reads the mipmap level of the cube map whose
+// texels are as large as the sample's solid angle.
+//   Worked example, width 1 along the normal: microfacet normals are uniform over the sphere's
+//   upper cap, and one at 60 degrees mirrors from below the horizon, so it counts nothing.
 vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
 {
     vec3 v = toEye * f.frame;
@@ -179,7 +182,7 @@ vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
     return sky_light.xyz * sum / all;
 }
 
-// Multiple scattering between facets, and gloss spread by layers, count as diffuse.
+// Multiple scattering between microfacets, and gloss spread by layers, count as diffuse.
 vec3 surfaceSky(Lit m)
 {
     vec3 sum = (m.even + m.glossAgain) * skyIrradiance(m.normal), once = m.gloss - m.glossAgain;

@@ -1,6 +1,6 @@
-// Transmittance of every surface model: the share of the light behind it that passes, straight on,
-// without refraction. For a Principled that transmits as a dielectric it is, beside holes, the
-// share that its layers do not reflect toward toEye.
+// Transmittance of every surface model: the share of the light behind it that passes straight
+// through, without refraction. For a transmissive Principled it is the cut-out share plus the share
+// that its layers do not reflect toward toEye.
 #ifdef LIT_CLEAR
 vec3 notReflected(Surface s, vec3 toEye)
 {
