@@ -1,29 +1,31 @@
-// Exact shadows: which share of a light reaches a point, by the triangles that stand between.
-// exact_lists.h has what the lists hold; corners and points are counted from the middle of all
-// triangles, along the world's axes.
+// Exact shadows: the share of a light that reaches a point, by ray-triangle intersection with the
+// listed triangles. exact_lists.h describes the lists; corners and points are relative to the
+// center of all triangles, along the world's axes.
 //
-// Two triangles that share an edge leave no gap. All corners are taken relative to the point and
-// sheared so that the way to the light is the axis z; which side of an edge the axis is on is the
-// sign of x y' - y x' of its two ends. Of the other triangle, which has them in the other order,
-// that number is the same with the other sign, bit for bit. A ray that meets an edge meets both.
+// The test is watertight: two triangles that share an edge leave no gap. All corners are taken
+// relative to the point and sheared so that the ray to the light is the axis z; the side of an edge
+// on which the axis lies is the sign of x y' - y x' of its two ends. For the other triangle, which
+// has the ends in reverse order, the value is the same with the opposite sign, bit for bit. A ray
+// that hits the edge hits both.
 //
-//     the way (0, 0, 1) from 0, corners (-1, -1), (1, -1), (0, 2): 2 x 1 + 1 x 0 = 2, 2 x -1 ...
-//         all three are positive: it is met
+//  the ray (0, 0, 1) from 0, corners (-1, -1), (1, -1), (0, 2): 2 x 1 + 1 x 0 = 2, 2 x -1 ...
+//   all three are positive: a hit
 //
-// A point is on its own triangle, and on those beside it, but for rounding. So a triangle counts
-// only if the point is off its plane by more than EXACT_OFF times the greatest coordinate: 16 steps
-// of a float's last place. What stands closer is not told from what touches.
+// Except for rounding a point is on its own triangle, and on adjacent ones at an edge. To avoid
+// self-shadowing a triangle counts only if the point's distance from its plane is more than
+// EXACT_OFF times the greatest coordinate: 16 units in a float's last place. Closer occluders are
+// treated as touching.
 #include "exact_lists.layout.def"
 const float EXACT_OFF = 9.5367e-7; // 2^-20
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
-    vec4 exact_corners[]; // three each; w: what the triangle lets through of red, green, blue
+    vec4 exact_corners[]; // three each; w: the triangle's transmittance of red, green, blue
 };
 layout(std430, binding = 7) readonly buffer ExactLists {
     uint exact_words[];
 };
 
-// The eye, and of all corners the greatest coordinate; the camera's axes.
+// The eye, with the greatest coordinate of all corners as w; the camera's axes.
 layout(std140) uniform Exact {
     vec4 exact_eye;
     vec4 exact_right;
@@ -33,8 +35,8 @@ layout(std140) uniform Exact {
 
 struct ExactRay {
     vec3 from;
-    int axis;   // the way's longest
-    vec3 shear; // the way's x and y over its z, and 1 over z: by these axes
+    int axis;   // axis of the direction's greatest component
+    vec3 shear; // direction's x and y over its z, and 1 over z: in the permuted axes
 };
 
 vec3 exactTurned(vec3 v, int axis) { return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v; }
@@ -49,7 +51,8 @@ ExactRay exactRay(vec3 from, vec3 way)
 
 vec3 exactCorner(uint triangle, uint corner) { return exact_corners[triangle * 3u + corner].xyz; }
 
-// From the ray's start, the ray as the axis z, where 1 is the end of its way.
+// A corner relative to the ray's start, sheared so that the ray is the axis z, with 1 at the ray's
+// end.
 vec3 exactSeen(ExactRay ray, vec3 corner)
 {
     vec3 v = exactTurned(corner - ray.from, ray.axis);
@@ -57,7 +60,7 @@ vec3 exactSeen(ExactRay ray, vec3 corner)
     return vec3(across, ray.shear.z * v.z);
 }
 
-// Signed areas of the ray with the three edges, each opposite to its corner; they sum to the
+// Signed areas of the ray with the three edges, each opposite to its corner; they add up to the
 // triangle's.
 vec3 exactAreas(vec3 a, vec3 b, vec3 c)
 {
@@ -65,7 +68,7 @@ vec3 exactAreas(vec3 a, vec3 b, vec3 c)
     return areas;
 }
 
-// Whether a point is off a triangle's plane.
+// True if a point is off a triangle's plane by more than the tolerance.
 bool exactOff(vec3 point, vec3 a, vec3 b, vec3 c)
 {
     vec3 normal = cross(b - a, c - a), size = abs(normal);
@@ -82,12 +85,12 @@ bool exactMeets(ExactRay ray, uint triangle, bool endless)
     vec3 areas = exactAreas(seen[0], seen[1], seen[2]);
     if (min(min(areas.x, areas.y), areas.z) < 0.0 && max(max(areas.x, areas.y), areas.z) > 0.0) return false;
     float area = areas.x + areas.y + areas.z;
-    if (area == 0.0) return false; // it is seen from its side
+    if (area == 0.0) return false; // edge-on
     float along = dot(areas, vec3(seen[0].z, seen[1].z, seen[2].z)) / area;
     return along > 0.0 && (endless || along < 1.0) && exactOff(ray.from, a, b, c);
 }
 
-// The cell of a light's view in which a place is; -1: the light does not see it.
+// The cell of a light's view that contains a position; -1: outside of the view.
 int exactCell(vec3 place, int views, int size, bool placed)
 {
     int face = 0;
@@ -111,7 +114,7 @@ vec3 exactThrough(uint triangle)
     return vec3(exact_corners[at].w, exact_corners[at + 1u].w, exact_corners[at + 2u].w);
 }
 
-// The share of a light that reaches a point; `light` is the number of its head.
+// The share of a light that reaches a point; `light` is the number of its header.
 vec3 exactShare(int light, vec3 point)
 {
     uint head = uint(light) * EXACT_HEAD;
@@ -132,18 +135,18 @@ vec3 exactShare(int light, vec3 point)
     return share;
 }
 
-// A direction from the eye's space.
+// Transforms a direction from eye space to world space.
 vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz; }
 
 #ifdef EXACT_SEEN
 vec3 exactPoint(vec3 point, vec3 normal, float pixel); // exact_seen.glsl
 #else
-// The point of something transparent is known from its depth. It is lifted to the light's side by
-// what that may be off.
+// A transparent surface's point is reconstructed from depth, and lifted to the light's side by the
+// possible error.
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
 #endif
 
-// For shadow_text.c.
+// Entry point, called by shadow_text.c's functions.
 vec3 exactLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     return exactShare(number, exactPoint(point, side, size));

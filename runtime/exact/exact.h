@@ -1,5 +1,5 @@
-/* Exact shadows: triangles and lists on the driver's side, the row of shadow_method.h, and which
- * triangle a pixel sees. */
+/* Exact shadows: triangles and lists on the GPU, functions of the shadow_method.h row, and the
+ * triangle id per pixel. */
 #ifndef MATC_EXACT_EXACT_H
 #define MATC_EXACT_EXACT_H
 #include "runtime/exact/exact_cover.h"
@@ -9,17 +9,19 @@
 typedef struct {
     ExactTriangles triangles;
     ExactCover cover;       /* lists; its programs live as long as the renderer */
-    GLuint corners, firsts; /* buffers: triangles; each object's first, counted from 1 */
+    GLuint corners, firsts; /* buffers: triangles; number of each object's first triangle, from 1 */
 } ExactShadows;
 
 static inline ExactShadows *exact_state(const Render *render)
 {
     return shadow_method_state(render, WORD_Shadows_exact);
 }
-/* A light's shadows are exact, and light is drawn; and something opaque casts. */
+/* Some light has exact shadows, and the view shows lighting; and additionally some object has
+ * triangles for exact shadows. */
 bool pass_exact_wanted(const Render *render);
 bool pass_exact_needed(const Render *render);
-/* Functions of the row; `list` makes the lists again, at which the driver may still be. */
+/* Functions of the row. pass_exact_list() makes the lists; the GPU may still be working on them
+ * when it returns. */
 bool pass_exact_make(Render *render);
 bool pass_exact_change(Render *render, unsigned what);
 bool pass_exact_move(Render *render, int first, int count);

@@ -1,9 +1,9 @@
-// Lists of exact shadows: from the number of entries of each cell to where its list begins. Lists
-// lie behind each other in an order of no meaning: a group of 256 cells takes room for all of its
-// own at once.
+// Lists of exact shadows: converts the number of entries of each cell to the offset of its list, by
+// prefix sums. Lists are stored in an arbitrary order: a workgroup of 256 cells allocates space for
+// all of its lists at once.
 //
-//     cells with 2, 0, 3 entries, room from word 40 on: they begin at 40, 42, 42, and the next
-//         group at 45
+//  cells with 2, 0, 3 entries, space from word 40 on: they begin at 40, 42, 42, and the next group
+//  at 45
 layout(local_size_x = 256) in;
 
 #include "exact_lists.layout.def"
@@ -17,7 +17,7 @@ layout(std430, binding = 7) buffer ExactLists {
 
 shared uint group_sums[256], group_begin;
 
-// The sum of what threads up to this one give.
+// Inclusive prefix sum over the workgroup's threads.
 uint sumUpTo(uint thread, uint own)
 {
     group_sums[thread] = own;

@@ -1,12 +1,12 @@
-/* Room is found by trying: for heads and cells at first, then for as many blocks and entries as
- * were counted. */
+/* Makes the lists of exact shadows. Buffers are sized by trying: first for headers and cells,
+ * then for the counted blocks and entries. */
 #include "runtime/exact/exact_cover.h"
 #include "gen/exact_work_layout.h"
 #include "gen/render_text.h"
 
 enum {
     BLOCK_WORDS = 2,
-    MANY_BLOCKS = (1 << 21) - 4, /* with the head 16 MiB, which every driver has */
+    MANY_BLOCKS = (1 << 21) - 4, /* with the header 16 MiB, which every driver supports */
     WORK_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING,
@@ -36,7 +36,7 @@ static void fail_room(const ExactCover *cover, size_t words)
             (unsigned long)(words * sizeof(GLuint)), (unsigned long)(cover->most * sizeof(GLuint)));
 }
 
-/* A quarter more than is asked for, if there may be so much: what moves takes more and less. */
+/* Adds a quarter, within the limit, since moving objects need varying sizes. */
 static size_t generous(size_t asked, size_t most)
 {
     return asked + asked / 4 < most ? asked + asked / 4 : most;
@@ -51,7 +51,7 @@ static void make_buffer(const GlContext *gl, size_t words, GLuint *buffer)
                    GL_DYNAMIC_COPY);
 }
 
-/* Room for so many words of lists. */
+/* Enlarges the buffer of lists to `words` words. */
 static bool grow_lists(ExactCover *cover, size_t words)
 {
     if (cover->room >= words)
@@ -70,7 +70,7 @@ static bool grow_blocks(ExactCover *cover, size_t blocks)
     return gl_check(context(cover), "making room for exact shadows");
 }
 
-/* -- the programs */
+/* -- programs */
 
 static void bind(const Maker *m)
 {
@@ -79,7 +79,7 @@ static void bind(const Maker *m)
     m->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, LISTS_BINDING, m->cover->lists);
 }
 
-/* So many groups of threads, or as many as there may be: each goes on behind the last one. */
+/* Dispatches `groups` workgroups, or the maximum: each workgroup then loops over further ones. */
 static void dispatch(const Maker *m, size_t groups, int lights)
 {
     m->gl->DispatchCompute(groups < GROUPS_MOST ? (GLuint)groups : GROUPS_MOST, (GLuint)lights, 1);
@@ -88,7 +88,7 @@ static void dispatch(const Maker *m, size_t groups, int lights)
 
 static size_t groups_of(size_t count, size_t group) { return (count + group - 1) / group; }
 
-/* Entries are counted, or listed. */
+/* Counts entries, or lists them. */
 static void cover_cells(const Maker *m, bool lists)
 {
     Material *program = &m->cover->cover;
@@ -134,9 +134,9 @@ static bool read_counts(Maker *m)
     return gl_check(context(m->cover), "counting triangles for exact shadows");
 }
 
-/* -- room */
+/* -- buffer sizes */
 
-/* Whether what was counted has room now. */
+/* Enlarges the buffers if the counted entries and blocks do not fit. */
 static Outcome find_room(Maker *m)
 {
     const size_t words = first_list(m) + m->counted[EXACT_WORK_ENTRIES],
@@ -173,7 +173,7 @@ static bool list(const Maker *m)
     return gl_check(context(cover), "listing triangles for exact shadows");
 }
 
-/* With cells so wide. */
+/* Counts with cells widened by 2^coarser. */
 static Outcome try(Maker *m, const Scene *scene, int coarser)
 {
     Outcome outcome = AGAIN;
@@ -213,8 +213,6 @@ int exact_cover_longest(const ExactCover *cover)
                          sizeof longest, &longest);
     return (int)longest;
 }
-
-/* -- */
 
 bool exact_cover_open(Store *store, size_t most, ExactCover *made)
 {

@@ -1,31 +1,32 @@
-// Lists of exact shadows: which cells of what a light sees a triangle covers, counted, then listed.
+// Lists of exact shadows: finds the cells of a light's view that a triangle covers, first to count
+// them, then to list them.
 //
-// Seen from the light, a triangle and a cell are cones with three and four sides. They are apart
-// if, and only if, the plane of a side of one has all of the other beyond it. So nothing is
-// clipped, and it does not matter whether corners are behind the light. Of a row of cells each side
-// of the triangle leaves those from one on, or up to one.
+// Seen from the light, a triangle and a cell are cones with three and four sides. They are disjoint
+// if and only if the plane of a side of one has all of the other outside. So no clipping is needed,
+// and corners may be behind the light. In a row of cells each side of the triangle bounds the
+// covered cells from below or above.
 //
-//     a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, whose side x + 2 y <= 3.5: of row 0,
-//         whose lowest y is 0, it leaves x <= 3.5, and the
-//     corners x <= 2.5: cells 0, 1, 2; of row 1 x <= 1.5: cells 0 and 1. Five entries
+//  a triangle (0.5, 0.5), (2.5, 0.5), (0.5, 1.5) in cells, with a side x + 2 y <= 3.5: in row 0,
+//  whose lowest y is 0, the side gives x <= 3.5, and the corners x <= 2.5: cells 0, 1, 2; in row 1
+//  x <= 1.5: cells 0 and 1. Five entries
 //
-// All is in double, from corners and heads in floats. A corner's place is then off by 1e-9 of a
-// cell at most. A side is the product of two corners, whose terms are below the product of what
-// they have at most, for which 2^-44 is room: sums and products of doubles round by 2^-53. What
-// counts is that exact.glsl finds a point's cell in floats, off by 1e-4 of a cell: its place is a
-// sum of three products, or a quotient of such, times half as many cells as a view's edge has, 512
-// at most. So cells are taken 1/64 wider on all sides.
+// All arithmetic is in double, from corners and headers in floats. A corner's position has an error
+// of 1e-9 cells. A side is the cross product of two corners, whose error is bounded by 2^-44 times
+// the product of their greatest components, as double operations round by 2^-53. The decisive error
+// is that of exact.glsl, which finds a point's cell in floats, with an error of 1e-4 cells: a
+// position is a sum of three products, or a quotient of two such sums, times half the number of
+// cells of a view's edge, at most 512. So cells are enlarged by 1/64 on all sides.
 //
-// A thread for each triangle, then a group for each block of rows of those triangles that cover
-// many cells: no thread walks over more than 256 cells. Counting and listing are one program, so
-// that both find the same.
+// There is a thread for each triangle, then a workgroup for each block of rows of the triangles
+// that cover many cells: no thread visits more than 256 cells. Counting and listing are one
+// program, so that both find the same cells.
 layout(local_size_x = 64) in;
 
 #include "exact_lists.layout.def"
 const int ROWS = 16; // of a block
 const int FEW = 64; // cells that one thread takes
-const uint MANY_BLOCKS = (1u << 21) - 4u; // more are not counted
-const double SPREAD = 1.0lf / 64.0lf; // of a cell
+const uint MANY_BLOCKS = (1u << 21) - 4u; // further blocks are not counted
+const double SPREAD = 1.0lf / 64.0lf; // in cells
 const double ROUNDING = 1.0lf / 17592186044416.0lf; // 2^-44
 const double FAR = 1e300lf;
 
@@ -39,7 +40,7 @@ layout(std430, binding = 6) readonly buffer ExactTriangles {
 layout(std430, binding = 7) buffer ExactLists {
     uint exact_words[];
 };
-uniform bool exact_lists; // else they are counted
+uniform bool exact_lists; // false: count only
 uniform bool exact_rows; // blocks of rows, else triangles
 
 struct View {
@@ -67,19 +68,19 @@ View viewOf(uint light)
     return view;
 }
 
-// -- triangles, as the light sees them
+// -- triangles, as seen from the light
 
-// Corners, x and y in cells times z; sides, each opposite to its corner, a corner being on it where
-// the product is 0, and what that is off at most; which of their signs is inside: 0 is not known,
-// as the light is in the triangle's plane.
+// A triangle in a view: corners, x and y in cells times z; side planes, each opposite to its
+// corner, with product 0 for corners on it, and the product's error bound; `turn`: sign of the
+// inside, 0 if unknown, as the light is in the triangle's plane.
 struct Facet {
     dvec3 corners[3], sides[3];
     double off[3];
     int turn;
-    ivec4 bounds; // the first and the last row, and column; none: the last is before the first
+    ivec4 bounds; // first and last row, first and last column; empty: last < first
 };
 
-// A corner by the light's axes.
+// A corner in the light's coordinates.
 dvec3 placeOf(View view, uint triangle, uint corner)
 {
     dvec3 from = dvec3(exact_corners[triangle * 3u + corner].xyz) - (view.placed ? view.from : dvec3(0.0lf));
@@ -92,7 +93,7 @@ dvec3[3] placesOf(View view, uint triangle)
     return dvec3[3](placeOf(view, triangle, 0u), placeOf(view, triangle, 1u), placeOf(view, triangle, 2u));
 }
 
-// By the axes of a face: face 2 k looks along axis k, 2 k + 1 against it.
+// Permutes to the axes of a face: face 2 k looks along axis k, 2 k + 1 against it.
 dvec3 turned(dvec3 place, View view, int face)
 {
     if (view.faces > 1) {
@@ -102,7 +103,7 @@ dvec3 turned(dvec3 place, View view, int face)
     return dvec3((place.xy + place.z) * (0.5lf * double(view.size)), place.z);
 }
 
-// The plane of a face's side, or of a cell's, has all corners beyond it.
+// True if all three signed distances from a plane are negative: the corners are outside.
 bool areBeyond(double a, double b, double c) { return max(max(a, b), c) < 0.0lf; }
 
 bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
@@ -115,7 +116,7 @@ bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
 
 int cellOf(double at, int size) { return int(clamp(floor(at), 0.0lf, double(size - 1))); }
 
-// Where a corner is not before the light: all of the face.
+// Rows and columns that the corners span; the whole face if a corner is not in front of the light.
 ivec4 boundsOf(dvec3 a, dvec3 b, dvec3 c, int size)
 {
     if (min(min(a.z, b.z), c.z) <= 0.0lf) return ivec4(0, size - 1, 0, size - 1);
@@ -158,7 +159,7 @@ void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 ra
     else if (rest < 0.0lf) range = dvec2(FAR, -FAR);
 }
 
-// Any of a cell, 1/64 wider, may be what a side leaves.
+// Cells, enlarged by 1/64, that intersect the range left by the three sides.
 ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
 {
     dvec2 range = dvec2(-FAR, FAR);
@@ -168,7 +169,7 @@ ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
     return ivec2(int(floor(range.x)), int(floor(range.y)));
 }
 
-// The first and last cell of a row. Where it is not known which side is inside, either may be.
+// First and last cell of a row. If the inside is unknown, both signs are tried.
 ivec2 cellsOf(Facet facet, int row, int size)
 {
     dvec2 heights = dvec2(double(row) - SPREAD, double(row + 1) + SPREAD);
@@ -184,15 +185,15 @@ ivec2 cellsOf(Facet facet, int row, int size)
 
 // -- lists
 
-// Each cell has two words: where its list begins and ends. While entries are counted, the second is
-// their number.
+// Counts or stores an entry. Each cell has two words: begin and end of its list; while entries are
+// counted, the second is their number.
 void addCell(uint cell, uint triangle)
 {
     uint at = atomicAdd(exact_words[cell + 1u], 1u);
     if (exact_lists) exact_words[at] = triangle;
 }
 
-// Every `step`th cell of a row, from number `first` on. How many they are.
+// Adds every `steps.y`th covered cell of a row, from number `steps.x` on. Returns their number.
 uint addRow(View view, Facet facet, uvec2 number, int row, ivec2 steps)
 {
     ivec2 cells = cellsOf(facet, row, view.size);
@@ -211,7 +212,7 @@ void queueBlocks(uvec2 number, uint light, ivec4 bounds)
         exact_queue[at + i] = uvec2(number.x * 8u + number.y, light << 16 | i);
 }
 
-// A triangle, as one face has it. How many entries were added.
+// Adds a triangle in one face's view. Returns the number of entries.
 uint addFacet(View view, Facet facet, uvec2 number, uint light)
 {
     ivec4 bounds = facet.bounds;

@@ -1,4 +1,4 @@
-/* Lights become views, these heads. */
+/* Views of lights for exact shadows, and their headers. */
 #include "runtime/exact/exact_lists.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -20,7 +20,7 @@ static void add_row(const double axis[3], double scale, double shift, float row[
     row[3] = (float)shift;
 }
 
-/* Extent of a box along an axis, from the triangles' origin. */
+/* Enlarges a range by a box's extent along an axis, relative to the triangles' origin. */
 static void reach_along(const ExactTriangles *triangles, const ExactBox *box, const double axis[3],
                         double range[2])
 {
@@ -33,7 +33,7 @@ static void reach_along(const ExactTriangles *triangles, const ExactBox *box, co
     range[1] = fmax(range[1], middle + half);
 }
 
-/* From -1 to 1 along an axis, with some room: all triangles. */
+/* Row that maps all triangles to -1 ... 1 along an axis, with a margin. */
 static void fit_row(const ExactTriangles *triangles, const double axis[3], float row[4])
 {
     const double room = 1.001;
@@ -79,8 +79,9 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
     return view;
 }
 
-/* As many cells as triangles, or up to four times as many: a triangle is then about a cell wide. Of
- * what a light with a place sees, most may be far away and in few cells: four times as many. */
+/* Number of cells per edge: as many cells as triangles, or up to four times as many, so that a
+ * triangle is about as wide as a cell. In a point light's view most triangles may be far away
+ * and in few cells, so the number is quadrupled. */
 static int size_for(const ExactTriangles *triangles, const View *view, int coarser)
 {
     const double wanted = (view->placed ? 4.0 : 1.0) * triangles->count;

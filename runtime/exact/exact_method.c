@@ -1,4 +1,4 @@
-/* The row of exact shadows. */
+/* The technique's row: exact shadows. */
 #include "gen/render_text.h"
 #include "compiler/base/session.h"
 #include "runtime/exact/exact.h"
@@ -10,7 +10,7 @@ enum {
     FIRSTS_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING
-}; /* as exact_number.glsl, exact.glsl */
+}; /* as in exact_number.glsl and exact.glsl */
 
 static void seen_bind(const Render *render)
 {
@@ -19,10 +19,10 @@ static void seen_bind(const Render *render)
                                    exact_state(render)->firsts);
 }
 
-/* Its programs outlive a scene. */
+/* Deletes the programs, which outlive a scene. */
 static void close_cover(Render *render) { exact_cover_close(&exact_state(render)->cover); }
 
-/* -- for the lighting of surfaces */
+/* -- for lighting */
 
 static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
 {
@@ -80,7 +80,7 @@ static void put(Text *out, const Render *render)
                     varying);
 }
 
-/* Lists are made once more, as when a light moves. */
+/* Times making the lists once more, as after a light has moved. */
 static void put_time(Text *out, Render *render)
 {
     if (!exact_state(render)->corners)

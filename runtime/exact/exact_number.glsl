@@ -1,8 +1,8 @@
-// The end of a surface's program where shadows are exact: the number of the triangle that is drawn,
-// counted from 1 over all objects, beside the G-buffer.
+// End of a surface's program for exact shadows: writes the triangle id, counted from 1 over all
+// objects, in addition to the G-buffer.
 layout(location = SEEN_TARGET) out uint exact_number;
 layout(std430, binding = 5) readonly buffer ExactFirsts {
-    uint exact_firsts[]; // of objects, in the order of drawing: the number of the first triangle
+    uint exact_firsts[]; // number of each object's first triangle, in drawing order
 };
 #ifdef SEEN_INSTANCES
 flat in uint seen_place;

@@ -1,9 +1,9 @@
-// The point of the opaque surface that a pixel sees, as exactly as its triangle's corners are.
-// Depth would not do: a rasteriser rounds corners to 1/256 of a pixel.
-vec3 exact_point; // of the pixel that is lit
+// The point of the opaque surface at a pixel, as exact as its triangle's corners. The depth buffer
+// is too inexact, since a rasterizer rounds corners to 1/256 of a pixel.
+vec3 exact_point; // of the lit pixel
 
-// Where a ray meets a triangle: a mean of the corners, so that it is never off it, however flatly
-// it is seen.
+// Intersection of a ray with a triangle: a weighted mean of the corners, so that the point is on
+// the triangle even at grazing angles.
 bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 {
     vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
@@ -15,8 +15,9 @@ bool exactOn(uint triangle, ExactRay ray, out vec3 point)
     return area > 0.0;
 }
 
-// `start` and `way` are the pixel's ray in the eye's space, z of the way -1; `seen` is the point by
-// depth. Planes nearer than the triangle are met as exactly; those before `near` are not seen.
+// Finds the point of a pixel. `start` and `way` are the pixel's ray in eye space, z of the
+// direction -1; `seen` is the point by depth. Infinite planes nearer than the triangle are
+// intersected as exactly; those in front of `near` are not visible.
 void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 {
     vec3 from = exact_eye.xyz + exactDirection(start), along = exactDirection(way), on;
@@ -40,7 +41,7 @@ void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_point; }
 
-// For shadow_text.c.
+// Entry point, called by shadow_text.c's functions.
 void exactAtPixel(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
     bool orthographic = view.y > 0.0;

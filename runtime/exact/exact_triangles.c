@@ -1,12 +1,12 @@
-/* Corners go to the world in double. Their middle is known after a first turn over all objects; a
- * second writes what they are from there. */
+/* Triangles of exact shadows. Corners are transformed to world space in double. A first loop
+ * over all objects finds their center; a second one writes the corners relative to it. */
 #include "runtime/exact/exact_triangles.h"
 #include "runtime/tessellate/scene_solid.h"
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 
-/* Shapes of meshes, made when the first object of each is met; those of files are borrowed. */
+/* Shapes of meshes, made for the first object of each mesh; those from files are borrowed. */
 typedef struct {
     const Scene *scene;
     const Cache *cache;
@@ -31,7 +31,7 @@ static void shapes_close(Shapes *shapes)
     free(shapes->made);
 }
 
-/* Shape of an object; NULL: memory ran out. */
+/* Shape of an object; NULL: out of memory. */
 static const Shape *shape_of(Shapes *shapes, int number)
 {
     const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
@@ -50,10 +50,10 @@ static void to_world(const SceneMatrix *matrix, const float local[3], double wor
         world[i] = m[i] * local[0] + m[4 + i] * local[1] + m[8 + i] * local[2] + m[12 + i];
 }
 
-/* of the reach, as a power of two: what the middle is rounded to */
+/* Grid to which the center is rounded, as a share of the reach rounded to a power of two. */
 static const double grid = 1.0 / 32;
 
-/* False: memory ran out. */
+/* Measures an object's box. False: out of memory. */
 static bool measure(Shapes *shapes, ExactObject *object)
 {
     const Shape *shape = shape_of(shapes, object->object);
@@ -71,8 +71,9 @@ static bool measure(Shapes *shapes, ExactObject *object)
     return shape;
 }
 
-/* Boxes of 0 to 2 and of 0 to 4: their middle is 2, their reach 2, steps of the grid 1/16. Where
- * the second grows to 4.01, the middle stays 2. */
+/* Sets the origin to the center of all boxes, rounded to a grid. Boxes of 0 to 2 and of 0 to 4:
+ * their center is 2, their reach 2, the grid 1/16. If the second grows to 4.01, the origin stays
+ * 2. */
 static void set_origin(ExactTriangles *made)
 {
     ExactBox all = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
@@ -142,7 +143,7 @@ bool exact_triangles_move(const Scene *scene, const Cache *cache, const int rang
     return done;
 }
 
-/* As a cut-out, all or nothing. */
+/* Transmittance of a component; 0 or 1 if shadows are alpha-tested. */
 static float share_of(const Scene *scene, const CachePlace *place, int lane)
 {
     const float *t = place->even;

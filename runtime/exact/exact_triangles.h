@@ -1,10 +1,10 @@
-/* The triangles of all that is opaque, or transparent by the same everywhere, as shadows: exact
- * take them: every object's one behind the other, in floats, once rounded. No GL. */
+/* Triangles of all shadow casters for exact shadows, opaque or of constant transparency: one
+ * object's after the other, as floats, rounded once. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
 #include "runtime/cache/cache.h"
 
-/* In the world. */
+/* In world space. */
 typedef struct {
     double low[3], high[3];
 } ExactBox;
@@ -12,34 +12,34 @@ typedef struct {
 typedef struct {
     int object;       /* in Scene.objects */
     int first, count; /* of its triangles */
-    ExactBox box;     /* around them */
+    ExactBox box;     /* bounding box */
 } ExactObject;
 
 typedef struct {
     double origin
-        /* what corners are counted from, in the world: near the middle of them all, on a grid, so
-         * that it rarely moves */
+        /* World position to which corners are relative: near the center of all objects, on a
+         * grid, so that it rarely changes. */
         [3];
-    double reach; /* the greatest coordinate from there, whatever its sign */
+    double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
     ExactObject *objects; /* in the order of cache->places: opaque ones first */
     int object_count, opaque_count;
 } ExactTriangles;
 
-/* Along the world's axes; where two triangles meet, bit for bit the same. The fourth lanes are what
- * the triangle lets through: red, green, blue. */
+/* Corners along the world's axes; identical, bit for bit, where triangles share a corner. The
+ * fourth components are the triangle's transmittance: red, green, blue. */
 typedef float ExactCorners[3][4];
 
-/* The place's object is one of them. */
+/* The place's object has triangles for exact shadows. */
 bool exact_triangles_have(const CachePlace *place);
-/* Measures all objects. False: memory ran out, or there are more triangles than an int counts;
- * *made is empty then. */
+/* Measures all objects. False: out of memory, or more triangles than an int can count; *made is
+ * empty then. */
 bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);
-/* Measures some of its objects again, which stand elsewhere. False: memory ran out. */
+/* Measures objects range[0] to range[1] - 1 again after they moved. False: out of memory. */
 bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
                           ExactTriangles *triangles);
-/* Corners of its objects range[0] to range[1] - 1, from the first one's on. False: memory ran
- * out. */
+/* Corners of objects range[0] to range[1] - 1, beginning with the first one's. False: out of
+ * memory. */
 bool exact_triangles_corners(const Scene *scene, const Cache *cache,
                              const ExactTriangles *triangles, const int range[2],
                              ExactCorners *corners);

@@ -1,5 +1,5 @@
-/* Input of exact shadows, made once for a scene: the triangles of all opaque objects, and the lists
- * of exact_cover.h. exact.glsl reads them. */
+/* Inputs of exact shadows, made once for a scene: the triangles of all shadow casters, and the
+ * lists of exact_cover.h. exact.glsl reads them. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -13,7 +13,8 @@ enum { TRIANGLES_BINDING = 6, LISTS_BINDING = 7 };
 
 static size_t corner_bytes(int count) { return (size_t)count * sizeof(ExactCorners); }
 
-/* Corners of objects range[0] to range[1] - 1, into a buffer that has room for all, or is made. */
+/* Writes the corners of objects range[0] to range[1] - 1 to the buffer, which is allocated if
+ * they are all. */
 static bool write_corners(Render *render, const int range[2])
 {
     const GlContext *gl = render->gl;
@@ -49,7 +50,8 @@ static bool measure(Render *render)
                    (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
-/* By places of the cache. A surface that is no instance has a uniform for its own. */
+/* Number of each object's first triangle, by the cache's places. Without instancing, the place
+ * is a uniform. */
 static bool write_firsts(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -83,7 +85,7 @@ bool pass_exact_list(Render *render)
     return exact_cover_make(&exact->cover, render->scene, &exact->triangles, exact->corners);
 }
 
-/* -- made and changed */
+/* -- creation and changes */
 
 bool pass_exact_wanted(const Render *render)
 {
@@ -98,7 +100,7 @@ bool pass_exact_needed(const Render *render)
     return casts && pass_exact_wanted(render);
 }
 
-/* Its programs stay for the next scene. */
+/* The programs are kept for the next scene. */
 static bool open_cover(Render *render)
 {
     const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
@@ -150,7 +152,7 @@ static void find_range(const ExactTriangles *triangles, const int objects[2], in
         }
 }
 
-/* The cache's order is another, as an object is mirrored now. */
+/* True if the cache's order has changed, as when an object becomes mirrored. */
 static bool is_reordered(const Render *render)
 {
     bool is = false;
@@ -161,7 +163,7 @@ static bool is_reordered(const Render *render)
     return is;
 }
 
-/* Corners of all objects, if what they are counted from moves. */
+/* Updates the corners of moved objects, or of all objects if the origin changes. */
 static bool move(Render *render, int range[2])
 {
     double before[3];
