@@ -7,18 +7,18 @@
 /* State of pass_lists.c. */
 typedef struct {
     GLuint buffer;
-    GLuint fragments; /* that it has room for: as many as there are */
+    GLuint fragments; /* capacity in fragments: the number of existing ones */
     size_t bytes;
-    int depth_unit; /* where the programs of planes find the depth of what is opaque */
-    bool full;      /* they would take more than there may be */
+    int depth_unit; /* texture unit of the opaque surfaces' depth, for planes' programs */
+    bool full;      /* the lists exceed the memory limit */
 } FrameLists;
 
-/* Transparent surfaces: per-pixel lists of fragments, or peeled layers. */
+/* Transparent surfaces: per-pixel linked lists of fragments, or peeled layers. */
 struct FrameGlass {
-    ScreenPass blend, peel; /* of lists; of a layer */
+    ScreenPass blend, peel; /* lighting of lists; of a layer */
     FrameLists lists;
-    Framebuffer layers[2]; /* that are peeled, in turns */
+    Framebuffer layers[2]; /* peeled in turns */
     int layer_count;
-    int peel_units[2]; /* where their programs find the depth of what is opaque, and the keys */
+    int peel_units[2]; /* texture units of the opaque surfaces' depth, and of the keys */
 };
 #endif

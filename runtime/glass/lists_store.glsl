@@ -1,9 +1,9 @@
-// The end of a transparent material's fragment program, where there are lists: appends the fragment
-// to its pixel's. transparency.c has what stands before it.
-uniform sampler2D lists_depth; // of what is opaque
+// End of a transparent material's fragment program for lists: appends the fragment to its pixel's
+// list. transparency.c has the preceding text.
+uniform sampler2D lists_depth; // of opaque surfaces
 
-// Behind the heads of all pixels, 0 or 1 + the number of a node, lie the nodes: the next of the
-// list, the depth, what is packed.
+// The heads of all pixels, 0 or 1 + the number of a node, are followed by the nodes: the next node,
+// the depth, the packed surface.
 layout(std430, binding = 2) buffer Lists {
 #include "lists.layout.def"
     uint lists_words[];
@@ -13,7 +13,7 @@ void main()
 {
     surfaceMain();
     bool hidden = depthHidden(FRAGMENT_DEPTH, texelFetch(lists_depth, ivec2(gl_FragCoord.xy), 0).x);
-    if (surface_gone || hidden) return; // not sooner: neighbors want its slopes
+    if (surface_gone || hidden) return; // not earlier: neighboring pixels need its derivatives
     uint number = atomicAdd(lists_count, 1u);
     if (number >= lists_room) return;
     uint at = lists_pixels + number * LISTS_STRIDE;

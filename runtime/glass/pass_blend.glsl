@@ -1,6 +1,6 @@
-// The pass blend: a pixel's transparent fragments, out of its list, from the nearest on. Before it
-// stand lighting.glsl, LISTS_STRIDE, and LISTS_TEXELS; with VEIL no light is asked for. The depth
-// is reversed: what is nearer is greater.
+// The pass blend: composites a pixel's transparent fragments from its list, nearest first. Follows
+// lighting.glsl, LISTS_STRIDE, and LISTS_TEXELS; with VEIL no light is computed. The depth is
+// reversed: nearer is greater.
 layout(std430, binding = 2) buffer Lists {
 #include "lists.layout.def"
     uint lists_words[];
@@ -13,17 +13,17 @@ uint nodeAt(uint number)
     return lists_pixels + (number - 1u) * LISTS_STRIDE;
 }
 
-// A fragment of a list: its depth, as bits, which are ordered as depths are; its node; its number.
-// 0: there is none.
+// A fragment of a list: its depth, as bits, which are ordered like depths; its node; its number. 0:
+// end of the list.
 uvec3 fragmentAt(uint number)
 {
     uint node = number == 0u ? 0u : nodeAt(number);
     return uvec3(number == 0u ? 0u : lists_words[node + 1u], node, number);
 }
 
-// Whether a is in front of b. At one depth their contents decide, so that the order in which they
-// were appended, which a GPU is free to choose, does not; where these are equal too, either order
-// gives the same picture.
+// True if a is in front of b. At equal depth the contents decide, so that the result does not
+// depend on the order of insertion, which a GPU is free to choose; if these are equal too, both
+// orders give the same picture.
 bool isBefore(uvec3 a, uvec3 b)
 {
     for (uint word = 2u; a.x == b.x && word < LISTS_STRIDE; word++) {
@@ -33,8 +33,8 @@ bool isBefore(uvec3 a, uvec3 b)
     return a.x != b.x ? a.x > b.x : a.y < b.y;
 }
 
-// Surfaces are drawn from the farthest on (cache_view.c), and what is appended last stands first:
-// so most lists are in order.
+// Surfaces are drawn from the farthest on (cache_view.c), and the last inserted fragment is the
+// first of its list: so most lists are sorted already.
 bool isSorted(uint list)
 {
     bool sorted = true;
@@ -47,7 +47,7 @@ bool isSorted(uint list)
     return sorted;
 }
 
-// Appends to the fragments before `last`, a node; 0: there is none before.
+// Links a fragment after `last`, a node; 0: the fragment is the first.
 void link(uvec3 fragment, inout uint first, inout uint last)
 {
     if (last == 0u)
@@ -58,8 +58,8 @@ void link(uvec3 fragment, inout uint first, inout uint last)
 }
 
 // Merges the first run of a list, fragments that are in order, with the second, the third with the
-// fourth, and so on, by the list's links alone. How many runs are left, and the number of the first
-// fragment.
+// fourth, and so on, by relinking. Returns the first fragment's number and the number of remaining
+// runs.
 uint mergedRuns(uint list, out uint runs)
 {
     uint first = 0u, last = 0u, rest = list;
@@ -70,7 +70,7 @@ uint mergedRuns(uint list, out uint runs)
             end = b;
             b = fragmentAt(lists_words[b.y]);
         }
-        if (b.z == 0u) { // the last run is alone, and stays
+        if (b.z == 0u) { // the last run has no partner, and is kept
             link(a, first, last);
             last = end.y;
             as = 0u;
@@ -91,8 +91,8 @@ uint mergedRuns(uint list, out uint runs)
     return first;
 }
 
-// Merge sort: runs halve each time. In any order, n fragments take n log2 n steps and no memory. An
-// invocation that stands for no pixel may not write, and ends as well.
+// Merge sort: each round halves the number of runs. In any order, n fragments take n log2 n steps
+// and no memory. Terminates also in helper invocations, whose writes are discarded.
 // Worked example: depths 9 5 7 8 2, runs 9 5, 7, 8 2; then 9 7 5, 8 2; then 9 8 7 5 2.
 uint sortedList(uint list)
 {

@@ -1,5 +1,6 @@
-/* The passes lists and blend: transparent fragments into lists, and these over the light. Their
- * GLSL is lists_store.glsl, around the materials' own, and pass_blend.glsl. */
+/* The passes lists and blend: store transparent fragments in per-pixel linked lists, and
+ * composite these over the light. Their GLSL is lists_store.glsl, which follows the materials'
+ * own, and pass_blend.glsl. */
 #include "gen/lists_layout.h"
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
@@ -38,8 +39,8 @@ static bool make_buffer(Render *render, GLuint room)
     return gl_check(render->gl, "making room for transparent fragments");
 }
 
-/* Nothing is written but by the programs themselves, which test depth, too: a framebuffer without
- * depth. */
+/* Draws without color and depth output: the programs write the lists themselves, and test depth
+ * in the shader. */
 static void draw(Render *render)
 {
     static const GLenum none = GL_NONE;
@@ -65,8 +66,8 @@ static void pass_lists_draw(Render *render)
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
-/* Fragments that nothing opaque hides: those that a buffer without room is asked to take. The most
- * of all tiles. */
+/* Counts the fragments that no opaque surface hides, by drawing with a buffer without capacity.
+ * Keeps the maximum of all tiles. */
 static bool count_fragments(Render *render)
 {
     GlContext *gl = render->gl;
@@ -80,7 +81,7 @@ static bool count_fragments(Render *render)
     return gl_check(gl, "counting transparent fragments");
 }
 
-/* Room for all of them, if there may be so much. */
+/* Allocates the lists, if within the memory limit. */
 static bool make_room(Render *render)
 {
     const GLuint count = render->glass->lists.fragments;
@@ -93,7 +94,7 @@ static bool make_room(Render *render)
     return make_buffer(render, count);
 }
 
-/* A buffer that has not even room for the heads of the lists counts nothing. */
+/* If even the heads of the lists exceed the limit, fails without counting. */
 static bool pass_lists_count(Render *render, FrameCount step)
 {
     if (step == FRAME_COUNT_wanted || step == FRAME_COUNT_again)
@@ -129,7 +130,7 @@ static bool pass_blend_make(Render *render)
                render, &(LightingText){{veil, render_text_pass_blend}, true, 0, LIGHTING_layers});
 }
 
-/* Lists are sorted where they lie, so that the veil finds them so. */
+/* Lists are sorted in place, so that the veil pass finds them sorted. */
 static void pass_blend_draw(Render *render)
 {
     render->gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, TRANSPARENCY_LISTS,

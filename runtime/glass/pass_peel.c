@@ -1,6 +1,6 @@
-/* The pass peel: transparent surfaces layer by layer, from the farthest, each lit and laid over the
- * light. From the back, so that a layer needs no memory of those in front of it. Its GLSL is
- * peel_layer.glsl, around the materials' own, and pass_peel.glsl. */
+/* The pass peel: depth peeling of transparent surfaces, from the farthest layer on, each lit and
+ * composited over the light. Starting from the back, a layer needs no memory of those in front.
+ * Its GLSL is peel_layer.glsl, which follows the materials' own, and pass_peel.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
@@ -14,7 +14,7 @@ static bool pass_peel_needed(const Render *render)
 
 static const GLuint nothing[4] = {~0u, ~0u, ~0u, ~0u};
 
-/* The layer's G-buffer, and behind it the keys. */
+/* The layer's G-buffer, followed by the keys. */
 static bool make_layer(Render *render, int number)
 {
     FramebufferTextures textures = {.depth = frame_texture(render, FRAME_TARGET_layer_depth, 0)};
@@ -33,7 +33,7 @@ static bool make_layer(Render *render, int number)
     return framebuffer_make_around(render->gl, &spec, &textures, &render->glass->layers[number]);
 }
 
-/* Triangles of an object, at most. */
+/* Maximum number of triangles of an object. */
 static int most_triangles(const Cache *cache)
 {
     int most = 1;
@@ -44,8 +44,8 @@ static int most_triangles(const Cache *cache)
     return most;
 }
 
-/* A fragment is known by its object's place and its triangle, as one number. Programs that draw
- * instances know the place. */
+/* Assigns numbers to objects: a fragment is identified by its object's place and its triangle,
+ * combined into one number. Programs that draw instances know the place. */
 static bool number_objects(Render *render)
 {
     Cache *cache = &render->cache;
@@ -78,7 +78,7 @@ static void draw_layer(Render *render, int number)
     surface_draw_end(render);
 }
 
-/* Nothing lies behind the first layer. */
+/* Clears the keys so that nothing is behind the first layer. */
 static void begin_layers(Render *render)
 {
     static const GLuint none[4] = {0, ~0u};
@@ -86,7 +86,7 @@ static void begin_layers(Render *render)
     render->gl->ClearBufferuiv(GL_COLOR, render->glass->layers[1].spec.color_count - 1, none);
 }
 
-/* Layers, until one has no fragment. The most of all tiles. */
+/* Counts layers, until one has no fragment. Keeps the maximum of all tiles. */
 static bool count_layers(Render *render)
 {
     GlContext *gl = render->gl;

@@ -1,5 +1,5 @@
-// The pass peel: a layer of transparent fragments, lit. Before it stands lighting.glsl; the
-// G-buffer is the layer's.
+// The pass peel: lights a layer of transparent fragments. Follows lighting.glsl; the G-buffer is
+// the layer's.
 uniform usampler2D peel_keys;
 
 const uint NOTHING = 0xFFFFFFFFu;

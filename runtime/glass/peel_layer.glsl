@@ -1,13 +1,12 @@
-// The end of a transparent material's fragment program, where it is peeled: of the fragments that
-// lie before the layer behind, the farthest stays, by the depth test. transparency.c has what
-// stands before it. A fragment's key is its depth, as bits, which are ordered as depths are, and
-// the number of its triangle: of two at one depth the one drawn later is behind, so that none is
-// lost.
-uniform sampler2D peel_depth;   // of what is opaque
+// End of a transparent material's fragment program for depth peeling: of the fragments in front of
+// the layer behind, the depth test keeps the farthest. transparency.c has the preceding text. A
+// fragment's key is its depth, as bits, which are ordered like depths, and the number of its
+// triangle: of two at one depth the one drawn later is behind, so that none is lost.
+uniform sampler2D peel_depth;   // of opaque surfaces
 uniform usampler2D peel_behind; // keys of the layer behind
-uniform float peel_stride;      // an object has fewer triangles, over 256
+uniform float peel_stride;      // maximum number of triangles of an object, over 256
 #ifdef PEEL_INSTANCES
-flat in uint peel_object;       // its place in the order in which objects are drawn
+flat in uint peel_object;       // its index in drawing order
 #else
 uniform float peel_object;
 #endif
