@@ -1,4 +1,4 @@
-/* Ambient: meets the slot `ambient` of every surface, from nowhere. */
+/* Ambient light: weights the slot `ambient` of every surface, without a direction. */
 #include "gen/render_text.h"
 #include "runtime/light_kinds/light_kind.h"
 

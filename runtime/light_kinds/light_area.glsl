@@ -1,16 +1,16 @@
-// Light of radiance 1 from a polygon, on a point at the origin. Its edges, as the point sees them,
-// are arcs of great circles, and integrals over the polygon are sums over these arcs: Stokes'
-// theorem on the sphere.
+// Light of radiance 1 from a polygon at a point at the origin. Seen from the point, its edges are
+// arcs of great circles, and integrals over the polygon are sums over these arcs: Stokes' theorem
+// on the sphere.
 //
-// The cosine's integral is Lambert's formula, half of the sum of angle * dot(m, n), m the unit
-// normal of an arc's plane, turned inward. A power of a cosine times a cosine is Arvo's double axis
-// moment (SIGGRAPH 1995). He sums over whole exponents; here any exponent k has
+// The cosine's integral is Lambert's formula, half of the sum of angle * dot(m, n), with m the unit
+// normal of an arc's plane, facing inward. A power of a cosine times a cosine is Arvo's double axis
+// moment (SIGGRAPH 1995). Arvo sums over integer exponents; here any exponent k has
 //   (k + 2) integral of (w.u)^k (n.u) du = sum over arcs of the integral of (n.w) (m.w) h(c) +
 //   (n.m) c^k, with c = w.u, h = (1 - c^k) / (1 - c^2)
-// over the arc's length s, which is smooth: h is k / 2 where c is 1, and 1 + c^2 + c^4 + ... +
-// c^(k-2) for even k. With s from the arc's point nearest to w, both are as wide as r, r^2 =
-// (m.w)^2 + 4 / (k + 1); tan s = r tan t spreads that evenly over t, where eight Gauss points are
-// within 3e-4 of the lobe's whole, 2 pi / (k + 2), for all k to 65504.
+// over the arc's length s. The integrand is smooth: h is k / 2 where c is 1, and 1 + c^2 + c^4 +
+// ... + c^(k-2) for even k. With s measured from the arc's point nearest to w, both terms are as
+// wide as r, r^2 = (m.w)^2 + 4 / (k + 1); tan s = r tan t spreads them evenly over t, where eight
+// Gauss points are within 3e-4 of the lobe's total, 2 pi / (k + 2), for all k to 65504.
 //
 // Worked example: a square that fills the half space. Four arcs of 90 degrees lie in the horizon, m
 // = n, so the cosine's integral is half of 2 pi. With w = n: c is 0 and h 1 all along them, and the
@@ -19,13 +19,13 @@
 #define LIGHT_HAS_AREAS
 const float AREA_PI = 3.14159265358979;
 
-// A parallelogram as a point at the origin sees it: corner + s u + t v, s and t from 0 to 1; its
-// corners in the order (0, 0), (1, 0), (1, 1), (0, 1) go round clockwise, so that cross products of
-// neighbours point inward.
+// A parallelogram seen from a point at the origin: corner + s u + t v, s and t from 0 to 1; its
+// corners in the order (0, 0), (1, 0), (1, 1), (0, 1) are clockwise, so that cross products of
+// successive corners point inward.
 struct Area {
     vec3 corner, u, v;
-    float width; // of its longer edge, twice, over its nearest corner's distance
-    bool seen;   // else it turns its back, or the point is in its plane
+    float width; // twice its longer edge over the distance of its nearest corner
+    bool seen;   // false: back side, or the point is in its plane
 };
 
 Area areaMeasured(vec3 corner, vec3 u, vec3 v, bool seen)
@@ -36,7 +36,8 @@ Area areaMeasured(vec3 corner, vec3 u, vec3 v, bool seen)
 
 Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
 {
-    float scale = 1.0 / max(length(corner), max(length(u), length(v))); // of any size, and squares are numbers
+    // normalizes the size, so that squares do not overflow
+    float scale = 1.0 / max(length(corner), max(length(u), length(v)));
     corner *= scale;
     u *= scale;
     v *= scale;
@@ -46,19 +47,18 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
     return areaMeasured(corner, turned ? u : v, turned ? v : u, (bothSides ? abs(height) : -height) > 1e-6 * length(face));
 }
 
-// The parallelogram in other directions: each times a matrix.
+// The parallelogram transformed by a matrix.
 Area areaInto(Area area, mat3 into) { return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen); }
 
-// Half spaces, by what they leave of a parallelogram: (s, t) where h.x + h.y s + h.z t is not below
-// 0.
+// Half spaces, as functions on a parallelogram: they contain (s, t) where h.x + h.y s + h.z t >= 0.
 const vec3 AREA_ALL = vec3(1.0, 0.0, 0.0);
 vec3 areaHalf(Area area, vec3 normal) { return vec3(dot(area.corner, normal), dot(area.u, normal), dot(area.v, normal)); }
 float areaLowest(vec3 h) { return h.x + min(h.y, 0.0) + min(h.z, 0.0); }
 float areaHighest(vec3 h) { return h.x + max(h.y, 0.0) + max(h.z, 0.0); }
 vec2 areaHeights(vec4 line, vec3 h) { return h.x + vec2(dot(h.yz, line.xy), dot(h.yz, line.zw)); }
 
-// Lines from (s, t) to (s, t): an edge; where a line crosses the border of a half space; what of it
-// is within, or a line of no length.
+// Lines from (s, t) to (s, t): an edge; the point where a line crosses the border of a half space;
+// the part of a line inside, or a line of length 0.
 vec4 areaEdge(int i) { return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3 ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0); }
 vec2 areaCrossing(vec4 line, vec2 heights) { return mix(line.xy, line.zw, heights.x / (heights.x - heights.y)); }
 vec4 areaWithin(vec4 line, vec3 h)
@@ -70,11 +70,12 @@ vec4 areaWithin(vec4 line, vec3 h)
     return heights.x < 0.0 ? vec4(crossing, line.zw) : vec4(line.xy, crossing);
 }
 
-// The border of what two half spaces leave, one cut behind the other, so that it is closed even
-// where they are the same: the parts of the edges, and what closes them along the first and then
-// along the second, from where lines leave a half space to where they come back.
+// The border of the intersection with two half spaces, clipped by one after the other, so that it
+// is closed even if both are equal: the parts of the edges, and the closing lines along the first
+// and then along the second border, from where lines leave a half space to where they reenter.
 //   Worked example, h = (-0.25, 1, 0): s is 0.25 or more. Edge 0 is from (0.25, 0) to (1, 0), edge
-//   2 from (1, 1) to (0.25, 1), edge 3 has no length, and from (0.25, 1) to (0.25, 0) it is closed.
+//   2 from (1, 1) to (0.25, 1), edge 3 has no length, and the closing line is from (0.25, 1) to
+//   (0.25, 0).
 const int AREA_LINES = 6;
 struct AreaBorder {
     vec3 first, second;
@@ -118,8 +119,8 @@ float areaLogarithm(float q)
     return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
 }
 
-// Gauss' points, three each way, of all of it. Arcs would lose a small polygon's area, which is
-// what is left of their sum, to rounding.
+// Gaussian quadrature with 3 x 3 points over the whole parallelogram. For a small polygon a sum
+// over arcs would lose the area to cancellation.
 float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[3] = float[3](0.1127016654, 0.5, 0.8872983346);
@@ -137,9 +138,9 @@ float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
     return sum / AREA_PI;
 }
 
-// Angle of a sine, not below 0, and a cosine, of any length; from 0 to pi, within a relative error
-// of 2e-7, where a driver's arctangent may have less. A quarter of it is an arctangent of at most
-// 0.42, whose series converges fast.
+// Angle from 0 to pi of a sine, not below 0, and a cosine, with any common factor; relative error
+// 2e-7, where a driver's arctangent may be less exact. A quarter of the angle is an arctangent of
+// at most 0.42, whose series converges fast.
 float areaAngle(float sine, float cosine)
 {
     float t = sine / max(length(vec2(sine, cosine)) + abs(cosine), 1e-37);
@@ -149,8 +150,8 @@ float areaAngle(float sine, float cosine)
     return cosine < 0.0 ? AREA_PI - 4.0 * t * sum : 4.0 * t * sum;
 }
 
-// The integral of the cosine over pi, of what is above the horizon of the normal and in another
-// half space: the share of the light that would fill the first.
+// Integral of the cosine over pi, above the normal's horizon and in another half space: the share
+// of uniform light from all directions.
 float areaCosine(Area area, vec3 normal, vec3 other)
 {
     vec3 above = areaHalf(area, normal);
@@ -170,7 +171,7 @@ float areaCosine(Area area, vec3 normal, vec3 other)
     return max(sum, 0.0) / (2.0 * AREA_PI);
 }
 
-// An arc's share of the moment; see above.
+// An arc's contribution to the moment; see the top of the file.
 float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[4] = float[4](0.1834346425, 0.5255324099, 0.7966664774, 0.9602898565);
@@ -182,11 +183,11 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     float off = dot(w, m), square = off * off;
     vec3 near = w - off * m;
     float along = dot(near, near);
-    if (along < 1e-10) near = a; // all of the arc is at right angles to w
+    if (along < 1e-10) near = a; // all of the arc is perpendicular to w
     vec3 beside = cross(m, near);
     float r = min(sqrt(square + 4.0 / (exponent + 1.0)), 1.0);
     float first = atan(dot(beside, a), r * dot(near, a)), last = atan(dot(beside, b), r * dot(near, b));
-    if (last < first - 1.0) last += 2.0 * AREA_PI; // it crosses where angles begin
+    if (last < first - 1.0) last += 2.0 * AREA_PI; // it crosses the branch cut of the angle
     float middle = 0.5 * (first + last), half_ = 0.5 * (last - first), sum = 0.0;
     for (int i = 0; i < 8; i++) {
         float t = middle + (i < 4 ? half_ : -half_) * PLACE[i & 3];
@@ -200,11 +201,11 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     return sum * half_ * r;
 }
 
-// The integral of (w.u)^exponent (normal.u) over pi, of what is in a half space and in that of w,
-// too.
+// Integral of (w.u)^exponent (normal.u) over pi, in the half space `above` and in that of w.
 float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 {
-    bool even = exponent <= 0.0; // what is left is areaCosine, which needs no text of its own here: compilers take seconds for each
+    // equals areaCosine() without its code, which compilers take seconds for
+    bool even = exponent <= 0.0;
     if (areaHighest(above) <= 0.0 || !area.seen) return 0.0;
     if (areaLowest(above) >= 0.0 && area.width * area.width * (exponent + 1.0) < (even ? 0.09 : 0.3)) return areaPoints(area, normal, w, exponent);
     AreaBorder border = areaBorder(above, areaHalf(area, even ? normal : w));
@@ -217,15 +218,15 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
     return max(sum, 0.0) / ((exponent + 2.0) * AREA_PI);
 }
 
-// Reflection of light that arrives on one side of a surface: diffuse, and around an axis, the
-// cosine's power included; or, if the exponent is below 0, diffuse over directions times a matrix
-// (LTC). A model gives it (surface_model.h), so that the code of the integrals above stands in a
-// program once.
+// Reflection of light that arrives on one side of a surface: diffuse, plus a lobe around an axis,
+// the cosine's power included; or, if the exponent is negative, diffuse over directions transformed
+// by a matrix (LTC). Surface models return it (surface_model.h), so that the code of the integrals
+// above is in a program only once.
 struct AreaSide {
-    vec3 normal, even;        // the side, and the share that it sends evenly
+    vec3 normal, even;        // the side's normal, and its diffuse share
     vec3 gloss, axis, across; // the lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
-    mat3 into; // read where that is below 0: turned so that the side's normal is z, or a lobe's directions
+    mat3 into; // for a negative exponent: maps the side's normal to z, or a lobe's directions
 };
 
 AreaSide areaPowers(vec3 normal, vec3 even, vec3 gloss, vec3 axis, vec3 across, float exponent)
@@ -246,7 +247,7 @@ vec3 areaOfSide(Area light, AreaSide side)
     return sum;
 }
 #else
-// A parallelogram as a point sees it.
+// A parallelogram light seen from a point.
 Area areaAt(int light, vec3 point)
 {
     return areaSeen(lightTexel(light, LIGHT_PLACE).xyz - point, lightTexel(light, LIGHT_AXIS).xyz, lightTexel(light, LIGHT_CONE).xyz,

@@ -1,10 +1,10 @@
-/* Directional: parallel light from infinitely far. */
+/* Directional light: parallel light from infinitely far. */
 #include "runtime/light_kinds/light_kind.h"
 #include <string.h>
 
 #define PI 3.14159265358979323846
 
-/* An arrow that ends at the world's origin, as the light has no place. */
+/* An arrow that ends at the world's origin, as the light has no position. */
 static void light_directional_outline(const SceneLight *light, LightLines *lines)
 {
     enum { BARBS = 4 };

@@ -1,4 +1,4 @@
-/* Hemisphere: light from all around, brighter from above than from below. */
+/* Hemisphere light: light from all directions, brighter from above than from below. */
 #include "gen/render_text.h"
 #include "runtime/light_kinds/light_kind.h"
 #include <string.h>

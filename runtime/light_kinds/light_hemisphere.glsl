@@ -1,5 +1,4 @@
-// Light of hemispheres, from all around, by the formulas of scene.def; directions in the eye's
-// space.
+// Hemisphere lights, from all directions, by the formulas of scene.def; directions in eye space.
 #ifndef LIGHT_SENDS
 #define LIGHT_HAS_HEMISPHERE
 layout(std140) uniform Hemisphere {

@@ -1,4 +1,4 @@
-/* The table of kinds. */
+/* The table of light kinds. */
 #include "runtime/light_kinds/light_kind.h"
 
 typedef enum {

@@ -1,4 +1,4 @@
-/* Point: shines from a point to all sides. */
+/* Point light: emits from a point in all directions. */
 #include "runtime/light_kinds/light_kind.h"
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* Sky: the scene's sky as a light. runtime/light/light_sky.c makes the numbers that its GLSL
- * reads. */
+/* Sky light: the scene's sky as a light. runtime/light/light_sky.c computes the data that its
+ * GLSL reads. */
 #include "gen/render_text.h"
 #include "runtime/light_kinds/light_kind.h"
 

@@ -1,9 +1,9 @@
-// Light of a sky, from all around. Its irradiance over pi is a polynomial of the unit normal n in
-// the world: convolving with a cosine that is cut at 0 leaves of the sky's spherical harmonics band
-// 1 and the even bands, which fall fast (Ramamoorthi and Hanrahan 2001). To band 6 that is b.n +
-// the sum of c[i][j] x^i y^j z^(6-i-j): 3 and 28 numbers, within 0.3 % of the greatest irradiance
-// for clear skies with the sun at 5 degrees and above. A lobe is SAMPLES look-ups in a cube, each
-// as blurred as its share of the lobe is wide.
+// Light of a sky, from all directions. Its irradiance over pi is a polynomial of the unit normal n
+// in world space: convolution with a clamped cosine keeps only band 1 and the even bands of the
+// sky's spherical harmonics, which decay fast (Ramamoorthi and Hanrahan 2001). To band 6 that is
+// b.n + the sum of c[i][j] x^i y^j z^(6-i-j): 3 and 28 numbers, within 0.3 % of the greatest
+// irradiance for clear skies with the sun at 5 degrees and above. A lobe is sampled by SKY_SAMPLES
+// look-ups in a cube map, each with the blur of its share of the lobe.
 #ifndef LIGHT_SENDS
 #define LIGHT_HAS_SKY
 layout(std140) uniform Sky {
@@ -16,8 +16,8 @@ const float SKY_PI = 3.14159265358979;
 
 vec3 skyWorld(vec3 v) { return vec3(dot(sky_world[0].xyz, v), dot(sky_world[1].xyz, v), dot(sky_world[2].xyz, v)); }
 
-// Over pi, at a surface with this normal. Horner's rule in x, then in y, with the powers of z as
-// they come.
+// Irradiance over pi, for a surface with this normal. Horner's scheme in x, then in y, with the
+// powers of z accumulated.
 vec3 skyIrradiance(vec3 normal)
 {
     vec3 n = skyWorld(normal), sum = vec3(0.0);
@@ -35,9 +35,10 @@ vec3 skyIrradiance(vec3 normal)
     return sky_light.xyz * max(sum, 0.0);
 }
 
-// The integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces.
-// Directions are spread by the power, in a spiral; each stands for 1 / SKY_SAMPLES of its integral,
-// and is looked up at the level of the cube whose texels are as large as the solid angle around it.
+// Integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces. Importance
+// sampling: directions are distributed by the power, in a spiral; each represents 1 / SKY_SAMPLES
+// of the power's integral, and reads the mipmap level of the cube map whose texels are as large as
+// the solid angle around it.
 vec3 skyLobe(vec3 normal, vec3 w, float exponent)
 {
     vec3 n = skyWorld(normal), axis = skyWorld(w), sum = vec3(0.0);
@@ -49,7 +50,8 @@ vec3 skyLobe(vec3 normal, vec3 w, float exponent)
         float cosine = pow(share, 1.0 / (exponent + 1.0));
         float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
         vec3 u = cosine * axis + sine * (cos(turn) * aside + sin(turn) * across);
-        float angle = 2.0 * SKY_PI * cosine / ((exponent + 1.0) * float(SKY_SAMPLES) * share); // solid
+        // solid angle
+        float angle = 2.0 * SKY_PI * cosine / ((exponent + 1.0) * float(SKY_SAMPLES) * share);
         float level = 0.5 * log2(angle * 6.0 * texels * texels / (4.0 * SKY_PI));
         sum += textureLod(sky_map, u, max(level, 0.0)).xyz * max(dot(n, u), 0.0);
     }

@@ -1,4 +1,4 @@
-/* Spot: a point light with a cone. */
+/* Spot light: a point light with a cone. */
 #include "runtime/light_kinds/light_kind.h"
 #include <math.h>
 
@@ -14,7 +14,7 @@ static bool light_spot_read(const LightParams *params, SceneLight *light, LightF
     return inner <= outer;
 }
 
-/* Linear in the cosine between the angles. A cone whose angles are one has the steepest slope that
+/* Linear in the cosine between the angles. A cone with equal angles has the steepest slope that
  * its cosine resolves. */
 static void light_spot_cone(const SceneLight *light, double scale_shift[2])
 {
