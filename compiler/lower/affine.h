@@ -5,7 +5,7 @@
 
 enum { AFFINE_LANES = 3 };
 
-/* One component as offset + sum of factor[i] * component i of the root. */
+/* The affine form of one component: offset + sum of factor[i] * component i of the root. */
 typedef struct {
     Ref root;    /* 0: a constant */
     bool closed; /* component 4: no affine form can start from it */
@@ -14,7 +14,8 @@ typedef struct {
 
 /* The affine forms found so far. */
 typedef struct {
-    /* By Ref: index in `lines`, from 1, of its first component; 0: the node is a root. */
+    /* Index in `lines`, by Ref, of the node's first component, counted from 1; 0: the node is a
+     * root. */
     uint32_t *first;
     size_t first_room;
     Line *lines;

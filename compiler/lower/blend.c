@@ -188,8 +188,8 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* For each item, the share of the box, or of the point, that has reached it: all for the first,
- * 0 after the last. */
+/* The share of the box, or of the point, that has reached each item: all for the first, 0 after
+ * the last. */
 static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
@@ -200,7 +200,7 @@ static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return share;
 }
 
-/* For each item, its weight in the box: exactly 0 where the box does not reach it. */
+/* The weight of each item in the box: exactly 0 where the box does not reach the item. */
 static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *weight = shares(l, t, edge, stops, count);

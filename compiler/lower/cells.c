@@ -70,8 +70,8 @@ static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
                  : cells_at(l, cells, middle, 0);
 }
 
-/* For a mean over a square of that edge: the factor on a value's distance from the mean, and the
- * variance left out in addition to the slope. */
+/* Effect of a mean over a square of that edge: the factor on a value's distance from the mean,
+ * and the variance left out in addition to the slope. */
 typedef struct {
     Ref share, variance;
 } Fading;

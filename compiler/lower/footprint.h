@@ -10,7 +10,7 @@ enum {
     MOST_SPLITS = 4, /* nesting of checkers whose colors are kept apart */
 };
 
-/* One box: its center, and its edge lengths per component. */
+/* A box of a footprint: its center, and its edge lengths per component. */
 typedef struct {
     Ref middle, edges;
 } Tap;
@@ -36,9 +36,9 @@ int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
 Ref footprint_edges(Lower *l, Answer a);
 /* The maximum over the components. */
 Ref footprint_greatest_lane(Lower *l, Ref value);
-/* For --coordinates=long: `scale` times a coordinate that is an affine function with constant
- * factors, as an integer and a fraction in [-1/2, 1/2]. Returns false if the coordinate is exact
- * as it is, or not affine. affine.c */
+/* Splits `scale` times a coordinate into an integer and a fraction in [-1/2, 1/2], for
+ * --coordinates=long. The coordinate must be an affine function with constant factors. Returns
+ * false if the coordinate is exact as it is, or not affine. affine.c */
 typedef struct {
     Ref whole, fraction;
 } LongCoordinate;

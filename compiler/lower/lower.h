@@ -24,7 +24,7 @@ typedef struct {
  * surface's own u and v. */
 typedef enum { DIRECTION_right, DIRECTION_up, DIRECTION_u, DIRECTION_v, DIRECTION_COUNT } Direction;
 
-/* A map's value: with --aa its mean over the pixel, and what is known of its variation there.
+/* A map's value: with --aa its mean over the pixel, and its known variation there.
  * The variation depends on the queried maps, never on IR nodes: where the builder merges two
  * values into one node, each value keeps its own, so programs of all -O levels antialias alike.
  * answer.h */
@@ -252,7 +252,7 @@ Ref lower_reflectance(Ir *ir, Ref ior);
 /* The shading normal as the G-buffer stores it: in eye or world space, of unit length, facing
  * the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
-/* The coat's own normal, stored likewise; (0, 0, 0) if the coat has none of its own. */
+/* The coat's own normal, in the same form; (0, 0, 0) if the coat has none of its own. */
 Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env);
 /* The slot anisotropy about the stored normal. lower_principled.c */
 Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env);

@@ -191,8 +191,8 @@ static Answer blend_at(Lower *l, Answer t, const Stop *stops, int count)
     return whole;
 }
 
-/* Where the coordinate is one of two values within the pixel, the mean of both blends: a Blend
- * is not linear. */
+/* Blends along a coordinate. If the coordinate is one of two values within the pixel, returns
+ * the mean of both blends, since a Blend is not linear. */
 static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int depth)
 {
     if (!x.split || depth == 0)
@@ -320,8 +320,8 @@ static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
     return blend_at(l, number, stops, 2 * (count - 1));
 }
 
-/* Where the number is one of two values within the pixel, the mean of both choices; in a
- * displacement the choice is made at the point. */
+/* Chooses by a number. If the number is one of two values within the pixel, returns the mean of
+ * both choices; in a displacement the choice is made at the point. */
 static Answer chosen_split(Lower *l, Answer x, const Answer *maps, int count, int depth)
 {
     if (!x.split || depth == 0 || l->relief)

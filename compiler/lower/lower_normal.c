@@ -213,7 +213,7 @@ Answer lower_NormalMap(Lower *l, const Node *node, Group group, const Env *env)
     return answer_of(build_sub(ir, tangent, build_mul(ir, frame.unit, rise)));
 }
 
-/* One factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
+/* A factor of the height cos(a) cos(b), a = 2 pi count x, and its slope by x. */
 typedef struct {
     Ref height, slope;
 } Ripple;

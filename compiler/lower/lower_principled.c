@@ -294,7 +294,7 @@ Ref lower_Principled(Lower *l, const Node *m, Slot slot, const Env *env)
     }
 }
 
-/* Where the specular color is 0, the tint is white. */
+/* Lower bound of the specular color, below which the tint approaches white. */
 static const double LEAST_TINT = 1e-6;
 
 Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)

@@ -33,8 +33,8 @@ typedef struct {
      * component. */
     double step[3];
 } Stepped;
-/* In a displacement of --derivatives=auto: sets the derivatives of `value`, the map's value at
- * the point, by u and v to finite differences. */
+/* Sets the derivatives of `value`, the map's value at the point, by u and v to finite
+ * differences. Has an effect only in a displacement of --derivatives=auto. */
 void relief_step(Lower *l, Ref value, const Stepped *map);
 /* Sets the slopes of a value from its derivatives by the components of its coordinate q; 0: the
  * value does not depend on that component. */

@@ -33,9 +33,9 @@ typedef struct SlopeSum {
     int count;
 } SlopeSum;
 typedef const SlopeTerm *SlopeTerms(Lower *l, const void *what);
-/* Defines the derivative of a value as such a sum. Its `count` terms are queried once, on first
- * use. Returns the earlier definition's `what`, which stays valid, or NULL if the value had
- * none. */
+/* Defines the derivative of a value as a weighted sum. Its `count` terms are queried once, on
+ * first use. Returns the earlier definition's `what`, which stays valid, or NULL if the value
+ * had none. */
 const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *what, int count);
 const SlopeSum *slope_sum_of(Lower *l, Ref value); /* NULL: not a sum */
 #endif

@@ -183,7 +183,7 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }
 
-/* The first item whose value is above t; the count if there is none. */
+/* The first item whose value is above t; the item count if t is above all values. */
 static int item_above(const Items *items, double t)
 {
     int i = 0;

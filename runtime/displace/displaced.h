@@ -36,8 +36,8 @@ typedef struct {
     int size[2];        /* pixels of the picture */
     /* Bounding box of all shadow receivers; low >= high: unbounded. */
     double low[3], high[3];
-    /* View frustums of the picture, if nothing but shadow maps needs triangles outside; no
-     * planes: all triangles are needed. */
+    /* View frustums of the picture, if only shadow maps need triangles outside; no planes: all
+     * triangles are needed. */
     SceneSight sight;
 } DisplacedView;
 

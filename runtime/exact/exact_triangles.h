@@ -4,7 +4,7 @@
 #define MATC_RENDER_EXACT_TRIANGLES_H
 #include "runtime/cache/cache.h"
 
-/* In world space. */
+/* A bounding box in world space. */
 typedef struct {
     double low[3], high[3];
 } ExactBox;

@@ -1,4 +1,4 @@
-// Ambient light: each surface reflects its slot `ambient` times the sum of these lights.
+// Ambient light: each surface reflects its slot `ambient` times the sum of all ambient lights.
 #ifdef LIGHT_SENDS
 layout(std140) uniform Ambient {
     vec4 ambient_up, ambient_light;

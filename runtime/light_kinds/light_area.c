@@ -12,7 +12,7 @@ static bool light_area_read(const LightParams *params, SceneLight *light, LightF
     return vec3_span(light->edges[0], light->edges[1]);
 }
 
-/* Its edges, and a line from its center in the direction of emission. */
+/* Draws the edges, and a line from the center in the direction of emission. */
 static void light_area_outline(const SceneLight *light, LightLines *lines)
 {
     const double *u = light->edges[0], *v = light->edges[1], *p = light->position;

@@ -23,7 +23,7 @@ static void light_spot_cone(const SceneLight *light, double scale_shift[2])
     scale_shift[1] = -light->outer_cosine / width;
 }
 
-/* Its outer cone: edges, and the circle through their ends. */
+/* Draws the outer cone: edges, and the circle through their ends. */
 static void light_spot_outline(const SceneLight *light, LightLines *lines)
 {
     enum { STEPS = 32, EDGES = 4 };

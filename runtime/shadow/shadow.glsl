@@ -112,7 +112,8 @@ vec3 shadowLets(uint node)
     return vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
 }
 
-// Position of a map texel's list in the tile; outside of the tile, beyond its size.
+// Position of a map texel's list in the tile; exceeds the tile's size for texels outside of the
+// tile.
 uvec2 shadowAt(int map, ivec2 texel)
 {
     return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;

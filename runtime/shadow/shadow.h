@@ -12,7 +12,7 @@
 bool shadow_is_cast(const Render *render);
 /* Shadows are enabled, and some area light casts them. */
 bool shadow_is_soft(const Render *render);
-/* How transparent surfaces cast shadows. */
+/* The method by which transparent surfaces cast shadows. */
 SetCasts shadow_casts(const Render *render);
 
 /* -- The buffer of transparent fragments (shadow_glass.c) -------------------------------------- */

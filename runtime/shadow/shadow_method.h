@@ -59,7 +59,7 @@ struct ShadowMethod {
     /* The row wants the target: before, and after, the scene's surfaces are known. */
     bool (*seen_wanted)(const Render *render);
     bool (*seen_needed)(const Render *render);
-    void (*seen_bind)(const Render *render); /* binds the inputs of these programs */
+    void (*seen_bind)(const Render *render); /* binds the inputs of the programs with this text */
     /* The format of a target that the technique uses; NULL: the default. */
     const char *(*target)(const Render *render, FrameTarget target);
 

@@ -29,6 +29,7 @@ void soft_views_place(const Scene *scene, const SceneLight *light, int number, d
 /* Makes a view whose depth is `near` over the distance along its face. */
 void soft_views_make(const Scene *scene, const SceneLight *light, int number, double near,
                      ShadowView *view);
-/* One face of a view, as a view of its own; rect: its lower left texel in the map, and its size. */
+/* Makes a face of a view, as a view of its own; rect: its lower left texel in the map, and its
+ * size. */
 void soft_views_face(const ShadowView *view, int size, int face, ShadowView *made, int rect[4]);
 #endif

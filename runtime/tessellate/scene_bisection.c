@@ -1,20 +1,19 @@
-/* Newest-vertex bisection over half-edges. A triangle (a, b, c) is divided at the middle m of its
- * edge a b into (c, a, m) and (b, c, m), whose first edges, c a and b c, are bisected next. All
- * triangles at an edge are divided together, as soon as it is the first edge of all of them; where
- * it is not, those are divided before at theirs. So no point lies within an edge, ever.
+/* Newest-vertex bisection over half-edges. A triangle (a, b, c) is divided at the midpoint m of
+ * its edge a b into (c, a, m) and (b, c, m), whose first edges, c a and b c, are bisected next.
+ * All triangles at an edge are divided together, as soon as the edge is the first edge of all of
+ * them; others are first divided at their own first edge. So the mesh never has a T-junction.
  *
- * That ends: among triangles of the shape the first edge is the longest, so that whoever has to be
- * divided before has a longer one; and a triangle that a bisection made has a first edge that is
- * older than its others, so that whoever has to be divided before has an older one still.
+ * The process terminates: among the shape's triangles the first edge is the longest, so a
+ * triangle that has to be divided first has a longer one; and a triangle made by bisection has a
+ * first edge that is older than its others, so a triangle that has to be divided first has an
+ * even older one.
  *
  *     a square of two triangles, whose diagonal is the longest edge of both: both are divided
- *         there, and there are four; each of these has a side of the square as
- *     its first edge, and is divided alone: eight, whose first edges are the halves of the
- *         diagonals, which two share again
+ *     there, which makes four; each has a side of the square as its first edge, and is divided
+ *     alone: eight, whose first edges are the halves of the diagonals, again shared by two
  *
- * A point is known by its weights among the corners of the shape's triangle that it lies in, which
- * are whole numbers: so either side of an edge computes the same point, and the surface is that of
- * any other division.
+ * A point is represented by integer barycentric weights in the shape's triangle: so both sides
+ * of an edge compute the same point, and the surface is independent of the order of divisions.
  * Source: Mitchell, A comparison of adaptive refinement techniques for elliptic problems, 1989;
  * half-edges as in Benyoub and Dupuy, Concurrent binary trees for large-scale game components,
  * 2024, whose trees begin with three triangles for each of the shape's instead. */
@@ -39,7 +38,8 @@ static bool add_place(SceneBisection *b, uint32_t first)
     return true;
 }
 
-/* Its place, the last so far, gets the normal too, where it is none that it has. */
+/* Adds a vertex at a place; a place number equal to the count makes a new place. The place's
+ * normal sums the normals of its vertices, except those equal to the first one's. */
 static bool add_vertex(SceneBisection *b, const ShapeVertex *vertex, uint32_t place)
 {
     if (!scene_room(&b->vertices, b->vertex_count + 1, &b->vertex_room, sizeof *b->vertices) ||
@@ -81,7 +81,7 @@ static void link(SceneBisection *b, uint32_t edge, uint32_t next)
     b->triangles[next / 3].behind[next % 3] = edge;
 }
 
-/* Puts an edge into a ring, behind another one of it. */
+/* Inserts an edge into a ring, after another edge of that ring. */
 static void join(SceneBisection *b, uint32_t edge, uint32_t other)
 {
     const uint32_t next = b->triangles[other / 3].across[other % 3];
@@ -89,7 +89,8 @@ static void join(SceneBisection *b, uint32_t edge, uint32_t other)
     link(b, other, edge);
 }
 
-/* An edge of what was a triangle has another number. */
+/* Changes the number of an edge from `from` to `to` in its ring; `was` is the triangle before
+ * its division. */
 static void renumber(SceneBisection *b, const SceneBisectionTriangle *was, int edge, uint32_t from,
                      uint32_t to)
 {
@@ -107,7 +108,8 @@ static double length_of(const SceneBisection *b, const uint32_t vertex[2])
     return sum;
 }
 
-/* Orders equally long edges by the positions of their ends, equally for all triangles. */
+/* Compares lengths; orders equally long edges by the places of their ends, consistently for all
+ * triangles. */
 static bool is_longer(const SceneBisection *b, const uint32_t x[2], const uint32_t y[2])
 {
     const double by_x = length_of(b, x), by_y = length_of(b, y);
@@ -127,7 +129,7 @@ static bool add_triangle(SceneBisection *b, int base)
     int first = 0;
     for (int i = 0; i < 3; i++)
         if (b->place_of[corner[i]] == b->place_of[corner[(i + 1) % 3]])
-            return true; /* it has no area */
+            return true; /* degenerate */
     for (int i = 1; i < 3; i++)
         if (is_longer(b, (uint32_t[]){corner[i], corner[(i + 1) % 3]},
                       (uint32_t[]){corner[first], corner[(first + 1) % 3]}))
@@ -148,7 +150,7 @@ static uint32_t hash_of(uint32_t a, uint32_t b)
     return ((a < b ? a : b) * 0x9E3779B1u ^ (a < b ? b : a) * 0x85EBCA77u) * 0xC2B2AE3Du;
 }
 
-/* Edges of the same two places come into one ring. */
+/* Builds the rings: edges between the same two places are in one ring. */
 static void find_rings(SceneBisection *b)
 {
     HashIndex index = {0};
@@ -198,8 +200,7 @@ void scene_bisection_end(SceneBisection *b)
 /* -- bisection */
 
 enum {
-    ALIKE = 4 /* of a ring, so many edges before are asked for the same vertices; a ring of more
-                 shares fewer */
+    ALIKE = 4 /* earlier edges of a ring that are searched for equal ends */
 };
 
 static bool same_ends(const SceneBisectionTriangle *x, const SceneBisectionTriangle *y)
@@ -208,8 +209,8 @@ static bool same_ends(const SceneBisectionTriangle *x, const SceneBisectionTrian
            (x->vertex[0] == y->vertex[1] && x->vertex[1] == y->vertex[0]);
 }
 
-/* The vertex in the middle of the first edge of the i-th triangle of the ring; `middle` has those
- * of the others. UINT32_MAX: memory ran out. */
+/* The vertex at the midpoint of the first edge of the ring's i-th triangle; `middle` has those
+ * of earlier ones, which are reused for equal ends. UINT32_MAX: out of memory. */
 static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place,
                               const uint32_t middle[ALIKE])
 {
@@ -225,7 +226,8 @@ static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place,
     return add_vertex(b, &vertex, place) ? (uint32_t)b->vertex_count - 1 : UINT32_MAX;
 }
 
-/* (a, b, c) becomes (c, a, m), and (b, c, m) is new. There is room. */
+/* Divides a triangle: (a, b, c) becomes (c, a, m), and (b, c, m) is added. The array has
+ * capacity for it. */
 static void divide(SceneBisection *b, uint32_t triangle, uint32_t middle)
 {
     const SceneBisectionTriangle was = b->triangles[triangle];
@@ -248,8 +250,8 @@ static void divide(SceneBisection *b, uint32_t triangle, uint32_t middle)
     link(b, 3 * made + 1, 3 * triangle + 2);
 }
 
-/* The halves of an edge that was divided: those at either end of it are in a ring. ring: triangle,
- * and the one that it made, by turns. */
+/* Links the halves of a divided edge: those at either end of the edge form a ring. b->ring
+ * alternates between a triangle and the one added by its division. */
 static void link_halves(SceneBisection *b, size_t count)
 {
     uint32_t last[2] = {UINT32_MAX, UINT32_MAX}, end = UINT32_MAX;
@@ -268,7 +270,7 @@ static void link_halves(SceneBisection *b, size_t count)
     }
 }
 
-/* All triangles at an edge, which is the first of each of them. */
+/* Divides all triangles at an edge, which is the first edge of each of them. */
 static bool divide_ring(SceneBisection *b, uint32_t edge)
 {
     size_t count = 0;
@@ -283,7 +285,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     } while (next != edge);
     if (!scene_room(&b->triangles, b->count + count, &b->room, sizeof *b->triangles))
         return false;
-    uint32_t *vertices = b->ring + count; /* behind the edges */
+    uint32_t *vertices = b->ring + count; /* after the edges */
     for (size_t i = 0; i < count; i++) {
         vertices[i] = middle[i % ALIKE] = middle_vertex(b, i, place, middle);
         if (vertices[i] == UINT32_MAX)
@@ -292,7 +294,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     const size_t first = b->count;
     for (size_t i = 0; i < count; i++)
         divide(b, b->ring[i] / 3, vertices[i]);
-    for (size_t i = count; i--;) { /* from the last, whose places nothing else needs */
+    for (size_t i = count; i--;) { /* from the last, so that no unread element is overwritten */
         const uint32_t triangle = b->ring[i] / 3;
         b->ring[2 * i + 1] = (uint32_t)(first + i);
         b->ring[2 * i] = triangle;
@@ -312,7 +314,8 @@ static bool wait(SceneBisection *b, size_t *count, uint32_t triangle)
     return true;
 }
 
-/* Those at the same edge that have another first edge are divided before. False: memory ran out. */
+/* Pushes the triangles at the same edge that have another first edge: they are divided first.
+ * False: out of memory. */
 static bool wait_for_others(SceneBisection *b, size_t *count, uint32_t triangle)
 {
     for (uint32_t edge = b->triangles[triangle].across[0]; edge != 3 * triangle;
@@ -339,9 +342,9 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle)
 
 /* -- Triangles as a shape */
 
-/* Triangles go along a curve that fills their base triangle: digits of the weights of their middle,
- * by turns (Morton, 1966), so that those that follow each other share vertices, which come in the
- * order of their first use. */
+/* Triangles are ordered along a space-filling curve of their base: interleaved bits of their
+ * centers' weights (Morton, 1966), so that consecutive triangles share vertices. Vertices are in
+ * the order of their first use. */
 
 typedef struct {
     int base;

@@ -1,6 +1,6 @@
-/* Which meshes displaced objects have: one for all that are displaced alike. What changes
- * afterwards, a param or where an object is, gives those that it changes another mesh, and takes
- * away what no object has any more. */
+/* Assigns meshes to displaced objects: one for all that are displaced alike. Later changes of a
+ * param or an object's matrix give the affected objects another mesh, and free meshes without
+ * users. */
 #include "compiler/base/hash_index.h"
 #include "compiler/base/session.h"
 #include "runtime/tessellate/scene_displace.h"
@@ -13,18 +13,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* One way through all objects: what each shall have, before any has it. */
+/* A pass over all objects: their new meshes, before any is assigned. */
 typedef struct {
     const Scene *scene;
     SceneDisplacer *by;
     HashIndex index; /* of meshes, by their keys */
-    int *next;       /* by object: its mesh */
+    int *next;       /* by object: its new mesh */
     int64_t triangles;
     int mesh_count;
 } Maker;
 
-/* Key of a displaced shape: the object's own shape, the material, and the matrix: its scales to a
- * millionth, which rotations and translations leave as they are, or all of it. */
+/* Key of a displaced shape: the object's own shape, the material, and the matrix: either its
+ * scales to a millionth, which are invariant under rotations and translations, or all of it. */
 static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase *base)
 {
     const SceneDisplacer *by = scene->displacer;
@@ -87,7 +87,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
                                  .level = scene->displaced_level,
                                  .dividing = scene->dividing,
                                  .triangles = fineness.triangles,
-                                 /* by bisection alone */
+                                 /* for bisection only */
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL,
                                  .pixels = scene->displaced_pixels,
                                  .processor = k->by->processor};
@@ -114,8 +114,8 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
                                         "takes too many operations, or more memory than there is");
 }
 
-/* A place for one more: each object that is displaced may have two, one until the other is
- * there. */
+/* A free mesh slot: each displaced object may have two meshes, the old one until the new one is
+ * made. */
 static int vacant_mesh(SceneDisplacer *by)
 {
     while (by->users[by->vacant])
@@ -144,7 +144,7 @@ static bool displace(Maker *k, int number)
     return true;
 }
 
-/* One object fewer has the mesh: the last takes it away. */
+/* Releases an object's mesh; the last user frees the mesh. */
 static void leave(Scene *scene, int mesh)
 {
     SceneDisplacer *by = scene->displacer;
@@ -154,7 +154,8 @@ static void leave(Scene *scene, int mesh)
     scene_mesh_free(&scene->meshes[mesh]);
 }
 
-/* Objects get the meshes that they shall have; or, where something failed, keep theirs. */
+/* Assigns the new meshes to objects; after a failure objects keep theirs. Returns true if any
+ * mesh changed. */
 static bool settle(Scene *scene, const Maker *k, bool fine)
 {
     bool changed = false;
@@ -165,7 +166,7 @@ static bool settle(Scene *scene, const Maker *k, bool fine)
         SceneObject *object = &scene->objects[i];
         const bool first = object->kind != SCENE_Mesh || object->mesh < k->by->first;
         if (!fine || (!first && object->mesh == k->next[i])) {
-            leave(scene, k->next[i]); /* it was counted twice */
+            leave(scene, k->next[i]); /* was counted twice */
             continue;
         }
         if (!first)
@@ -177,7 +178,8 @@ static bool settle(Scene *scene, const Maker *k, bool fine)
     return changed;
 }
 
-/* Those of `count` objects from `first` on that a material displaces: that one, or, -1, any. */
+/* Displaces those of `count` objects from `first` on that have the material, or, for material
+ * -1, any. */
 static SceneDisplaced displace_objects(Scene *scene, int material, int first, int count)
 {
     SceneDisplacer *by = scene->displacer;
@@ -206,7 +208,7 @@ static SceneDisplaced displace_objects(Scene *scene, int material, int first, in
     return !fine ? SCENE_DISPLACED_failed : changed ? SCENE_DISPLACED_anew : SCENE_DISPLACED_same;
 }
 
-/* So many objects are displaced. */
+/* Finds the shapes of objects before displacement; returns the number of displaced objects. */
 static int find_bases(Scene *scene, const MatcOptions *options)
 {
     SceneDisplacer *by = scene->displacer;
@@ -214,7 +216,7 @@ static int find_bases(Scene *scene, const MatcOptions *options)
     for (int i = 0; i < scene->material_count; i++)
         by->moves[i] = matc_moves(scene->materials[i].document, scene->materials[i].index, options);
     for (int i = 0; scene->displaced_pixels > 0 && i < scene->material_count; i++)
-        /* by where it is seen */
+        /* view-dependent */
         by->moves[i] = by->moves[i] == MATC_MOVES_none ? MATC_MOVES_none : MATC_MOVES_world;
     for (int i = 0; i < scene->object_count; i++) {
         const SceneObject *object = &scene->objects[i];

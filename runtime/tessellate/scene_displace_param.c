@@ -1,5 +1,4 @@
-/* Params of materials that displace: values that they have been given, instead of those that their
- * documents say. */
+/* Params of displacing materials: values that were set, instead of the documents' defaults. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/tessellate/scene_displace_param.h"
 #include <stdlib.h>
@@ -17,7 +16,7 @@ Key scene_displacer_param_key(const SceneDisplacer *by, int material)
     return key;
 }
 
-/* The values of a material's params become its document's defaults, and back. */
+/* Exchanges a material's param values with its document's defaults; a second call restores them. */
 void scene_displace_params(const Scene *scene, int material)
 {
     for (int i = 0; i < scene->displacer->param_count; i++) {
@@ -78,7 +77,7 @@ SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const cha
     SceneDisplacedParam *param = &params[by->param_count++];
     *param = (SceneDisplacedParam){material, copy, {0}, count};
     const SceneMaterial *of = &scene->materials[material];
-    /* gives what it is, and gets that back */
+    /* stores the current default in param->lanes */
     matc_set_default(of->document, name, param->lanes, count, param->lanes);
     return param;
 }

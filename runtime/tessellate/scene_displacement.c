@@ -1,11 +1,11 @@
-/* True displacement by meshes: triangles are divided, alike or by error (scene_refine.c), and each
- * place is moved once, by the C reference in double, and where triangles are divided by error a
- * little more, to where they miss less (scene_refine.c). What draws the scene then sees meshes
- * like any other, whatever it draws them for: shadows of each method, voxels, edges of the picture.
+/* True displacement on the CPU: triangles are divided, evenly or by error (scene_refine.c), and
+ * each place is moved once, by the C reference in double; after division by error also slightly
+ * further, to reduce the triangles' error. The renderer then sees ordinary meshes in all passes:
+ * shadows of each technique, voxels, depth of the picture.
  *
- * No crack: triangles that share an edge divide it alike (scene_divide.c, scene_bisection.c), and
- * all vertices of one place move together: along the unit sum of their normals, where those are
- * several, and by the texture coordinates and tangents of the first. So what was closed stays
+ * There are no cracks: triangles that share an edge divide it alike (scene_divide.c,
+ * scene_bisection.c), and all vertices of one place move together: along the normalized sum of
+ * their normals, and by the texture coordinates and tangents of the first. So closed meshes stay
  * closed, bit for bit. */
 #include "runtime/tessellate/scene_displacement.h"
 #include "runtime/tessellate/scene_divide.h"
@@ -17,7 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* v by the upper left part; by its transposed inverse for normals. */
+/* Transforms v by the upper left 3x3 part; normals by its transposed inverse. */
 static void turn(const SceneMatrix *m, bool transposed, const float v[3], double result[3])
 {
     for (int row = 0; row < 3; row++) {
@@ -57,7 +57,7 @@ typedef struct {
     SceneMatrix local_from_world;
 } Mover;
 
-/* By the C reference, in the world and back. */
+/* Moves points by the C reference, in world space and back. */
 static bool move_points(void *user, const ShapeVertex *at, int count, double (*to)[3])
 {
     const Mover *mover = user;
@@ -101,7 +101,7 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     return fine;
 }
 
-/* Pixels of a unit of the object's space, along the axis that is scaled most. */
+/* Pixels per unit of object space, along the axis with the greatest scale. */
 static double pixels_at(void *user, const double at[3])
 {
     const Mover *mover = user;
@@ -114,7 +114,7 @@ static double pixels_at(void *user, const double at[3])
     return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
 }
 
-/* In the world. */
+/* Length in world space. */
 static double length_of(void *user, const double by[3])
 {
     const double *m = ((const Mover *)user)->how->world_from_local.m;
@@ -124,7 +124,7 @@ static double length_of(void *user, const double by[3])
     return sqrt(vec3_dot(world, world));
 }
 
-/* Where all places go; `at` tells the place of a vertex. From malloc; NULL: it cannot be. */
+/* New positions of all places; `at` is the place of each vertex. From malloc; NULL: failed. */
 static double (*moved_places(Mover *mover, const Shape *shape, const int *first, int *at))[3]
 {
     ShapeVertex *joined = calloc((size_t)shape->vertex_count + 1, sizeof *joined);
@@ -204,8 +204,8 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     return scene_refine(from, &refining, made);
 }
 
-/* Extent of a motion of length 1 in the world along an axis of the object's space: a row of the
- * inverse. */
+/* Extent along an axis of object space of a motion of length `bound` in world space: from a row
+ * of the inverse. */
 static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
 {
     for (int i = 0; i < 3; i++)
@@ -225,15 +225,15 @@ double scene_displaced_bound(const MatcDocument *document, int material, const M
     return bound;
 }
 
-enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* displaced_feedback.c makes no more */ };
+enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* limit of displaced_feedback.c */ };
 
-/* Where no triangle is too far away to be divided. */
+/* Number of triangles if all are near enough to be divided. */
 static int64_t feedback_triangles(const ScenePatches *patches)
 {
     return (int64_t)patches->count << 2 * patches->dividing.steps;
 }
 
-/* No point bulges farther. */
+/* Bound of the bulge of any point. */
 static double longest_edge(const ScenePatches *patches)
 {
     double longest = 0;
@@ -247,7 +247,8 @@ static double longest_edge(const ScenePatches *patches)
     return longest;
 }
 
-/* At least 2: what is traced is halved again and again. */
+/* The least power of two that is at least `parts`, and at least 2, since ray-marched patches are
+ * halved repeatedly. */
 static int power_of_two(int parts)
 {
     int power = 2;
@@ -256,8 +257,9 @@ static int power_of_two(int parts)
     return power;
 }
 
-/* 131072 triangles of a box: 105 parts of an edge, which are 2 patches of 53. By the picture 512
- * patches or more, which have 256 triangles each where all edges have 16 parts. */
+/* Divides a shape into patches. 131072 triangles of a box: 105 parts of an edge, which are 2
+ * patches of 53. View-dependent: 512 patches or more, with 256 triangles each if all edges have
+ * 16 parts. */
 static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Shape *made,
                               ScenePatches **patches)
 {
@@ -265,7 +267,7 @@ static bool divide_to_patches(const SceneDisplacing *how, const Shape *from, Sha
     const bool by_picture = how->pixels > 0;
     const int parts = parts_of(how, from);
     const bool rounded =
-        /* by corners of the mesh's own triangles */
+        /* rounding uses the corners of the mesh's own triangles */
         how->dividing.push != 0 || how->dividing.bulge > 0;
     const int across = how->method == WORD_Displacing_feedback ||
                                how->method == WORD_Displacing_bisection || rounded

@@ -1,5 +1,5 @@
-/* Finer triangles of the same shape. Two triangles that share an edge make the same points along
- * it, whichever way they run: an edge is always divided from the end that comes first by its
+/* Subdivides triangles of a shape evenly. Two triangles that share an edge make the same points
+ * on it, whichever their direction: an edge is always interpolated from the end with the lesser
  * coordinates.
  *
  *     n = 2: corners a, b, c, and ab, ca, bc between them: a ab ca, ab b bc, ca bc c, ab bc ca */
@@ -18,7 +18,7 @@ static bool comes_first(const float a[3], const float b[3])
     return false;
 }
 
-/* Interpolates three values by whole weights that sum to n, in the order of the corners'
+/* Interpolates three values by integer weights that add up to n, in the order of the corners'
  * coordinates. */
 static float mixed(const float *const v[3], const int weight[3], int lane, int n)
 {
@@ -41,7 +41,7 @@ static void unit(float v[3])
         v[i] = (float)(v[i] / size);
 }
 
-/* The vertex of these weights. */
+/* The vertex with these barycentric weights. */
 static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[3], int n)
 {
     int order[3] = {0, 1, 2}, sorted[3];
@@ -74,7 +74,7 @@ static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[
     return made;
 }
 
-/* Vertices so far, each once. */
+/* Distinct vertices found so far. */
 typedef struct {
     Shape *shape;
     HashIndex index;
@@ -92,7 +92,7 @@ static uint32_t number_of(Found *f, const ShapeVertex *vertex)
     return (uint32_t)f->shape->vertex_count++;
 }
 
-/* Row i of a triangle has i + 1 vertices, from the edge at corner 0 on. */
+/* Row i of a triangle has i + 1 vertices, starting at corner 0. */
 static int place_in_rows(int row, int i) { return row * (row + 1) / 2 + i; }
 
 uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next)

@@ -1,14 +1,14 @@
-/* Displaced copies of random sizes would each have a mesh of its own, since a height is a length of
- * the world: of a copy that is half as large it is twice as high in the copy's own space. Where the
- * height is bounded, and a function of the object's own space, copies of nearly one size share the
- * mesh of the size in their middle. Heights are then off by their part of the difference, at most
+/* Shares meshes between displaced copies. Copies of random sizes would each need a mesh, since a
+ * height is a length in world space: in the own space of a copy of half the size it is twice as
+ * high. If the height is bounded, and a function of object space, copies of similar size share
+ * the mesh of the middle size. Heights then have an error by the difference in size, at most
  * SCENE_DETAIL_ERROR of a pixel.
  *
- *     Heights of 0.3 at 20 pixels a unit, 6 pixels: sizes may differ by 1 / 48 from the middle;
- *         intervals of 1 / 32 share a mesh
+ *     Heights of 0.3 at 20 pixels per unit, 6 pixels: sizes may differ by 1 / 48 from the
+ *     middle; intervals of 1 / 32 share a mesh
  *
- * A height that goes by places of the world is another on each copy: each has a mesh, of few
- * triangles where it is small. */
+ * A height that depends on the world position differs on each copy: each has a mesh, with few
+ * triangles if the copy is small. */
 #include "runtime/tessellate/scene_displacement.h"
 #include "runtime/scene/scene_displacer.h"
 #include "runtime/tessellate/scene_fine.h"
@@ -16,9 +16,9 @@
 #include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 
-/* of one with edges of 1: a quarter of the square root of 3 */
+/* of an equilateral triangle with edges of 1: sqrt(3) / 4 */
 static const double triangle_area = 0.43301270189221932;
-static const double sphere_area = 12.566370614359172; /* of one with a radius of 1 */
+static const double sphere_area = 12.566370614359172; /* of a sphere with radius 1 */
 static const double widest_share = .5, narrowest_share = 1e-6;
 
 static int64_t triangles_of(const Scene *scene, int i)
@@ -70,8 +70,8 @@ void scene_fine_choose(Scene *scene, Arena *arena)
     scene_fine_look(scene, scene->width, scene->height);
 }
 
-/* The interval of a length whose middle is off by less than an error, which is `height` times the
- * difference of the sizes. */
+/* Chooses the interval of sizes whose middle has an error below the limit; the error is `height`
+ * times the relative difference of sizes. */
 static void choose_share(const SceneMatrix *matrix, double height, SceneFineness *fine)
 {
     const double *m = matrix->m;

@@ -1,29 +1,29 @@
-/* How fine the meshes of a large scene are: scene_detail.h says for whom. */
+/* Level of detail of meshes in a large scene: scene_detail.h defines the viewers. */
 #ifndef MATC_SCENE_FINE_H
 #define MATC_SCENE_FINE_H
 #include "compiler/base/arena.h"
 #include "runtime/scene/scene_detail.h"
 
-enum { SCENE_FINE_LEAST = 128 /* triangles of a displaced mesh that is hardly seen */ };
+enum { SCENE_FINE_LEAST = 128 /* triangles of a displaced mesh that is hardly visible */ };
 
-/* For a displaced object. */
+/* Level of detail of a displaced object. */
 typedef struct {
-    int triangles; /* to about how many it is divided */
-    int steps;     /* of the body that is displaced; 0: it says that itself */
+    int triangles; /* approximate number of triangles after division */
+    int steps;     /* steps of the solid that is displaced; 0: its own */
     double
-        /* copies share a mesh if the logarithms of their sizes are in one interval of that length;
-         * 0: if they are equal */
+        /* Length of the intervals of the logarithm of size in which copies share a mesh; 0: only
+         * equal sizes do. */
         share;
     double number; /* of the interval */
-    /* the mesh is made for the object's size times this: the middle of the interval */
+    /* factor from the object's size to the middle of the interval, for which the mesh is made */
     double scale;
 } SceneFineness;
 
-/* Decides by all triangles whether detail goes by the picture; then bodies that are not displaced
- * have their steps. `by` has its bases. */
+/* Decides by the total number of triangles whether detail is view-dependent; then sets the steps
+ * of solids that are not displaced. The displacer has its bases already. */
 void scene_fine_choose(Scene *scene, Arena *arena);
-/* Repeats this for a picture of another size, where detail follows the picture. */
+/* Updates view-dependent detail for another picture size. */
 void scene_fine_look(Scene *scene, int width, int height);
-/* `before` is the object before it was displaced. */
+/* Level of detail of an object; `before` is the object before displacement. */
 SceneFineness scene_fine_of(const Scene *scene, const SceneObject *before);
 #endif

@@ -1,4 +1,4 @@
-/* Triangles by their error: a heap, the largest first. */
+/* Priority queue of triangles by error: a binary heap, the largest first. */
 #ifndef MATC_SCENE_RANKS_H
 #define MATC_SCENE_RANKS_H
 #include <stdbool.h>
@@ -7,7 +7,7 @@
 
 typedef struct {
     double error;
-    uint32_t triangle, stamp; /* a rank counts as long as its triangle has that stamp */
+    uint32_t triangle, stamp; /* valid as long as the triangle has that stamp */
 } SceneRank;
 
 typedef struct {
@@ -15,9 +15,9 @@ typedef struct {
     size_t count, room;
 } SceneRanks;
 
-/* False: memory ran out. */
+/* False: out of memory. */
 bool scene_ranks_put(SceneRanks *ranks, SceneRank rank);
-/* The largest; there is one. */
+/* Removes the largest; the queue must not be empty. */
 SceneRank scene_ranks_take(SceneRanks *ranks);
 void scene_ranks_end(SceneRanks *ranks);
 #endif

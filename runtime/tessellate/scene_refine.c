@@ -1,16 +1,16 @@
-/* Bisection by error. Each triangle has a few sample points within; where they are moved to differs
- * from where the triangle has them, as it mixes what its corners are moved to. The mean square of
- * that distance, times the area, is the triangle's share of the whole error, and the largest are
- * divided, an eighth of all triangles at a time; samples go to the half that they lie in, and those
- * that a half lacks are added.
+/* Adaptive subdivision by error. Each triangle has a few sample points; the distance between a
+ * sample's displaced position and the triangle interpolated from its displaced corners is the
+ * error there. The mean square of that distance, times the area, is the triangle's share of the
+ * total error. The triangles with the largest shares are bisected, an eighth of all at a time;
+ * samples go to the half that contains them, and each half gets new ones up to its minimum.
  *
  *     a triangle with a ridge of height 1 across half of its samples: 1/2 times its area; the
- *         halves that the ridge does not cross have 0, and stay as they are
+ *     halves that the ridge does not cross have 0, and are not divided
  *
- * At last places are moved off the surface to where triangles miss less. What
- * no sample meets is not found. So the first thirty-second of the triangles goes by area alone, and
- * these have up to four times as many samples: a part of the surface that is as large as two
- * triangles of an even division has one within. */
+ * Finally places are moved off the surface to reduce the triangles' error. Features between
+ * samples are not found. So the first thirty-second of the triangles is made by area alone, and
+ * these have up to four times as many samples: a part of the surface as large as two triangles
+ * of an even division contains one. */
 #include "runtime/tessellate/scene_refine.h"
 #include "compiler/base/vec3.h"
 #include "runtime/tessellate/scene_bisection.h"
@@ -21,29 +21,29 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- Corners moved to where the error is least */
+/* -- Fitting of corners to minimize the error */
 
-/* Triangles whose corners lie on a bent surface all miss it on one side. Corners that leave it a
- * little halve that.
+/* Triangles whose corners are on a curved surface all miss it on one side. Moving corners off
+ * the surface a little halves the error.
  *
- *     y = x^2 by a chord from -1 to 1: y = 1 misses by 2/3 in the mean, 0.73 in the root of the
- *         mean square; moved by that mean, y = 1/3, by 0.30
+ *     y = x^2 and a chord from -1 to 1: y = 1 misses by 2/3 in the mean, 0.73 in root mean
+ *     square; moved by that mean, y = 1/3, by 0.30
  *
- * A place goes by the mean of what its triangles miss, by their areas: one step of Jacobi's method
- * towards the least squares. Where one of its triangles misses next to nothing the place stays:
- * what is flat beside a cliff stays flat. */
+ * A place moves by the mean error of its triangles, weighted by area: one step of Jacobi's
+ * method towards least squares. If one of its triangles has almost no error the place is kept: a
+ * flat area next to a cliff stays flat. */
 
-/* From a triangle to where its points are moved to, over its samples. */
+/* Difference between a triangle and its displaced samples. */
 typedef struct {
     double mean[3], square, area; /* square: the mean of the squared distance */
 } SceneMiss;
 
-static const double STEP = 0.7; /* of a step of Jacobi's: two whole ones overshoot */
+static const double STEP = 0.7; /* relaxation factor of a Jacobi step: two full steps overshoot */
 /* Share of the square of the worst triangle's error below which a triangle is flat. */
 static const double FLAT = 0.02 * 0.02;
 
 typedef struct {
-    /* of its triangles: what they miss; the squares of the best and the worst */
+    /* Over the triangles at a place: weighted error; squared errors of the best and the worst. */
     double sum[3], area, low, high;
 } Around;
 
@@ -78,13 +78,13 @@ static bool scene_refine_fit(const SceneBisection *b, const SceneMiss *misses, d
 }
 
 enum {
-    FITS = 2,           /* times that places are fitted */
-    SAMPLES = 4,        /* of a triangle, at least, */
-    FIRST_SAMPLES = 16, /* and, of those that are made by area, at most */
-    EVEN_SHARE = 32,    /* one of so many triangles is made by area */
-    ROUND_SHARE = 8,    /* a round divides one of so many, */
-    ROUND_LEAST = 32,   /* and as many as that */
-    BATCH = 4096        /* points that are moved at once */
+    FITS = 2,           /* number of fitting steps */
+    SAMPLES = 4,        /* minimum per triangle */
+    FIRST_SAMPLES = 16, /* maximum per triangle made by area */
+    EVEN_SHARE = 32,    /* share of the triangles that is made by area: 1 / 32 */
+    ROUND_SHARE = 8,    /* share of the triangles that a round divides: 1 / 8, */
+    ROUND_LEAST = 32,   /* but at least this number */
+    BATCH = 4096        /* points moved in one call */
 };
 
 typedef struct {
@@ -100,22 +100,22 @@ typedef struct {
     const SceneRefining *how;
     Sample *samples;
     size_t sample_count, sample_room, sample_moved;
-    uint32_t *first; /* sample of a triangle */
-    uint32_t *stamp; /* of a triangle: the round that changed it last */
+    uint32_t *first; /* first sample by triangle */
+    uint32_t *stamp; /* by triangle: the round that changed it last */
     uint32_t round, first_round;
     size_t state_count, first_room, stamp_room;
     double (*to)[3]; /* by place */
     size_t to_count, to_room;
-    uint32_t *touched; /* triangles that are others since the last round */
+    uint32_t *touched; /* triangles changed since the last round */
     size_t touched_count, touched_room;
     SceneRanks ranks;
-    double least; /* mean square: below, floats have no better */
+    double least; /* mean square below which float rounding dominates */
     bool fine;
 } Refiner;
 
 /* -- samples */
 
-/* Where a triangle has the point that is moved. */
+/* Interpolates the displaced corners of a triangle at a sample's weights. */
 static void mixed(const Refiner *r, const SceneBisectionTriangle *t, const int weights[3],
                   double result[3])
 {
@@ -154,7 +154,7 @@ static double error_of(const Refiner *r, uint32_t triangle)
     return small ? 0 : scaled / count * scene_bisection_area(&r->b, triangle) * scales / count;
 }
 
-/* The area, in squares of the scale, as its corners were. */
+/* The area before displacement, in squared units of the scale. */
 static double scaled_area(const Refiner *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
@@ -185,7 +185,7 @@ static SceneMiss miss_of(const Refiner *r, uint32_t triangle)
     return miss;
 }
 
-/* Half a step of a float, of the farthest point. */
+/* Half a unit in the last place of the largest coordinate, squared. */
 static double least_square(const Shape *shape)
 {
     double most = 0;
@@ -195,9 +195,9 @@ static double least_square(const Shape *shape)
     return most * most * ldexp(1, -48);
 }
 
-/* Evenly over a triangle: points of a lattice whose steps are 1 over the plastic number and its
- * square, the far half of the square turned over (Roberts, The unreasonable effectiveness of
- * quasirandom sequences, 2018). */
+/* Distributes samples evenly over a triangle: points of a lattice whose steps are 1 over the
+ * plastic number and its square, with the far half of the square folded over (Roberts, The
+ * unreasonable effectiveness of quasirandom sequences, 2018). */
 static void place_sample(const SceneBisectionTriangle *t, size_t number, int weights[3])
 {
     const double steps[2] = {0.7548776662466927, 0.5698402909980532};
@@ -232,7 +232,7 @@ static bool fill_samples(Refiner *r, uint32_t triangle, int least)
     return true;
 }
 
-/* Triangles that have no samples yet. */
+/* Adds state for new triangles, without samples. */
 static bool add_states(Refiner *r)
 {
     if (!scene_room(&r->first, r->b.count, &r->first_room, sizeof *r->first) ||
@@ -256,7 +256,8 @@ static bool touch(Refiner *r, uint32_t triangle)
     return true;
 }
 
-/* (c, a, m) and (b, c, m): samples go to the one whose side of the line from c to m they lie on. */
+/* Distributes samples after a division into (c, a, m) and (b, c, m), by the side of the line
+ * from c to m on which they are. */
 static void share_samples(void *user, uint32_t triangle, uint32_t made)
 {
     Refiner *r = user;
@@ -283,7 +284,7 @@ static void share_samples(void *user, uint32_t triangle, uint32_t made)
 
 /* -- points */
 
-/* The vertex that moves a place. */
+/* The vertex whose displacement moves a place. */
 static ShapeVertex place_vertex(const SceneBisection *b, size_t place)
 {
     ShapeVertex vertex = b->vertices[b->places[place].first];
@@ -306,7 +307,7 @@ static bool move_places(Refiner *r, ShapeVertex *at)
     return true;
 }
 
-/* Those of the triangles that were touched which are new, by their triangles. */
+/* Displaces the new samples of touched triangles. */
 static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
 {
     uint32_t waiting[BATCH];
@@ -333,14 +334,14 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
 
 /* -- rounds */
 
-/* Samples of each triangle at first: half as many in all as triangles are wanted. */
+/* Initial number of samples per triangle: in total half the number of requested triangles. */
 static int first_samples(const Refiner *r)
 {
     const size_t share = (size_t)r->how->triangles / 2 / r->b.count;
     return share < SAMPLES ? SAMPLES : share > FIRST_SAMPLES ? FIRST_SAMPLES : (int)share;
 }
 
-/* Ranks the changed triangles again. */
+/* Updates samples and queue entries of the triangles that changed. */
 static bool end_round(Refiner *r, bool by_area, ShapeVertex *at, double (*to)[3])
 {
     bool fine = true;
@@ -373,7 +374,7 @@ static bool divide_most(Refiner *r, size_t triangles)
     return fine;
 }
 
-/* Until there are so many, or no error. */
+/* Refines until the number of triangles is reached, or no error is left. */
 static bool refine_to(Refiner *r, size_t triangles, bool by_area)
 {
     ShapeVertex *at = malloc(BATCH * sizeof *at);
@@ -392,7 +393,7 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     return fine;
 }
 
-/* By how much a place is moved. */
+/* Length of a place's displacement. */
 static double length_of(const Refiner *r, size_t place)
 {
     const float *from = r->b.vertices[r->b.places[place].first].position;
@@ -402,8 +403,8 @@ static double length_of(const Refiner *r, size_t place)
     return r->how->length ? r->how->length(r->how->user, by) : vec3_length(by);
 }
 
-/* Places are moved to where triangles miss less, all at once; those that would move farther than
- * any did stay. */
+/* Moves all places to reduce the error; places that would move farther than the longest
+ * displacement are kept. */
 static bool fit(Refiner *r)
 {
     SceneMiss *misses = malloc((r->b.count + 1) * sizeof *misses);

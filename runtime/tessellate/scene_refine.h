@@ -1,24 +1,24 @@
-/* A shape that is divided where what moves its points is not what its triangles have. */
+/* Adaptive subdivision of a shape where the displaced surface differs from its triangles. */
 #ifndef MATC_SCENE_REFINE_H
 #define MATC_SCENE_REFINE_H
 #include "runtime/gl/shape.h"
 
-/* Moves so many points, in the shape's space: to[i] is where at[i] goes. False: it cannot. */
+/* Moves `count` points, in the shape's space: to[i] is the new position of at[i]. False: failed. */
 typedef bool (*SceneMove)(void *user, const ShapeVertex *at, int count, double (*to)[3]);
 
 typedef struct {
     SceneMove move;
     void *user;
-    int triangles; /* to as many, or a few more, or as many as there are */
+    int triangles; /* requested number, slightly exceeded or not reached */
     /* Scale of lengths at a point: the error bound is relative to it; NULL: 1. */
     double (*scale)(void *user, const double at[3]);
     /* Length of a motion: no position moves by more than the longest of those queried; NULL:
      * Euclidean. */
     double (*length)(void *user, const double by[3]);
-    double least; /* error of a triangle, times the scale, that is small enough; 0: none is */
+    double least; /* tolerated error of a triangle, times the scale; 0: none */
 } SceneRefining;
 
-/* The refined shape, moved, with where its vertices were (Shape.base). False: memory ran out, or
- * points could not be moved; *made is empty. */
+/* Refines and displaces a shape; the result has its original vertices (Shape.base). False: out
+ * of memory, or points could not be moved; *made is empty. */
 bool scene_refine(const Shape *shape, const SceneRefining *how, Shape *made);
 #endif

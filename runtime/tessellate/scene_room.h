@@ -1,12 +1,12 @@
-/* Arrays from malloc that grow. */
+/* Growing arrays from malloc. */
 #ifndef MATC_SCENE_ROOM_H
 #define MATC_SCENE_ROOM_H
 #include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Room for `count` elements in an array that has it for *room; `array` is where the pointer to it
- * lies. False: memory ran out, and all is as before. */
+/* Ensures capacity for `count` elements in an array with capacity *room; `array` is the address
+ * of the pointer to the array. False: out of memory, and the array is unchanged. */
 static inline bool scene_room(void *array, size_t count, size_t *room, size_t size)
 {
     const size_t least = 1024;

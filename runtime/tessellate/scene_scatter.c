@@ -1,7 +1,8 @@
-/* Numbers in [0, 1) are the upper 53 bits of what the generator gives, over 2^53.
+/* Random placement of copies. Numbers in [0, 1) are the upper 53 bits of the generator's output,
+ * over 2^53.
  *
- *     seed 0, size [2, 2, 0]: the first two numbers are 0.8833 and 0.4315, so the first copy stands
- *         at (0.767, -0.137, 0) */
+ *     seed 0, size [2, 2, 0]: the first two numbers are 0.8833 and 0.4315, so the first copy is
+ *     at (0.767, -0.137, 0) */
 #include "runtime/tessellate/scene_scatter.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
@@ -26,12 +27,12 @@ static double part(uint64_t *state)
     return (double)(scene_scatter_next(state) >> 11) / 9007199254740992.0;
 }
 
-/* A turn that takes z to the normal n, after Duff and others (2017). With g = 1 or -1, the sign of
- * n's z, a = -1 / (g + nz) and b = nx ny a, x and y go to (1 + g nx nx a, g b, -g nx) and (b, g +
- * ny ny a, -ny).
+/* A rotation that maps z to the normal n, after Duff and others (2017). With g = 1 or -1, the
+ * sign of n's z, a = -1 / (g + nz) and b = nx ny a, x and y map to (1 + g nx nx a, g b, -g nx)
+ * and (b, g + ny ny a, -ny).
  *
- *     n = (0, 0, 1): x and y stay; n = (1, 0, 0): g = 1, a = -1, b = 0, so x goes to (0, 0, -1),
- *         and y stays */
+ *     n = (0, 0, 1): x and y stay; n = (1, 0, 0): g = 1, a = -1, b = 0, so x maps to (0, 0, -1),
+ *     and y stays */
 SceneMatrix scene_scatter_turn(const double n[3])
 {
     const double g = copysign(1, n[2]), a = -1 / (g + n[2]), b = n[0] * n[1] * a;
@@ -45,7 +46,7 @@ void scene_scatter_numbers(uint64_t state, double numbers[3])
         numbers[i] = part(&state);
 }
 
-/* Where a copy stands, and how it is turned there before its own rotation. */
+/* A copy's position, and its rotation there before the copy's own. */
 static SceneMatrix stand(const SceneScatter *scatter, uint64_t *state)
 {
     SceneMatrix result = scene_matrix_identity();

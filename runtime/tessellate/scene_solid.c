@@ -1,5 +1,5 @@
-/* Objects as triangles. What preview shapes have is scaled: position and derivatives alike; the
- * rest is made here. */
+/* Triangles of objects. Shapes shared with previews are scaled, positions and derivatives alike;
+ * the others are made here. */
 #include "runtime/scene/scene.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/tessellate/scene_solid.h"
@@ -8,15 +8,15 @@
 #include <string.h>
 
 #define PI       3.14159265358979323846
-#define SHORTEST 1e-6 /* normal of a tip */
+#define SHORTEST 1e-6 /* length of the normal at a cone's tip */
 
 static void put(float to[3], double x, double y, double z)
 {
     to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
 }
 
-/* A preview shape, whose half extents are 1, with others. Its normals stay: a sphere has one, a box
- * and a parallelogram are flat. */
+/* A preview shape with half extents 1, scaled. Its normals stay valid: a sphere is scaled
+ * uniformly, a box and a parallelogram are flat. */
 static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape *made)
 {
     if (!shape_make_detailed(kind, steps, made))
@@ -34,7 +34,7 @@ static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape
 /* P = s u + t v, (s, t) in the unit square. */
 static bool parallelogram(const double u[3], const double v[3], Shape *made)
 {
-    /* a product of lengths may be no number */
+    /* a product of unnormalized lengths may overflow */
     double a[3] = {u[0], u[1], u[2]}, b[3] = {v[0], v[1], v[2]}, normal[3];
     vec3_normalize(a);
     vec3_normalize(b);
@@ -53,17 +53,18 @@ static bool parallelogram(const double u[3], const double v[3], Shape *made)
     return true;
 }
 
-/* A side between two circles, and a lid wherever one has an extent: vertices in rows of `steps` +
- * 1. */
+/* A side between two circles, and a lid on each circle with a radius above 0: vertices in rows
+ * of `steps` + 1. */
 typedef struct {
     double foot, top, height; /* radii */
     int steps;                /* of a circle */
 } Round;
 
-/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal leans by the slope of the
- * side. Its length is r / foot: then it is linear in P, and right within a triangle that ends in a
- * tip, too. With normals of length 1 each triangle of a cone would take at its tip that of one of
- * its edges, half a step off: 0.9 degrees. At the tip itself a normal is short, and not nothing. */
+/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal tilts by the slope of
+ * the side. Its length is r / foot: then it is linear in P, and right also within a triangle
+ * that ends in a tip. With normals of length 1 each triangle of a cone would have at its tip the
+ * normal of one of its edges, half a step off: 0.9 degrees. At the tip itself the normal is
+ * short, but not 0. */
 static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
 {
     const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
@@ -80,7 +81,7 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
     return next;
 }
 
-/* A disc: its middle, then its rim; u and v are those of the square around it, turned over at the
+/* A disc: its center, then its rim; u and v are those of the square around it, flipped at the
  * foot. */
 static ShapeVertex *lid(const Round *o, bool up, ShapeVertex *next)
 {
@@ -112,7 +113,7 @@ static uint32_t *add_lid(uint32_t *next, uint32_t middle, uint32_t steps, bool u
     return next;
 }
 
-/* A cone has a row more than it needs at its tip, where the side still has a normal all around. */
+/* A cone has an additional row at its tip, where the side still has a normal in each direction. */
 static bool solid_round(const Round *o, Shape *made)
 {
     const uint32_t steps = (uint32_t)o->steps;
@@ -158,7 +159,7 @@ int scene_solid_triangles(const SceneObject *object)
     case SCENE_Parallelogram:
         return 2;
     case SCENE_Cylinder:
-        return 4 * (int)n[2]; /* two a step of the side, one of each lid */
+        return 4 * (int)n[2]; /* two per step of the side, one of each lid */
     case SCENE_Cone:
         return 3 * (int)n[2];
     default:

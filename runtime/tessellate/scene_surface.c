@@ -1,9 +1,9 @@
-/* The first number picks a triangle, by areas; the others a point of it: of a triangle (a, b, c)
- * the point (1 - s) a + s (1 - t) b + s t c is even where s is the square root of an even number,
- * as a strip at s is as long as s.
+/* Random points on surfaces. The first number selects a triangle, by area; the others a point in
+ * it: in a triangle (a, b, c) the point (1 - s) a + s (1 - t) b + s t c is uniformly distributed
+ * if s is the square root of a uniform number, as a strip at s has a length proportional to s.
  *
- *     a unit square of two triangles, sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second one, s =
- *         0.5, t = 0.5 */
+ *     a unit square of two triangles, prefix sums 0.5 and 1; numbers 0.75, 0.25, 0.5: the second
+ *     one, s = 0.5, t = 0.5 */
 #include "runtime/scene/scene_places.h"
 #include "runtime/tessellate/scene_solid.h"
 #include "runtime/tessellate/scene_surface.h"
@@ -18,7 +18,8 @@ static void transformed(const SceneMatrix *m, const float p[3], double out[3])
         out[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i];
 }
 
-/* The matrix of cofactors, with the sign of the determinant: what was outside stays so. */
+/* Transforms a normal by the cofactor matrix, with the sign of the determinant, so that it keeps
+ * pointing outside. */
 static void transformed_normal(const SceneMatrix *m, const double n[3], double out[3])
 {
     const double sign = scene_matrix_determinant(m) < 0 ? -1 : 1;
@@ -40,7 +41,7 @@ static void corners_of(const SceneSurfacePart *patch, int triangle, double corne
         transformed(&patch->matrix, corner(patch, triangle, k)->position, corners[k]);
 }
 
-/* Twice the area, along the normal of the front. */
+/* Twice the area, as a vector along the normal of the front. */
 static void span_of(double corners[3][3], double span[3])
 {
     double u[3], v[3];
@@ -113,7 +114,7 @@ double scene_surface_area(const SceneSurface *surface)
     return surface->count ? surface->sums[surface->count - 1] : 0;
 }
 
-/* The first triangle whose sum is beyond that share of the area. */
+/* The first triangle whose prefix sum exceeds that share of the area. */
 static int pick(const SceneSurface *surface, double share)
 {
     const double wanted = share * scene_surface_area(surface);
@@ -165,11 +166,11 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
     transformed_normal(&patch->matrix, mixed, normal);
     if (vec3_normalize(normal))
         return;
-    span_of(corners, normal); /* the corners' cancel each other */
+    span_of(corners, normal); /* the corners' normals cancel */
     vec3_normalize(normal);
 }
 
-/* All of a vertex is numbers. */
+/* A vertex consists of floats only. */
 static ShapeVertex mix(const SceneSurfacePart *patch, int triangle, const double shares[3])
 {
     ShapeVertex mixed;
@@ -224,7 +225,7 @@ bool scene_surface_join(SceneSurface *surface)
     return fine;
 }
 
-/* A corner's position, and the unit sum of all normals there. */
+/* A corner's position, and the normalized sum of all normals there. */
 static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3],
                           double at[3])
 {
@@ -237,14 +238,14 @@ static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, do
     vec3_normalize(normal);
 }
 
-/* With n the mean of the corners' normals: push (1 - |n|) along it, and bulge times the way to
- * where the planes through the corners have the point. */
+/* Displacement that rounds a point. Let n be the mean of the corners' normals: push (1 - |n|)
+ * along n, plus bulge times the mean vector to the tangent planes at the corners. */
 static void rounded(double normals[3][3], double at[3][3], const double shares[3],
                     const SceneDividing *by, double to[3])
 {
     double mean[3] = {0}, toward[3] = {0};
     for (int k = 0; k < 3; k++) {
-        double away = 0; /* of the corner's plane from the point, along its normal */
+        double away = 0; /* signed distance of the corner's plane from the point */
         for (int i = 0; i < 3; i++)
             away += normals[k][i] *
                     (at[k][i] - shares[0] * at[0][i] - shares[1] * at[1][i] - shares[2] * at[2][i]);

@@ -1,14 +1,14 @@
-/* Volumes: a grid over the shape, a column of what is solid over each of its places, triangles
- * between these columns (scene_volume_cells.c), with corners where the surface crosses their edges
- * (scene_volume_spots.c), and its normals there.
+/* Volumes: a grid over the shape, a column of solid intervals over each of its places, and
+ * triangles between these columns (scene_volume_cells.c), with corners where the surface crosses
+ * their edges (scene_volume_spots.c), and its normals there.
  *
- * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A, over
- * the place P, whose normal leads by A for a height of 1. Its normal is -grad f: with f's slopes by
- * the triangle's two directions and by z, across the way these three lead. All of them are
- * differences over 1/128 of a step to either side.
+ * Inside is where f = max((z - h0) (h1 - z), (z - h2) (h3 - z)) > 0. A point is X = P + z A,
+ * over the place P, where A is the vector of a height of 1 along the normal. Its normal is -grad
+ * f, from f's slopes along the triangle's two directions and along z, and the directions of
+ * these three. All slopes are differences over 1/128 of a step to either side.
  *
- *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose slopes
- *         are those of a ball at its equator too, where each height's has no end. */
+ *     A ball of radius 1 over a square: h1 = -h0 = sqrt(1 - r^2), f = 1 - r^2 - z^2, whose
+ *     slopes are a ball's also at its equator, where each height's slope is infinite. */
 #include "runtime/scene/scene_places.h"
 #include "runtime/tessellate/scene_volume.h"
 #include "compiler/base/vec3.h"
@@ -27,7 +27,7 @@ typedef struct {
     int *place;
     SceneColumn *columns;
     SceneLayers layers;
-    double width; /* of an edge of the grid, in the mean */
+    double width; /* mean length of the grid's edges */
     SceneCells cells;
 } Making;
 
@@ -58,8 +58,8 @@ static double distance(const double a[3], const double b[3])
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* So thick are a pair and the gap between both where they are thickest: the thinnest of these
- * three. */
+/* Thinnest of three thicknesses, each at its thickest place: both intervals, and the gap between
+ * them. */
 static double thickness_of(const SceneColumn *columns, int count)
 {
     double most[3] = {0}, least = INFINITY;
@@ -75,8 +75,8 @@ static double thickness_of(const SceneColumn *columns, int count)
     return least;
 }
 
-/* Levels as far apart as edges of the grid are long in the mean, or a quarter of what is thin, if
- * that is less; the first and the last half a step beyond what is solid. */
+/* Sets the levels: their distance is the mean edge length of the grid, or a quarter of the
+ * thinnest part, if less; the first and the last level are half a step outside of the solid. */
 static void make_layers(Making *m)
 {
     const double none[3] = {0};
@@ -123,8 +123,8 @@ static bool march(Making *m, const Shape *from, int parts)
     return scene_volume_cells(&m->layers, &m->cells);
 }
 
-/* As many parts as make about so many triangles: by a coarse try, since what is solid over a shape
- * has any number of surfaces. */
+/* Chooses the parts that make about that many triangles, by a coarse trial, since a volume may
+ * have any number of surfaces. */
 static bool march_to(Making *m, const Shape *from, double triangles)
 {
     enum { TRY_PART = 16, LEAST_TRY = 4, MOST_PARTS = 4096 };
@@ -147,7 +147,7 @@ static bool put_unit(const double v[3], double side, float to[3])
     return size > 0;
 }
 
-/* The vertex of the grid that stands over a node's place, with what its own triangle shades by. */
+/* The grid's vertex at a node's place, with the attributes of the node's triangle. */
 static ShapeVertex base_of(const Making *m, const SceneNode *node, const SceneSpot *s)
 {
     const ShapeVertex *v = m->grid.vertices;
@@ -157,7 +157,7 @@ static ShapeVertex base_of(const Making *m, const SceneNode *node, const SceneSp
                : v[node->a];
 }
 
-/* Around it: ahead and behind along two sides of its triangle, 1/128 of each. */
+/* Columns around it: forward and backward along two sides of its triangle, 1/128 of each. */
 static void set_around(const Making *m, const SceneNode *node, const ShapeVertex *base,
                        SceneColumn around[OFFSETS])
 {
@@ -180,9 +180,9 @@ static void set_around(const Making *m, const SceneNode *node, const ShapeVertex
     }
 }
 
-/* How f rises from behind to ahead. Where one of them is beyond the rim of what is solid, where
- * heights meet and f rises no more, it is twice the half within; but not at a cliff, where f is not
- * 0. */
+/* Slope of f from behind to ahead. If one of the ends is outside the rim of the solid, where
+ * heights meet and f is flat, it is twice the slope of the inner half; but not at a cliff, where
+ * f is not 0. */
 static double slope_of(const SceneColumn ends[2], const SceneSpot *s, unsigned pairs)
 {
     const double ahead = scene_volume_field(&ends[0], pairs, s->height),
@@ -193,7 +193,7 @@ static double slope_of(const SceneColumn ends[2], const SceneSpot *s, unsigned p
     return ahead > behind ? 2 * (ahead - s->field) : 2 * (s->field - behind);
 }
 
-/* -grad f, of columns around a point and over it. */
+/* -grad f, from columns around a point and over it. */
 static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, double step,
                        float normal[3])
 {
@@ -225,7 +225,7 @@ static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, do
     put_unit(sum, whole > 0 ? -1 : 1, normal);
 }
 
-/* Across the wall over an edge, as the edge and its normal lead. */
+/* Normal of the wall over an edge, perpendicular to the edge and to its column. */
 static void put_wall_normal(const Making *m, const SceneNode *node, const SceneColumn *over,
                             float normal[3])
 {
@@ -262,8 +262,8 @@ typedef struct {
     SceneColumn *room;
 } Putting;
 
-/* Puts nodes from `first` on, in their order, as many as there is room for with their surroundings.
- * Returns how many. */
+/* Puts nodes from `first` on, in their order, as many as fit into a batch with their
+ * surroundings. Returns their number. */
 static size_t put_some(const Making *m, const Putting *p, size_t first, Shape *made)
 {
     int around[BATCH], columns = 0;

@@ -1,16 +1,17 @@
-/* Marching cubes (Lorensen and Cline 1987) for prisms over triangles. Instead of a table of cases
- * the surface's border is traced on each face of a prism: going around the face as it is seen from
- * outside, each run of solid corners is cut off, from where the walk enters it to where it leaves
- * it. What leaves a run on one face enters one on the face beyond that edge, so that these pieces
- * close into loops; and the neighbour of a face walks around it the other way, cuts off the same
- * runs, and has the same pieces the other way round. So no case is ambiguous, and nothing gapes.
+/* Marching cubes (Lorensen and Cline 1987) for prisms over triangles. Instead of using a table
+ * of cases, the surface's border is traced on each face of a prism: walking around the face as
+ * seen from outside, each run of solid corners is cut off, from the edge where the walk enters
+ * it to the edge where it leaves. A run's exit on one face is an entry on the adjacent face, so
+ * these segments close into loops. The neighboring prism walks around the shared face in the
+ * opposite direction, cuts off the same runs, and has the same segments reversed. So no case is
+ * ambiguous, and the surface is watertight.
  *
- *     Corners 0, 1, 2 below are solid, 3, 4, 5 above are not. Face 0 1 4 3: solid 0 1, entered on
- *     edge 3 0, left on edge 1 4. The other sides: 1 4 to 2 5, 2 5 to 3 0. One loop, which turns
- *     counterclockwise as it is seen from above.
+ *     Corners 0, 1, 2 below are solid, 3, 4, 5 above are not. Face 0 1 4 3: solid 0 1, entered
+ *     on edge 3 0, left on edge 1 4. The other sides: 1 4 to 2 5, 2 5 to 3 0. One loop,
+ *     counterclockwise as seen from above.
  *
- * Over an edge that has one triangle alone what is solid ends: there the runs themselves become
- * triangles, corners and all. */
+ * Over an edge with a single triangle the solid ends: there the runs themselves become
+ * triangles, corners included. */
 #include "runtime/tessellate/scene_volume_cells.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/tessellate/scene_room.h"
@@ -20,7 +21,7 @@
 
 enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MOST_CORNERS = 4 };
 
-/* As they are seen from outside, sides first; -1: a triangle has no fourth. */
+/* Corners of faces as seen from outside, sides first; -1: a triangle has no fourth. */
 static const int faces[FACES][MOST_CORNERS] = {
     {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
 /* Corners of the edges: around the bottom, around the top, up. */
@@ -31,7 +32,7 @@ typedef struct {
     const SceneLayers *layers;
     SceneCells *made;
     HashIndex nodes, rims;
-    uint8_t *rim; /* by triangle, a bit for each edge: none is beyond */
+    uint8_t *rim; /* by triangle, a bit for each boundary edge */
     bool fine;
 } Walk;
 
@@ -60,7 +61,7 @@ static uint32_t add_node(Walk *w, SceneNode node)
     return (uint32_t)made->node_count++;
 }
 
-/* Node of a prism's edge, shared by all prisms that have it. */
+/* Node of a prism's edge, shared by all prisms with that edge. */
 static uint32_t shared_node(Walk *w, SceneNode node)
 {
     const uint32_t low = node.a < node.b ? node.a : node.b,
@@ -93,7 +94,7 @@ static void add_triangle(Walk *w, uint32_t a, uint32_t b, uint32_t c)
     made->indices[made->index_count++] = c;
 }
 
-/* A prism: its triangle, the level of its bottom, which corners are solid. */
+/* A prism: its triangle, the level of its bottom, and the solid corners. */
 typedef struct {
     int triangle, level;
     bool solid[CORNERS];
@@ -129,7 +130,8 @@ static int corners_of(const int face[MOST_CORNERS])
     return face[MOST_CORNERS - 1] < 0 ? MOST_CORNERS - 1 : MOST_CORNERS;
 }
 
-/* On each face, from where a run is entered to where it is left: by edge, -1 where none is. */
+/* Traces the border on each face, from the edge where a run is entered to the edge where it is
+ * left: by edge, -1 for none. */
 static void trace(const Cell *cell, int next[EDGES])
 {
     for (int e = 0; e < EDGES; e++)
@@ -166,7 +168,7 @@ static void put_loops(Walk *w, const Cell *cell)
     }
 }
 
-/* The nodes of a wall are its own, since they shade by its normal. */
+/* Nodes of a wall are not shared, since they have the wall's normal. */
 static uint32_t rim_crossing(Walk *w, const Cell *cell, int side, int from, int to)
 {
     SceneNode node = crossing(w, cell, edge_between(from, to));
@@ -181,7 +183,7 @@ static uint32_t rim_corner(Walk *w, const Cell *cell, int side, int corner)
         w, (SceneNode){SCENE_NODE_corner, a, a, cell->level + (corner >= 3), cell->triangle, side});
 }
 
-/* Puts the solid part of a side: each run from where it is entered to where it is left; or all. */
+/* Puts the solid part of a side: each run from its entry to its exit; or the whole side. */
 static void put_wall(Walk *w, const Cell *cell, int side)
 {
     const int *face = faces[side];
@@ -252,8 +254,8 @@ static void put_stack(Walk *w, int triangle)
     }
 }
 
-/* An edge's first triangle has it alone, until another comes. Its number is that of the edge in all
- * triangles. */
+/* Finds boundary edges: an edge is one until a second triangle with it is found. The index holds
+ * the first triangle's edge number. */
 static void find_rims(Walk *w, int triangle)
 {
     const SceneLayers *layers = w->layers;

@@ -1,5 +1,5 @@
-/* Triangles around what is solid: over each triangle of a grid stand prisms, one on the other, and
- * each is crossed by the surface where some of its corners are solid and some are not. */
+/* Triangles around a solid: over each triangle of a grid there are stacked prisms, and each is
+ * crossed by the surface if some of its corners are solid and some are not. */
 #ifndef MATC_SCENE_VOLUME_CELLS_H
 #define MATC_SCENE_VOLUME_CELLS_H
 #include "runtime/gl/shape.h"
@@ -8,23 +8,24 @@
 /* The solid intervals over one place. */
 typedef struct {
     ShapeVertex at;
-    /* solid from [0] to [1] and from [2] to [3]; nothing where the second is no more */
+    /* solid from [0] to [1] and from [2] to [3]; empty if the second is not greater */
     double heights[4];
-    double along[3]; /* where a height of 1 leads, in the object's space */
+    double along[3]; /* vector of a height of 1, in object space */
 } SceneColumn;
 
 typedef struct {
     const Shape *grid;
-    const int *place; /* by vertex of the grid: the first that stands there, which has the column */
+    /* by vertex of the grid: the first vertex at its place, which has the column */
+    const int *place;
     const SceneColumn *columns;
     double low, step; /* level k is at low + k step */
-    int levels;       /* nothing is solid at the first and at the last, which is this one */
+    int levels;       /* number of the last level; the first and the last have no solid */
 } SceneLayers;
 
 typedef enum {
     SCENE_NODE_up,    /* between levels `level` and the next, over vertex a */
     SCENE_NODE_along, /* between vertices a and b, at the level */
-    SCENE_NODE_corner /* over vertex a, at the level: where a sheet's rim is closed */
+    SCENE_NODE_corner /* over vertex a, at the level: closes the volume at the shape's boundary */
 } SceneNodeKind;
 
 /* A vertex of the triangles. */
@@ -32,9 +33,8 @@ typedef struct {
     SceneNodeKind kind;
     uint32_t a, b;
     int level;
-    int triangle; /* of the grid, one that it is over */
-    /* an edge of that triangle, beyond which there is no other: it stands on the wall over it; -1:
-     * it does not */
+    int triangle; /* of the grid, below the node */
+    /* Boundary edge of that triangle whose wall contains the node; -1: not on a wall. */
     int rim;
 } SceneNode;
 
@@ -45,8 +45,8 @@ typedef struct {
 } SceneCells;
 
 bool scene_column_solid(const SceneColumn *column, double height);
-/* Triangles that turn counterclockwise as they are seen from where it is not solid, each side of
- * which has another one. False: memory ran out, *made is empty. */
+/* Makes triangles that are counterclockwise as seen from outside the solid, with a neighbor at
+ * each side. False: out of memory, *made is empty. */
 bool scene_volume_cells(const SceneLayers *layers, SceneCells *made);
 void scene_cells_free(SceneCells *cells);
 #endif

@@ -1,34 +1,36 @@
-/* Along a column the ends of what is solid are known. Along an edge they are looked for: by ITP
- * (Oliveira and Takahashi 2020), which asks about three columns where f is smooth, and one more
- * than halving where it jumps. A column that is asked for one level counts for all that cross the
- * edge: of a cliff they are found together.
+/* Finds surface crossings. Along a column the ends of the solid intervals are known. Along an
+ * edge they are found by ITP (Oliveira and Takahashi 2020), which evaluates about three columns
+ * where f is smooth, and one more than bisection where f jumps. A column evaluated for one level
+ * is used for all levels that cross the edge: those of a cliff are found together.
  *
- *     f = 1 - (4 t)^2 from 1 to -15, whose end is at 1/4: the line has 1/16, moved by a fifth of
- *     the square of what is left, 0.2, to 0.2625, where f is -0.1025; the line to there has 0.238,
- *     moved to 0.252, f = -0.016. Between 0 and 0.252 the line has 0.24799, and f there is 0.016:
- *     what is left of the way to its end is below 1/512 then. */
+ *     f = 1 - (4 t)^2 from 1 to -15, with a zero at 1/4: the secant gives 1/16, moved by a fifth
+ *     of the square of the remaining width, 0.2, to 0.2625, where f is -0.1025; the secant to
+ *     there gives 0.238, moved to 0.252, f = -0.016. Between 0 and 0.252 the secant gives
+ *     0.24799, where f is 0.016: the remaining width is then below 1/512. */
 #include "runtime/tessellate/scene_volume_spots.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 enum { HALVINGS = 10, BATCH = 4096 };
-static const double truncation = .2; /* of ITP */
+static const double truncation = .2; /* parameter of ITP */
 static const double jump =
-    1. / 16; /* of what f is between the ends of an edge: what is more, over a 1024th, is a cliff */
+    /* Share of f's difference between the ends of an edge; a greater difference over a 1024th is
+     * a cliff. */
+    1. / 16;
 
-/* Search of a node along an edge: between low and high, only one of which is solid. */
+/* Search for a node along an edge: between low and high, only one of which is solid. */
 typedef struct {
     uint32_t node;
     int asked;
     bool done;
-    unsigned pairs; /* that either place has */
-    /* f at both, and how far apart that was in the beginning */
+    unsigned pairs; /* pairs that either end has */
+    /* f at both ends, and their initial difference */
     double low, high, f_low, f_high, first;
 } Search;
 
 typedef struct {
-    size_t first, end; /* the searches over its edge */
+    size_t first, end; /* the searches on its edge */
     double t;
 } Asked;
 
@@ -36,9 +38,9 @@ typedef struct {
     const SceneVolume *volume;
     const SceneLayers *layers;
     SceneSpot *spots;
-    Search *searches; /* those over one edge together */
+    Search *searches; /* grouped by edge */
     size_t count, room;
-    SceneColumn *columns; /* that are asked for at a time, and for what */
+    SceneColumn *columns; /* columns evaluated at a time, and their requests */
     Asked *asked;
 } Looking;
 
@@ -65,7 +67,7 @@ unsigned scene_volume_pairs(const SceneColumn *columns, int count)
     return pairs;
 }
 
-/* Above 0 between both heights, and nowhere if they are the other way round. */
+/* Positive between both heights, and nowhere if they are in reverse order. */
 static double between(double from, double to, double z)
 {
     const double above = z - from, below = to - z;
@@ -79,7 +81,7 @@ double scene_volume_field(const SceneColumn *c, unsigned pairs, double z)
                 pairs & 2 ? between(h[2], h[3], z) : -INFINITY);
 }
 
-/* The end of what is solid about one end of a step, which is not at the other. */
+/* End of the solid interval that contains one end of a step, but not the other. */
 static double end_within(const SceneColumn *c, double solid, bool above)
 {
     double end = solid;
@@ -149,14 +151,14 @@ static void begin(Looking *l, uint32_t node)
     l->searches[l->count++] = search;
 }
 
-/* Where the line between both ends is 0; the middle where none is. */
+/* Zero of the secant between both ends; the midpoint if the secant has no zero there. */
 static double by_line(const Search *s)
 {
     const double part = s->f_low / (s->f_low - s->f_high);
     return s->low + (s->high - s->low) * (part >= 0 && part <= 1 ? part : .5);
 }
 
-/* The line's place, moved towards the middle, so far that halving would not have been much
+/* ITP: the secant's zero, moved towards the midpoint so far that bisection would not be much
  * faster. */
 static double next_to_ask(const Search *s)
 {
@@ -167,7 +169,7 @@ static double next_to_ask(const Search *s)
     return fabs(moved - middle) <= room ? moved : middle - toward * room;
 }
 
-/* The end of the searches over one edge. */
+/* The end of the searches on one edge. */
 static size_t edge_end(const Looking *l, size_t first)
 {
     const SceneSpot *s = &l->spots[l->searches[first].node];
@@ -178,7 +180,7 @@ static size_t edge_end(const Looking *l, size_t first)
     return end;
 }
 
-/* Queries for the searches of one edge: once for adjacent searches with equal knowledge. */
+/* Requests columns for the searches of one edge: once for adjacent searches with equal brackets. */
 static int ask_edge(Looking *l, size_t first, size_t end, int count)
 {
     const Search *last = NULL;
@@ -198,7 +200,7 @@ static int ask_edge(Looking *l, size_t first, size_t end, int count)
     return count;
 }
 
-/* The column counts for the search, if it is between its ends. */
+/* Narrows the search by a column, if the column is between its ends. */
 static void take(const Looking *l, Search *s, const SceneColumn *column, double t)
 {
     SceneSpot *spot = &l->spots[s->node];
@@ -232,8 +234,8 @@ static bool answer(Looking *l, int count)
     return true;
 }
 
-/* Asks for each edge where something is still looked for, as many columns at a time as there is
- * room for. False: it cannot be; *any tells whether there was one. */
+/* Evaluates columns for each edge with unfinished searches, a batch at a time. False: failed;
+ * *any is set if there was an unfinished search. */
 static bool ask_all(Looking *l, bool *any)
 {
     int count = 0;
@@ -251,7 +253,7 @@ static bool ask_all(Looking *l, bool *any)
     return !count || answer(l, count);
 }
 
-/* No edge has more searches than there is room for columns. */
+/* Sets the batch size: at least the number of searches on any edge. */
 static bool make_room(Looking *l)
 {
     l->room = BATCH;

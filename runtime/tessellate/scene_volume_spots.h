@@ -1,26 +1,26 @@
-/* Where a volume's surface crosses the edges of its prisms. */
+/* Intersections of a volume's surface with the edges of its prisms. */
 #ifndef MATC_SCENE_VOLUME_SPOTS_H
 #define MATC_SCENE_VOLUME_SPOTS_H
 #include "runtime/tessellate/scene_volume.h"
 
-/* Position of a node: over an edge of two places, from the lower number to the higher, so that all
- * nodes of one edge have it; and its height. */
+/* Position of a node: over an edge between two places, from the lower number to the higher, so
+ * that all nodes of one edge agree; and its height. */
 typedef struct {
     int from, to;
     double t, height;  /* 0 to 1 from `from` to `to` */
-    SceneColumn there; /* what is solid as near as the surface was looked for */
-    double field;      /* of it there: 0 on a surface, elsewhere at a cliff */
+    SceneColumn there; /* the solid intervals at the nearest evaluated position */
+    double field;      /* f there: 0 on a surface, other values at a cliff */
 } SceneSpot;
 
-/* Above 0 where one of the pairs that count (bits) is solid, 0 on its surface: max((z - h0) (h1 -
- * z), (z - h2) (h3 - z)); a pair that is nowhere near has heights as well. */
+/* Positive inside the enabled pairs (bits), 0 on the surface: max((z - h0) (h1 - z), (z - h2)
+ * (h3 - z)); an empty pair has heights as well. */
 double scene_volume_field(const SceneColumn *column, unsigned pairs, double z);
-/* Which of the two pairs some of these columns have, as bits. */
+/* Bits of the pairs that are nonempty in any of the columns. */
 unsigned scene_volume_pairs(const SceneColumn *columns, int count);
-/* a (1 - t) + b t, of all that a vertex has. */
+/* a (1 - t) + b t, for all attributes of a vertex. */
 ShapeVertex scene_volume_mixed(const ShapeVertex *a, const ShapeVertex *b, double t);
-/* One for each node; `order` gets the numbers of all, those over one edge together, from below.
- * False: as of SceneSolid. */
+/* Finds a position for each node; `order` gets the numbers of all nodes, grouped by edge, from
+ * below. False: as for SceneSolid. */
 bool scene_volume_spots(const SceneVolume *volume, const SceneLayers *layers,
                         const SceneCells *cells, SceneSpot *spots, uint32_t *order);
 #endif

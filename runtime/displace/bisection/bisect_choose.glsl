@@ -3,7 +3,7 @@
 // wanted leaves, which requests its own neighbors, and the leaf that requested it waits.
 
 // Returns true if the leaf's whole ring consists of leaves. Otherwise `before` is the leaf that has
-// to be bisected first, BISECT_NONE if there is none. `least` is the least slot of the ring.
+// to be bisected first, BISECT_NONE if it is missing. `least` is the least slot of the ring.
 bool bisectComplete(uint slot, Leaf leaf, Ring ring, out uint least, out uint before)
 {
     least = slot;

@@ -20,7 +20,7 @@ uniform vec3 bisect_reach;      // maximum displacement along the world's axes
 uniform vec4 bisect_eye;        // (position, 1); or for parallel rays (direction toward the eye, 0)
 // frustum planes, by columns, with unit normals: negative products are outside
 uniform mat4 bisect_sides;
-uniform vec4 bisect_front;      // the near plane, likewise
+uniform vec4 bisect_front;      // the near plane, in the same form
 uniform float bisect_near;      // lower bound of distances
 uniform float bisect_scale;     // pixels per unit length at distance 1
 uniform float bisect_pixels;    // tolerated deviation

@@ -238,7 +238,7 @@ void bisectWorst(uint local, uint at, float sum)
     atomicMax(splits[local].worst[at >> 2 + splits[local].deeper], floatBitsToUint(sum / 4.0));
 }
 
-// One child of a bisected leaf.
+// Makes a child of a bisected leaf.
 void bisectSplitBegin(uint local, uint child, out Asked a)
 {
     uint number = 2u * splits[local].leaf.number + child;
@@ -350,8 +350,8 @@ void bisectSplit(uint group)
 }
 #endif
 #else
-// One thread per leaf: if threads run sequentially, distributing the points gains nothing, and
-// barriers would cost time.
+// Each thread bisects a leaf of its own: if threads run sequentially, distributing the points gains
+// nothing, and barriers would cost time.
 void bisectSplit(uint group)
 {
     uint i = bisectTask(group), local = gl_LocalInvocationIndex;

@@ -41,8 +41,8 @@ bool bisection_casts(const SceneLight *light)
 
 static const char with_lights[] = "#define BISECT_LIGHTS\n";
 
-/* Programs for a scene without such lights omit the loop over lights: llvmpipe pays even for
- * loops that are not entered. */
+/* Programs for a scene without shadow-casting lights omit the loop over lights: llvmpipe pays
+ * even for loops that are not entered. */
 static const char *lights_of(const Scene *scene)
 {
     bool casts = false;

@@ -175,7 +175,7 @@ static void look(const Displaced *d, GLuint high)
 /* After merging has freed many slots, moves leaves from the end into free slots. */
 static void pack(Displaced *d)
 {
-    enum { SHARE = 32 }; /* one slot in so many may be free */
+    enum { SHARE = 32 }; /* maximum share of free slots: 1 / 32 */
     Bisection *b = d->own;
     const GLuint free = b->head[BISECTION_FREE], live = b->head[BISECTION_HIGH] - free;
     if (free <= live / SHARE)

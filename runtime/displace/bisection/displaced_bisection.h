@@ -14,7 +14,7 @@ typedef struct {
         /* Bytes kept from view to view, for used slots and ranges; and bytes of scratch data,
          * for all slots. */
         scratch;
-    int looks;     /* evaluations of all leaves, or of those that may have changed */
+    int looks;     /* number of evaluated leaves */
     int looked;    /* leaves evaluated */
     double pixels; /* tolerated deviation in pixels that the triangles allowed */
 } DisplacedBisectionCost;

@@ -109,8 +109,8 @@ static void put_base(Maker *m, int patch, uint32_t *words)
     }
 }
 
-/* Stores the beginnings of the edges' members, followed by the members; edge numbers in bases
- * become offsets of those words. */
+/* Stores the beginnings of the edges' members, followed by the members. Edge numbers in bases
+ * become offsets of the words with these beginnings. */
 static void put_edges(Maker *m)
 {
     uint32_t at = m->base_words + m->edge_count + 1;

@@ -18,7 +18,8 @@ struct TraceHit {
     TracePart part;
 };
 
-// For perspective t is from -1, the eye, to 0. Hits in front of the near plane are ignored.
+// The pixel's ray. With perspective t runs from -1, the eye, to 0. Hits in front of the near plane
+// are ignored.
 TraceRay traceRay()
 {
     TraceRay ray;

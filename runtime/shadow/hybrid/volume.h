@@ -11,7 +11,7 @@ enum {
 
 /* State for a scene: of pass_volume.c, volume_data.c and volume_blur.c. */
 typedef struct {
-    /* By view, for hybrid views; caps for perspective ones. */
+    /* Programs by view, for hybrid views; caps for perspective ones. */
     Material *sheets, *caps;
     Material *marks; /* per hybrid light */
     Material *shown; /* like sheets, for a debug view; NULL: none */

@@ -92,8 +92,8 @@ vec4 volumeQuad(ivec2 layers, ivec2 cell)
     return quad;
 }
 
-// With four crossings, the first of the two centers that are cut off, 0 or 1: the nearer pair,
-// unless the pair is one surface, that is, unless more than half of the segments is on its side.
+// The first of the two centers that are cut off by four crossings, 0 or 1: the nearer pair, unless
+// the pair is one surface, that is, unless more than half of the segments is on its side.
 int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 {
     int nearer = quad.x + quad.z >= quad.y + quad.w ? 0 : 1;

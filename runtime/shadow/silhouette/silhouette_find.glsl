@@ -61,7 +61,7 @@ float sideOf(vec3 from, vec3 edge, vec3 there)
     return abs(side) <= FLAT * length(from) * length(edge) * length(way) ? 0.0 : sign(side);
 }
 
-// In texels, and depth.
+// Converts to texels and depth.
 vec3 texelOf(vec4 place)
 {
     return vec3((place.xy / place.w * 0.5 + 0.5) * size - 0.5, place.z / place.w);

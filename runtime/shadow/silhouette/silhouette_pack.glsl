@@ -1,5 +1,5 @@
-// Packs crossings into two bytes per texel: for the segments to the right and upwards, 0 if there
-// is none, else 1 plus 254 times the position on the segment, from 0 to 1. The error is at most
+// Packs crossings into two bytes per texel: for the segments to the right and upwards, 0 without a
+// crossing, else 1 plus 254 times the position on the segment, from 0 to 1. The error is at most
 // 1/508 of a texel.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(std430, binding = 3) readonly buffer Extents {
