@@ -333,7 +333,7 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle)
         const uint32_t last = b->waiting[count - 2];
         const size_t before = count;
         if ((uint32_t)b->triangles[last].depth != b->waiting[count - 1])
-            count -= 2; /* it was divided with another */
+            count -= 2; /* it was divided together with another one */
         else if ((fine = wait_for_others(b, &count, last)) && count == before)
             fine = divide_ring(b, 3 * last);
     }
@@ -352,7 +352,7 @@ typedef struct {
     uint64_t along;
 } Order;
 
-/* Bits of x to the even places. */
+/* Spreads the bits of x to its even positions. */
 static uint64_t spread(uint64_t x)
 {
     static const uint64_t masks[] = {0x0000FFFF0000FFFF, 0x00FF00FF00FF00FF, 0x0F0F0F0F0F0F0F0F,
