@@ -178,7 +178,7 @@ static bool is_exact(const Line *line)
     return (terms == 0 || line->offset == 0) && terms <= 1;
 }
 
-/* The upper 12 bits of a number's mantissa. */
+/* Truncates a number to the upper 12 bits of its mantissa. */
 static double upper_bits(double x)
 {
     enum { BITS = 12 };

@@ -7,7 +7,7 @@ enum { AFFINE_LANES = 3 };
 
 /* The affine form of one component: offset + sum of factor[i] * component i of the root. */
 typedef struct {
-    Ref root;    /* 0: a constant */
+    Ref root;    /* 0: the form is a constant */
     bool closed; /* component 4: no affine form can start from it */
     double factor[AFFINE_LANES], offset;
 } Line;

@@ -34,9 +34,9 @@
 enum {
     /* operations that are hidden behind a pixel's other work: 234 took no measurable time */
     FREE_COST = 200,
-    MEAN_COST = 30,         /* estimated operations that a mean adds: 32 for a Checker */
+    MEAN_COST = 30,         /* estimated operations that a mean adds; a Checker's mean adds 32 */
     LARGEST_GUESSED = 1000, /* estimated cost of a program above which no guess is made */
-    MOST_SLOW = 2           /* consecutive guesses that may leave more than half of the range */
+    MOST_SLOW = 2           /* max consecutive guesses that leave more than half of the range */
 };
 /* A mean whose price exceeds the remaining budget by this factor does not fit. */
 static const double SURELY = 1.1, SURELY_MINGLED = 3;
@@ -49,7 +49,7 @@ typedef struct {
     Session session;
     Lower lower;
     Ir *ir;       /* NULL: failed, or dropped */
-    MapList seen; /* the maps that may be averaged */
+    MapList seen; /* the maps that may be averaged over the pixel */
     int below;    /* maps below this index are averaged */
     int cost;     /* cost in operations, if `seen` has any map */
 } Trial;
@@ -193,7 +193,7 @@ static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))
         return all->ir != NULL;
-    /* slopes exist without means, too */
+    /* then the program without means has slopes, too */
     const bool own_slopes = all->seen.mingled || lower_displaced(what->material);
     if (guess != GUESS_fit || own_slopes)
         return false;

@@ -28,7 +28,7 @@ static const Statistics statistics[CELLS_MOST_DIMENSIONS - CELLS_FEWEST_DIMENSIO
 #include "grammar/cells.def"
 };
 
-/* The parabola through the numbers at jitter 0, 1/2 and 1. */
+/* Returns the parabola through the numbers at jitter 0, 1/2 and 1, as a function of the jitter. */
 static Ref by_jitter(Lower *l, const Cells *cells, const double at[3])
 {
     Ir *ir = l->ir;

@@ -7,7 +7,7 @@
  *     if a mean below left a variance of .0001 in v: sqrt(.08^2 + 12 * .0001) = .087 */
 #include "compiler/lower/footprint.h"
 
-static const double BOX_VARIANCE = 12;     /* a box of edge b has the variance b^2 / 12 */
+static const double BOX_VARIANCE = 12;     /* a box filter of width b has the variance b^2 / 12 */
 static const double LEAST_DIVISOR = 1e-37; /* a normal (not denormal) float */
 
 bool footprint_may_average(Kind kind)

@@ -4,7 +4,7 @@
 #include <string.h>
 
 enum {
-    LEAST_ARM = 40, /* minimum scalar operations of a map for which a choice may become a branch */
+    LEAST_ARM = 40, /* min scalar operations of a map for which a choice may become a branch */
     FIRST_MEMO = 32 /* initial capacity of the memo table, enough for a small document */
 };
 
@@ -171,7 +171,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     const Node *above = l->map;
     l->ir->origin = ir_origin(l->ir, map);
     l->map = map;
-    const bool beside = l->averaged; /* of maps that were lowered before */
+    const bool beside = l->averaged; /* a map lowered before was averaged */
     if (l->job->choice[AXIS_aa] == CHOICE_aa_auto && footprint_may_average(map->kind) &&
         !l->filters)
         note_averageable(l, map, group, env);
@@ -180,7 +180,7 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     l->map = above;
     lower_mark_head(l->ir, answer.value, l->ir->origin);
     l->ir->origin = origin;
-    memo = memo_find(l, key); /* the table may have moved */
+    memo = memo_find(l, key); /* the table may have moved while the map was lowered */
     l->memo_count += !memo->key;
     *memo = (Memo){key, answer, l->averaged};
     l->averaged |= beside;
@@ -281,7 +281,7 @@ static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *e
     return answer_as_group(l, answer, group);
 }
 
-/* Gradient: dot(p, direction). */
+/* Lowers a Gradient: dot(p, direction). */
 Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
 {
     Answer p = lower_answer(l, lower_param_node(node, P_Gradient_input), GROUP_X, env);
@@ -297,7 +297,7 @@ static Ref octave_scale(Lower *l, Ref omega, double octaves)
     return build_pow(ir, build_max(ir, size, one), build_float(ir, 1 - octaves));
 }
 
-/* VolumeTurbulence: a Turb(size p). */
+/* Lowers a VolumeTurbulence: a Turb(size p). */
 Answer lower_VolumeTurbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MOST_OCTAVES = 11 };

@@ -44,17 +44,17 @@ typedef struct Split {
 } Split;
 
 typedef struct {
-    uint64_t key; /* node, group, environment; 0 is empty */
+    uint64_t key; /* combines node, group and environment; 0: the entry is empty */
     Answer answer;
     bool averaged; /* this map, or one below, was averaged over the pixel */
 } Memo;
 
-/* The last result of lower_slot for a slot. */
+/* The cached last result of lower_slot() for a slot. */
 typedef struct {
     const Node *material;
     int number;    /* of the material's environment */
-    bool averaged; /* as in Memo */
-    Ref value;     /* 0: not lowered yet */
+    bool averaged; /* the value depends on a mean over the pixel, as in Memo */
+    Ref value;     /* 0: the slot has not been lowered yet */
 } SlotAnswer;
 
 typedef struct {
@@ -94,7 +94,7 @@ typedef struct {
 /* Options of node construction. */
 typedef struct {
     bool cheap;         /* -O1 and up: use cheaper forms instead of the plainest */
-    Simplify *simplify; /* the local rules; NULL in the IR at -O0 */
+    Simplify *simplify; /* the local simplification rules; NULL in the IR at -O0 */
 } Manner;
 
 typedef struct {
@@ -104,10 +104,10 @@ typedef struct {
     Memo *memo;
     size_t memo_count, memo_mask;
     const Job *job;
-    Simplify *simplify;  /* the local rules; NULL in the IR at -O0 */
+    Simplify *simplify;  /* the local simplification rules; NULL in the IR at -O0 */
     int filters;         /* current nesting of Smooth3D and Laplace3D */
     const Node *map;     /* the map that is being lowered */
-    MapList averageable; /* with --aa=auto; budget.c */
+    MapList averageable; /* maps that --aa=auto may average; budget.c */
     int averaged_below;  /* maps of a lower index in the document are averaged */
     bool averaged;       /* the current map, or one below, was averaged */
     /* Current nesting of alternatives that are likely to become a branch. */
@@ -115,21 +115,21 @@ typedef struct {
     bool relief;                    /* within a displacement of --derivatives=auto; relief.c */
     Manner outside;                 /* options outside of the displacement */
     bool cheap;                     /* -O1 and up: use cheaper forms instead of the plainest */
-    Ref (*slopes)[DIRECTION_COUNT]; /* by Ref: derivatives found so far; slope.c */
+    Ref (*slopes)[DIRECTION_COUNT]; /* derivatives found so far, by Ref; slope.c */
     size_t slope_room;
     struct LateSum **sums; /* by Ref: values whose derivatives are given as sums; slope_sum.c */
     size_t sum_room;
     Ref *to_differ; /* stack of values to differentiate; slope.c */
     size_t to_differ_count, to_differ_room;
-    Place *places; /* of all Triplanars; lower_triplanar.c */
+    Place *places; /* the places of all Triplanars; lower_triplanar.c */
     size_t place_count, place_room;
     HashIndex place_index;
-    Turn *turns; /* by node; lower_normal.c */
+    Turn *turns; /* UV transform chains by node; lower_normal.c */
     size_t turn_room;
     SlotAnswer asked[SLOT_COUNT];
     struct SlotMemo *slots; /* by node and slot: slots of mixed materials; lower_mix.c */
-    Affine affine;          /* affine.c */
-    unsigned layout_slots;  /* layout_slots() of the job's layout */
+    Affine affine;          /* state of affine.c: affine forms of values */
+    unsigned layout_slots;  /* the slots that the job's layout stores: layout_slots() */
     uint8_t *uniform_use;   /* by uniform: 1 used as a count, 2 as a number */
     /* Blends whose coordinates are checked at the end, last first; lower_doubt.c. */
     const struct Crossing *crossing;
@@ -144,7 +144,7 @@ Env lower_surface_env(Lower *l);
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job,
           Simplify *simplify);
 
-/* Arguments of lower(). */
+/* The arguments of lower(). */
 typedef struct {
     Session *session;
     const Graph *graph;

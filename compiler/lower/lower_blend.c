@@ -75,7 +75,7 @@ static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
     return result;
 }
 
-/* Binary search, for values known to ascend. */
+/* Finds the segment by binary search, for stops that are known to ascend. */
 static Ref blend_search(Lower *l, Ref t, Segments s)
 {
     Ir *ir = l->ir;

@@ -1,4 +1,4 @@
-/* Cost of a value up to a limit. */
+/* Computes the cost of a value up to a limit. */
 #include "compiler/lower/lower.h"
 
 /* Visits a value's nodes breadth-first and adds up their cost, stopping at `limit`. A shared node
@@ -7,7 +7,7 @@
 int lower_cost_below(const Ir *ir, Ref ref, int limit)
 {
     enum { MOST_MET = 1024 };
-    Ref met[MOST_MET + UINT8_MAX]; /* uninitialized: most values reach the limit early */
+    Ref met[MOST_MET + UINT8_MAX]; /* stays uninitialized: most values reach the limit early */
     int cost = 0;
     met[0] = ref;
     for (int from = 0, count = 1; from < count && cost < limit; from++) {

@@ -150,7 +150,7 @@ static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
     return up;
 }
 
-/* The displacement and its slopes. */
+/* Returns the displacement of a material and its slopes. */
 static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
 {
     const Displacement d = graph_displacement(displaced);

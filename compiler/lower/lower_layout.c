@@ -181,7 +181,7 @@ static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot
                  : is_asked(l, l->job->layout, material, slot, env);
 }
 
-/* Slots that any case of the layout stores. */
+/* Returns the set of slots that any case of the layout stores. */
 static unsigned stored_slots(const Lower *l)
 {
     return l->layout_slots & ~layout_fixed_slots(l->job->layout);

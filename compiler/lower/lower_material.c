@@ -12,7 +12,7 @@ enum { MAX_EXPONENT = 65504, DEFAULT_EXPONENT = 4 };
 
 static Ref white(Lower *l) { return build_vec3(l->ir, 1, 1, 1); }
 static Ref black(Lower *l) { return build_vec3(l->ir, 0, 0, 0); }
-/* Value of a slot that a material does not set. */
+/* Returns the default value of a slot that a material does not set. */
 static Ref nothing(Lower *l, Slot slot)
 {
     return build_all(l->ir, slot_table[slot].type, slot_table[slot].absent);
@@ -71,7 +71,7 @@ static Ref exponent(Lower *l, const Node *map, double without, const Env *env)
     return exponent_of(l, lower_answer(l, map, GROUP_R, env), MOST_SPLITS);
 }
 
-/* 1 + alpha (c - 1) */
+/* Returns the transparency factor 1 + alpha (c - 1). */
 static Ref transparency(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -230,7 +230,7 @@ static Ref both_sides(Lower *l, const Env *env, const Ref sides[2])
     return sides[0] == sides[1] ? sides[0] : build_select(l->ir, env->front, sides[0], sides[1]);
 }
 
-/* Slot of a material that is not a switch. */
+/* Lowers a slot of a material that is not a switch. */
 static Ref side_slot(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     return m ? shaders[m->kind](l, m, slot, env) : missing_slot(l, slot, env);

@@ -67,7 +67,7 @@ static Answer given(Lower *l, Answer answer, Group group)
     return answer_as_group(l, answer, group);
 }
 
-/* a + t (b - a) */
+/* Lowers a Mix: a + t (b - a). */
 Answer lower_Mix(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;

@@ -154,7 +154,7 @@ static bool is_true(const Node *node, int param)
     return number[0] != 0;
 }
 
-/* Normal in tangent space that a color encodes. */
+/* Returns the tangent-space normal that a normal map's color encodes. */
 static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
 {
     Ir *ir = l->ir;

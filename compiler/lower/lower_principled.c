@@ -184,7 +184,7 @@ static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
                         build_vec(ir, TYPE_vec2, cosine, sine));
 }
 
-/* Unit vector; zero stays zero, and has no angle. */
+/* Normalizes a vector; a zero vector stays zero, and has no angle. */
 static Ref unit_or_nothing(Ir *ir, Ref vector)
 {
     Ref size = build_max(ir, build_length(ir, vector), build_float(ir, 1e-15));

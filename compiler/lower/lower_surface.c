@@ -184,7 +184,7 @@ static uint32_t texture_hash(const IrTexture *texture)
     for (int i = 1; i < count; i++)
         value_number(&texture->node->params[i], TYPE_float, &numbers[i]);
     for (int i = 1; i < count; i++)
-        numbers[i] += 0.0; /* -0 is 0 */
+        numbers[i] += 0.0; /* turns -0 into 0, so that both have the same hash */
     return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
 }
 
@@ -213,7 +213,7 @@ typedef struct {
     bool centred; /* a texel's color is at its center */
 } Sampled;
 
-/* Components of a picture function's result. */
+/* Returns the components of an image function's result. */
 static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
 {
     return sampled->lane == ALL_LANES ? value
@@ -323,7 +323,7 @@ static bool is_word(const Node *node, int param, Word word)
     return value->kind == VALUE_number && value->number[0] == word;
 }
 
-/* Component that `channel:` selects. */
+/* Returns the component that the parameter `channel` selects. */
 static int channel_lane(const Node *node)
 {
     const Value *value = node_param(node, P_ImageMap_channel);

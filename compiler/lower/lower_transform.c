@@ -40,7 +40,7 @@ static Answer turned(Lower *l, Ref m[3][3], int size, Answer q)
     return answer;
 }
 
-/* The 2x2 part of a UVTransform: uv' = m (uv - offset). */
+/* Sets the 2x2 part of a UVTransform's matrix: uv' = m (uv - offset). */
 static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
 {
     Ir *ir = l->ir;
@@ -110,7 +110,7 @@ Answer lower_UVTransform(Lower *l, const Node *node, Group group, const Env *env
     return group == GROUP_U ? turned_uv(l, node, answer) : answer;
 }
 
-/* a b for 3x3 matrices of scalars. */
+/* Multiplies 3x3 matrices of scalars: result = a b. */
 static void matrix_product(Lower *l, Ref a[3][3], Ref b[3][3], Ref result[3][3])
 {
     Ir *ir = l->ir;
@@ -129,7 +129,7 @@ static void identity(Lower *l, Ref m[3][3])
             m[i][k] = build_float(l->ir, i == k);
 }
 
-/* Rotation about an axis: x 0, y 1, z 2. */
+/* Sets m to the rotation about an axis: x 0, y 1, z 2. */
 static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
 {
     Ir *ir = l->ir;
@@ -141,7 +141,7 @@ static void rotation(Lower *l, int axis, Ref angle, Ref m[3][3])
     m[k][i] = s;
 }
 
-/* Rz Ry Rx S H of a component transformation. */
+/* Sets m to the matrix Rz Ry Rx S H of a component transformation. */
 static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
 {
     Ir *ir = l->ir;
@@ -164,7 +164,7 @@ static void component_matrix(Lower *l, const Transform *transform, Ref m[3][3])
     }
 }
 
-/* M q for a Transform. */
+/* Returns M q, the point q transformed by a Transform. */
 static Answer transformed(Lower *l, const Transform *transform, Answer q)
 {
     Ir *ir = l->ir;

@@ -9,7 +9,7 @@
 #include "compiler/lower/slope.h"
 
 enum { AXES = 3 };
-static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* semantics.md 2.5 */
+static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* min weight of an axis: semantics.md 2.5 */
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 

@@ -17,9 +17,9 @@ typedef struct {
     LowerRequest what;
     Lower lower;
     Env env;
-    uint8_t *counted; /* by Ref */
+    uint8_t *counted; /* by Ref: the node's cost is in the sum */
     size_t room;
-    Ref *to_count; /* a stack */
+    Ref *to_count; /* stack of the nodes to visit */
     size_t to_count_count, to_count_room;
     int nodes;
     double cost; /* cost of the counted nodes */

@@ -22,7 +22,7 @@ Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env);
  * outside of the displacement, so that both share one node. */
 Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env);
 
-/* A map as a function of its coordinate. */
+/* A height map as a function of its coordinate. */
 typedef struct {
     /* the map's value at q; a bool if it is one of two */
     Ref (*at)(Lower *l, const void *map, Answer q);

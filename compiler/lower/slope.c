@@ -30,7 +30,7 @@ static Ref widened(Ir *ir, Ref value, Type type)
     return value && type_table[type].lanes > 1 ? build_splat(ir, value, type) : value;
 }
 
-/* a where the mask is 1, b where it is 0. */
+/* Selects a where the mask is 1, and b where it is 0. */
 static Ref pick(Ir *ir, const Ref x[3])
 {
     Ref mask = x[0], a = x[1], b = x[2];
@@ -106,7 +106,7 @@ static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_plus(ir, within, slopes[0] ? build_mul(ir, build_sub(ir, a, b), slopes[0]) : 0);
 }
 
-/* dot, cross: linear in each operand. */
+/* Differentiates dot and cross, which are linear in each operand. */
 static Ref bilinear_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     Op op = (Op)ir_at(ir, ref)->op;

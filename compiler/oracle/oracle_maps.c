@@ -13,7 +13,7 @@ static Answer *const answers[KIND_COUNT] = {
 
 double oracle_answer(Environment *environment, const Node *node, int channel)
 {
-    assert(answers[node->kind]); /* a material is no map */
+    assert(answers[node->kind]); /* the node is a map, not a material */
     return answers[node->kind](environment, node, channel);
 }
 
@@ -54,13 +54,13 @@ static double named_wave(WaveKind kind, double v)
         return reference;
 #include "grammar/waves.def"
     case WAVE_Chain:
-        break; /* has no row */
+        break; /* Chain has no row in the table */
     }
     assert(!"a wave");
     return v;
 }
 
-/* NULL is the identity. */
+/* Evaluates a waveform at v; NULL is the identity. */
 static double wave(const Environment *environment, const Wave *of, double v)
 {
     oracle_spend(environment, WAVE_WORK);
@@ -109,7 +109,7 @@ static int append(const Node *node, int param, double *args, int count)
         return count + 3;
     }
     double value = oracle_number(node, param);
-    /* a uniform may have any default */
+    /* the default of a uniform may have a fraction */
     args[count] = param_table[param].type == PARAM_Int ? trunc(value) : value;
     return count + 1;
 }

@@ -17,7 +17,7 @@ size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);
 /* Cached values of a node, valid while the stamp equals the environment's. */
 typedef struct {
     uint64_t stamp;
-    uint32_t known; /* 1 << channel */
+    uint32_t known; /* set of known channels: bits 1 << channel */
     double value[CHANNEL_ID_COUNT];
 } MemoRow;
 typedef struct {
@@ -100,7 +100,7 @@ void oracle_vec3(const Value *value, double result[3]);
 double oracle_number(const Node *node, int param);
 void oracle_number3(const Node *node, int param, double result[3]);
 
-/* A number that varies over the surface. */
+/* A number that varies over the surface, as a function of the point. */
 typedef struct {
     double (*at)(Environment *environment, const Node *node, int lane);
     const Node *node;
@@ -132,7 +132,7 @@ enum {
     WAVE_WORK = 10,    /* per wave, alone or in a chain */
     TEXEL_WORK = 12    /* per texel that a Carpenter bakes */
 };
-/* Adds to the point's work. */
+/* Adds to the cost of evaluating the point. */
 void oracle_spend(const Environment *environment, double steps);
 /* True if the work exceeds LIMIT_WORK. */
 bool oracle_spent(const Oracle *oracle);
@@ -182,14 +182,14 @@ static inline bool is_derivative(int channel)
  * position. */
 typedef double Answer(Environment *environment, const Node *node, int channel);
 Answer oracle_answer; /* any map: dispatches on its kind */
-Answer oracle_volume; /* LOWERING_VOLUME */
+Answer oracle_volume; /* declares oracle_volume for LOWERING_VOLUME */
 #define DECLARE_OWN(name) Answer oracle_##name;
 #define DECLARE_VOLUME(name)
 #define MAP(name, function, lowering, cost, doc) DECLARE_##lowering(name)
 #include "grammar/maps.def"
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
-/* Functions that materials share. oracle_material.c */
+/* Functions shared by several materials, from oracle_material.c. */
 /* RGB of a parameter's map. */
 void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
 /* Stores a normal with unit length, flipped to the visible side. */

@@ -31,7 +31,7 @@ static OracleSwitch *const switches[KIND_COUNT] = {
 
 static const double DEFAULT_EXPONENT = 4;
 static const double GREATEST_EXPONENT = 65504;
-static const double MISSING_GRAY = 128. / 255; /* java.awt.Color.GRAY */
+static const double MISSING_GRAY = 128. / 255; /* the color java.awt.Color.GRAY */
 
 static void set_colour(SlotValues *result, Slot slot, const double rgb[3])
 {

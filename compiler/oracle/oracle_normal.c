@@ -3,7 +3,7 @@
 #include "compiler/base/vec3.h"
 #include <string.h>
 
-/* The surface's frame: normal and both tangents. */
+/* The surface's tangent frame: normal and both tangents. */
 typedef struct {
     double n[3], du[3], dv[3];
 } Frame;

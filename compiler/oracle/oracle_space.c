@@ -2,7 +2,7 @@
  * do not change. */
 #include "compiler/oracle/oracle_maps.h"
 
-/* (u', v') = linear * ((u, v) - offset) */
+/* A map of texture coordinates: (u', v') = linear * ((u, v) - offset). */
 typedef struct {
     double linear[2][2], offset[2];
 } UVMap;

@@ -8,7 +8,7 @@
 #include "compiler/library/references.h"
 
 enum {
-    USUAL_COUNT = 5, /* octaves or steps in a function's cost in the tables */
+    USUAL_COUNT = 5, /* octaves or steps that a function's cost in the tables assumes */
     MOST_COUNTED = 1000
 };
 

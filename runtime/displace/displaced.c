@@ -11,7 +11,7 @@ static const DisplacedMethod *const methods[] = {
     &displaced_grid,     &displaced_tessellation, &displaced_geometry,   &displaced_points,
     &displaced_feedback, &displaced_bisection,    &displaced_by_tracing, &displaced_by_parallax};
 
-/* `auto` is the grid. */
+/* Returns the displacement method of a keyword; `auto` selects the grid. */
 static const DisplacedMethod *method_of(Word word)
 {
     for (size_t i = 0; i < sizeof methods / sizeof *methods; i++)

@@ -33,7 +33,7 @@ typedef struct {
 /* The view for which triangles are written. */
 typedef struct {
     const Scene *scene; /* with its camera and lights */
-    int size[2];        /* pixels of the picture */
+    int size[2];        /* width and height of the picture in pixels */
     /* Bounding box of all shadow receivers; low >= high: unbounded. */
     double low[3], high[3];
     /* View frustums of the picture, if only shadow maps need triangles outside; no planes: all

@@ -4,7 +4,7 @@
 #define MATC_DISPLACE_DISPLACED_METHOD_H
 #include "runtime/displace/displaced.h"
 
-enum { DISPLACED_BINDINGS = 9 /* of buffers, up to those of displace_point.glsl */ };
+enum { DISPLACED_BINDINGS = 9 /* number of buffer bindings, up to those of displace_point.glsl */ };
 
 /* Inputs for making a method's programs. */
 typedef struct {
@@ -16,7 +16,7 @@ typedef struct {
 } DisplacedMaking;
 
 typedef struct DisplacedMethod {
-    Word word;    /* of the list Displacing */
+    Word word;    /* keyword of the list Displacing */
     bool by_view; /* triangles depend on the camera, whatever the key `pixels` says */
     /* The driver supports the method, in addition to displaced_there()'s requirements. NULL:
      * always. */
@@ -34,7 +34,7 @@ typedef struct DisplacedMethod {
 extern const DisplacedMethod displaced_grid, displaced_tessellation, displaced_geometry,
     displaced_points, displaced_feedback, displaced_bisection, displaced_by_tracing,
     displaced_by_parallax;
-extern const char displaced_version[]; /* the first line of each stage */
+extern const char displaced_version[]; /* the #version line that begins each stage */
 
 GlContext *displaced_context(const Displaced *displaced);
 /* Makes a program. If `text` has neither a compute nor a fragment stage, its stages set the

@@ -16,7 +16,7 @@
 // EXACT_OFF times the greatest coordinate: 16 units in a float's last place. Closer occluders are
 // treated as touching.
 #include "exact_lists.layout.def"
-const float EXACT_OFF = 9.5367e-7; // 2^-20
+const float EXACT_OFF = 9.5367e-7; // 2^-20, relative to the greatest coordinate
 
 layout(std430, binding = 6) readonly buffer ExactTriangles {
     vec4 exact_corners[]; // three each; w: the triangle's transmittance of red, green, blue
@@ -139,7 +139,7 @@ vec3 exactShare(int light, vec3 point)
 vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_up.xyz + eye.z * exact_back.xyz; }
 
 #ifdef EXACT_SEEN
-vec3 exactPoint(vec3 point, vec3 normal, float pixel); // exact_seen.glsl
+vec3 exactPoint(vec3 point, vec3 normal, float pixel); // defined in exact_seen.glsl
 #else
 // A transparent surface's point is reconstructed from depth, and lifted to the light's side by the
 // possible error.

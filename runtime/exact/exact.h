@@ -5,10 +5,10 @@
 #include "runtime/exact/exact_cover.h"
 #include "runtime/shadow/shadow_method.h"
 
-/* State for a scene. */
+/* Exact shadows' state for a scene. */
 typedef struct {
     ExactTriangles triangles;
-    ExactCover cover;       /* lists; its programs live as long as the renderer */
+    ExactCover cover;       /* the lights' lists; its programs live as long as the renderer */
     GLuint corners, firsts; /* buffers: triangles; number of each object's first triangle, from 1 */
 } ExactShadows;
 

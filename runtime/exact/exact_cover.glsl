@@ -23,16 +23,16 @@
 layout(local_size_x = 64) in;
 
 #include "exact_lists.layout.def"
-const int ROWS = 16; // of a block
-const int FEW = 64; // cells that one thread takes
+const int ROWS = 16; // rows of a block
+const int FEW = 64; // max cells that one thread handles
 const uint MANY_BLOCKS = (1u << 21) - 4u; // further blocks are not counted
 const double SPREAD = 1.0lf / 64.0lf; // in cells
-const double ROUNDING = 1.0lf / 17592186044416.0lf; // 2^-44
+const double ROUNDING = 1.0lf / 17592186044416.0lf; // relative rounding error, 2^-44
 const double FAR = 1e300lf;
 
 layout(std430, binding = 5) coherent buffer ExactWork {
 #include "exact_work.layout.def"
-    uvec2 exact_queue[]; // blocks: the triangle and face; the light and the block's number
+    uvec2 exact_queue[]; // queued blocks: the triangle and face; the light and the block's number
 };
 layout(std430, binding = 6) readonly buffer ExactTriangles {
     vec4 exact_corners[];
@@ -41,7 +41,7 @@ layout(std430, binding = 7) buffer ExactLists {
     uint exact_words[];
 };
 uniform bool exact_lists; // false: count only
-uniform bool exact_rows; // blocks of rows, else triangles
+uniform bool exact_rows; // true: a thread handles a block of rows; false: a triangle
 
 struct View {
     bool placed;

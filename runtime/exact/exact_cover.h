@@ -14,7 +14,7 @@ typedef struct {
     GLuint lists, work;
     size_t room, most; /* words of the buffer of lists, and their limit */
     size_t blocks;     /* capacity of `work` */
-    size_t words;      /* of the lists */
+    size_t words;      /* words that the lists use */
     /* lights with headers; number of times that cells were doubled in width */
     int light_count, coarsened;
 } ExactCover;

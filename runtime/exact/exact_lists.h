@@ -10,7 +10,7 @@
 #include "runtime/exact/exact_triangles.h"
 
 enum {
-    EXACT_LISTS_PAIR = 2, /* words of a cell */
+    EXACT_LISTS_PAIR = 2, /* words of a cell's entry */
     /* number of times that cells can be doubled in width, until one is left */
     EXACT_LISTS_COARSEST = 10,
     EXACT_LISTS_LIGHTS_MOST = 65535 /* maximum number of lights with headers */
@@ -27,6 +27,6 @@ bool exact_lists_wanted(const SceneLight *light);
 /* Makes headers with cells widened by 2^coarser. False: out of memory; *made is empty then. */
 bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser,
                       ExactLists *made);
-/* Safe on an empty one. */
+/* Frees the lists; also valid for a zeroed struct. */
 void exact_lists_free(ExactLists *lists);
 #endif

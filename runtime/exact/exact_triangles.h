@@ -10,8 +10,8 @@ typedef struct {
 } ExactBox;
 
 typedef struct {
-    int object;       /* in Scene.objects */
-    int first, count; /* of its triangles */
+    int object;       /* index in Scene.objects */
+    int first, count; /* range of its triangles */
     ExactBox box;     /* bounding box */
 } ExactObject;
 
@@ -22,7 +22,7 @@ typedef struct {
         [3];
     double reach; /* the greatest absolute coordinate relative to the origin */
     int count;
-    ExactObject *objects; /* in the order of cache->places: opaque ones first */
+    ExactObject *objects; /* ordered as cache->places: opaque objects first */
     int object_count, opaque_count;
 } ExactTriangles;
 
@@ -43,6 +43,6 @@ bool exact_triangles_move(const Scene *scene, const Cache *cache, const int rang
 bool exact_triangles_corners(const Scene *scene, const Cache *cache,
                              const ExactTriangles *triangles, const int range[2],
                              ExactCorners *corners);
-/* Safe on an empty one. */
+/* Frees the triangles; also valid for a zeroed struct. */
 void exact_triangles_free(ExactTriangles *triangles);
 #endif

@@ -9,6 +9,6 @@
 /* Appends a line about the lists' memory, for --stats. */
 void glass_put_lists(Text *out, const Render *render);
 
-/* The rows of the frame graph. */
+/* The passes of transparent surfaces, as rows of the frame graph. */
 extern const FramePass pass_lists, pass_blend, pass_peel;
 #endif

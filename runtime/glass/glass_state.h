@@ -4,7 +4,7 @@
 #include "runtime/frame/frame.h"
 #include "runtime/draw/screen_pass.h"
 
-/* State of pass_lists.c. */
+/* State of pass_lists.c: per-pixel linked lists. */
 typedef struct {
     GLuint buffer;
     GLuint fragments; /* capacity in fragments: the number of existing ones */

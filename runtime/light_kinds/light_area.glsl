@@ -42,7 +42,7 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
     u *= scale;
     v *= scale;
     vec3 face = cross(u, v);
-    float height = dot(face, corner); // above 0: the point is behind it
+    float height = dot(face, corner); // above 0: the point is behind the light
     bool turned = bothSides && height > 0.0;
     return areaMeasured(corner, turned ? u : v, turned ? v : u, (bothSides ? abs(height) : -height) > 1e-6 * length(face));
 }
@@ -113,7 +113,7 @@ vec4 areaLine(AreaBorder border, int i)
     return areaWithin(areaFirst(border, i), border.second);
 }
 
-// -ln(1 - q) / q
+// Returns -ln(1 - q) / q.
 float areaLogarithm(float q)
 {
     return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
@@ -192,7 +192,7 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     for (int i = 0; i < 8; i++) {
         float t = middle + (i < 4 ? half_ : -half_) * PLACE[i & 3];
         float c = cos(t), s = r * sin(t), rate = 1.0 / (c * c + s * s);
-        float q = min(square + along * s * s * rate, 1.0); // 1 - (w.u)^2
+        float q = min(square + along * s * s * rate, 1.0); // q = 1 - (w.u)^2
         float logarithm = areaLogarithm(q), x = 0.5 * exponent * q * logarithm;
         float h = x < 0.05 ? 0.5 * exponent * logarithm * (1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0)))
                            : (1.0 - exp(-x)) / q;
@@ -224,7 +224,7 @@ float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 // above is in a program only once.
 struct AreaSide {
     vec3 normal, even;        // the side's normal, and its diffuse share
-    vec3 gloss, axis, across; // the lobe: gloss max(axis.l, 0)^exponent across.l
+    vec3 gloss, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
     mat3 into; // for a negative exponent: maps the side's normal to z, or a lobe's directions
 };
@@ -255,7 +255,7 @@ Area areaAt(int light, vec3 point)
 }
 
 #ifdef SHADOW_SOFT
-vec3 softLight(int light, Seen seen); // shadow_soft.glsl
+vec3 softLight(int light, Seen seen); // defined in shadow_soft.glsl
 #endif
 
 vec3 lightFromArea(int light, Seen seen)

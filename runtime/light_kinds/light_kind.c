@@ -1,4 +1,4 @@
-/* Functions that several kinds share. */
+/* Functions shared by several kinds of lights. */
 #include "runtime/light_kinds/light_kind.h"
 #include "compiler/base/vec3.h"
 

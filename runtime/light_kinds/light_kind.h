@@ -10,12 +10,12 @@
 #include "grammar/scene_tables.h"
 
 typedef struct {
-    SceneKind kind; /* of the sort light */
+    SceneKind kind; /* a kind of the sort light */
     double position[3];
     double direction[3];               /* direction of emission; unit length */
-    double light[3];                   /* intensity times color */
+    double light[3];                   /* emitted color: intensity times color */
     double ground[3];                  /* hemispheres: the same from below */
-    double inner_cosine, outer_cosine; /* of a cone: inner >= outer */
+    double inner_cosine, outer_cosine; /* cosines of a spot's cone angles: inner >= outer */
     double edges[2][3];                /* of an area light */
     bool both_sides;                   /* of an area light: emits to the back, too */
     const char *name;                  /* NULL: unnamed */
@@ -26,11 +26,13 @@ typedef struct {
 /* Origin of the light, which determines its shadow views: a point has those of a cube or a cone,
  * distant light has parallel views, an area light has a view for each of several points. */
 typedef enum {
-    LIGHT_FROM_point,  /* the position */
-    LIGHT_FROM_afar,   /* parallel, along the direction */
-    LIGHT_FROM_extent, /* position + s edges[0] + t edges[1], s and t from 0 to 1 */
-    LIGHT_FROM_around, /* all directions, without shadows; lights of the kind are summed */
-    LIGHT_FROM_sky     /* the scene's sky: no SceneLight, scales Scene.sky_light */
+    LIGHT_FROM_point, /* light from its position */
+    LIGHT_FROM_afar,  /* parallel light along its direction */
+    /* light from a parallelogram: position + s edges[0] + t edges[1], s and t from 0 to 1 */
+    LIGHT_FROM_extent,
+    /* light from all directions, without shadows; lights of the kind are summed */
+    LIGHT_FROM_around,
+    LIGHT_FROM_sky /* the scene's sky: no SceneLight, scales Scene.sky_light */
 } LightFrom;
 
 /* The numbers that a document gives a light, or their defaults, by their indices in the kind's
@@ -50,8 +52,8 @@ typedef struct {
 /* Receives the lines that show a light as a gizmo. */
 typedef struct LightLines {
     void (*add)(struct LightLines *lines, const double from[3], const double to[3]);
-    double size;    /* of a cross, a cone's edges, a quarter of an arrow */
-    double zero[3]; /* the world's origin */
+    double size;    /* length of a cross's lines, a cone's edges, a quarter of an arrow */
+    double zero[3]; /* the world's origin, where a directional light is drawn */
 } LightLines;
 
 /* The GLSL of a kind is included twice: before the surface models, and after lighting.glsl with
@@ -80,7 +82,7 @@ typedef struct {
     void (*outline)(const SceneLight *light, LightLines *lines);
 } LightKind;
 
-/* All kinds, then NULL: the rows of light_kinds.def. */
+/* The rows of light_kinds.def, followed by NULL. */
 enum { LIGHT_KINDS_MAX = 16 };
 extern const LightKind *const light_kind_table[LIGHT_KINDS_MAX + 1];
 

@@ -2,7 +2,7 @@
 #include "runtime/light_kinds/light_kind.h"
 #include <string.h>
 
-/* Three lines that cross at the light. */
+/* Draws a point light as three lines that cross at its position. */
 static void light_point_outline(const SceneLight *light, LightLines *lines)
 {
     for (int i = 0; i < 3; i++) {

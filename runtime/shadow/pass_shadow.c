@@ -112,7 +112,7 @@ static bool pass_shadow_changed(Render *render, unsigned what)
 {
     const bool fitted = what & RENDER_CAMERA &&
                         (render->scene->shadow_cascades > 1 || scene_area_cuts(render->scene));
-    if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may differ */
+    if (what & (RENDER_TIME | FRAME_SHAPES)) /* alpha-tested casters may have changed */
         render->shadows->drawn = false;
     if (what & RENDER_CAMERA)
         render->shadows->seen = false;

@@ -65,7 +65,8 @@ uniform usampler2D shadow_seen; // target that opaque surfaces' programs wrote
 uniform sampler2DArray shadow_maps;
 uniform sampler2D shadow_views;
 
-const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25; // texels
+// offset along the normal (bias) in texels
+const float SHADOW_LIFT = 0.70711 * float(SHADOW_FILTER + 1) + 0.25;
 
 vec4 shadowRow(int view, int row)
 {
@@ -180,7 +181,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     float depth = how.x > 0.0 ? how.x / turned.z : max(turned.z, 0.0);
     float away = how.x <= 0.0 ? 1.0 : cube ? turned.z * shadowWide(how) : turned.z;
     vec2 at = (turned.xy / away * 0.5 + 0.5) * float(SHADOW_SIZE);
-    if (how.x > 0.0 && turned.z <= 0.0) return shadowNone(); // behind a spot
+    if (how.x > 0.0 && turned.z <= 0.0) return shadowNone(); // the point is behind a spot light
     vec2 corner = clamp(at, -16.0, float(SHADOW_SIZE) + 16.0) - 0.5 * float(SHADOW_FILTER);
     ivec2 low = ivec2(floor(corner));
     vec2 part = SHADOW_FILTER > 0 ? corner - vec2(low) : vec2(0.0);
@@ -197,7 +198,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
     return sum / float(max(SHADOW_FILTER * SHADOW_FILTER, 1));
 }
 
-#ifdef SHADOW_CALL_VIEW // of shadow_method.h
+#ifdef SHADOW_CALL_VIEW // set if a technique has `views`: shadow_method.h
 SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, float pixel);
 #endif
 

@@ -17,7 +17,7 @@ SetCasts shadow_casts(const Render *render);
 
 /* -- The buffer of transparent fragments (shadow_glass.c) -------------------------------------- */
 
-enum { SHADOW_GLASS_LISTS = 3 /* binding point */ };
+enum { SHADOW_GLASS_LISTS = 3 /* binding point of the lists' buffer */ };
 /* Some caster has colored shadows. */
 bool shadow_glass_needed(const Render *render);
 /* All texels of the maps, with 0 fragments. */
@@ -84,7 +84,7 @@ void shadow_sheet_delete(Render *render);
 /* The equation of an infinite plane in eye space, from its matrix: the unit normal, and the
  * offset that makes points of the plane 0. */
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4]);
-/* Makes the views of lights, before any pass is made. */
+/* Computes the shadow views of lights, before any pass is made. */
 bool shadow_make_views(Render *render);
 /* Updates shadows after a change of the camera; `drawn_again`: of lights or objects, so that
  * maps are fitted and drawn again. False: failed, or lights need another number of maps. */
@@ -95,7 +95,7 @@ bool shadow_change(Render *render, bool drawn_again);
 enum {
     SHADOW_TEXT_CHARS = 1536,
     SHADOW_TEXT_PIECES = 12,
-    SHADOW_OWN_UNITS = 2, /* for the samplers of techniques */
+    SHADOW_OWN_UNITS = 2, /* texture units for the samplers of techniques */
     SHADOW_UNITS = 5 + SHADOW_OWN_UNITS
 };
 typedef struct {
@@ -119,7 +119,7 @@ void shadow_put_lights(const Render *render, const int counts[VIEW_SPACE_SECTION
 void shadow_set(const Render *render, int unit, ScreenPass *pass);
 /* Binds textures and buffers to these units. */
 void shadow_bind(const Render *render, int unit);
-/* Some light has a shadow map. */
+/* Returns whether any light has a shadow map. */
 bool shadow_has_maps(const Render *render);
 extern const FramePass pass_shadow;
 #endif

@@ -45,10 +45,10 @@ struct ShadowMethod {
     Word word;    /* keyword of the list Shadows */
     size_t state; /* bytes of its state in a renderer, initially zeros */
 
-    /* Needs */
-    bool triangles; /* triangles of casters on the host, even if the driver displaces them */
+    /* Needs of the technique. */
+    bool triangles; /* needs triangles of casters on the host, even if the driver displaces them */
     bool beside;    /* casters outside the view are subdivided as finely as those inside */
-    bool meshes;    /* depth maps of triangles, not of ray-marched surfaces */
+    bool meshes;    /* needs depth maps of triangles, not of ray-marched surfaces */
     /* handles opaque casters itself: its maps are read for transparent ones only, and have no
      * alpha-tested ones */
     bool apart;
@@ -66,35 +66,37 @@ struct ShadowMethod {
     /* Views of a light: cube faces overlap by a border of two texels; a directional light has
      * one view of all casters instead of cascades. */
     bool border, single;
-    bool views; /* its GLSL has SHADOW_CALL_view */
+    bool views; /* the technique's GLSL defines SHADOW_CALL_view */
     /* Silhouette crossings are found; NULL: never. */
     bool (*crossed)(const Scene *scene);
 
-    bool (*make)(Render *render);      /* after the cache and views, before the frame's passes */
-    bool (*make_maps)(Render *render); /* after the depth maps; not called without any */
+    /* called after the cache and views, before the frame's passes */
+    bool (*make)(Render *render);
+    /* called after the depth maps are made; not called without maps */
+    bool (*make_maps)(Render *render);
     /* Draws the opaque casters of a view into its map; NULL: shadow_draw_cast() does. */
     void (*draw)(Render *render, const CacheSource *source, int view);
-    void (*drawn)(Render *render);                       /* all depth maps are drawn */
-    bool (*changed)(Render *render, unsigned what);      /* a set of FrameChange */
-    bool (*moved)(Render *render, int first, int count); /* these objects have moved */
+    void (*drawn)(Render *render);                       /* called when all depth maps are drawn */
+    bool (*changed)(Render *render, unsigned what);      /* `what`: a set of FrameChange */
+    bool (*moved)(Render *render, int first, int count); /* called after these objects have moved */
     void (*forget)(Render *render);                      /* frees all resources of the scene */
     void (*close)(Render *render);                       /* frees those of the renderer */
 
     /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
     void (*text)(const Render *render, bool nearest, ShadowMethodText *made);
-    void (*set)(const Render *render, ScreenPass *pass); /* uniforms, after each change */
+    void (*set)(const Render *render, ScreenPass *pass); /* sets uniforms, after each change */
     /* sampler name of a texture unit of its own, */
     const char *sampler;
     void (*bind)(const Render *render, int unit); /* to which this binds a texture */
 
-    void (*put)(Text *out, const Render *render); /* lines for --stats */
+    void (*put)(Text *out, const Render *render); /* writes lines for --stats */
     void (*put_time)(Text *out, Render *render);
 
     /* A debug view by its name, or NULL; its resources, made with the pass tools, and drawn to
      * the targets light and tools, with depth. */
     const FrameLook *(*look)(const char *name);
     bool (*look_make)(Render *render);
-    void (*look_place)(Render *render); /* the tile or the camera has moved */
+    void (*look_place)(Render *render); /* called when the tile or the camera has moved */
     void (*look_draw)(Render *render);
 
     /* Selects the variant of that keyword, for pictures side by side. False: no such variant. */
@@ -111,7 +113,7 @@ void shadow_methods_close(Render *render);
 void *shadow_method_state(const Render *render, Word word);
 /* The row that a light's keyword selects; NULL: the light casts no shadows. */
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light);
-/* The rows, up to NULL. */
+/* Returns the rows of techniques, followed by NULL. */
 static inline const ShadowMethod *const *shadow_methods_of(const Render *render)
 {
     return render->shadows->methods.rows;
@@ -130,7 +132,7 @@ ShadowNeeds shadow_methods_need(const Render *render);
 const ShadowMethod *shadow_method_seen(const Render *render);
 bool shadow_method_sees(const Render *render);
 void shadow_method_seen_bind(const Render *render);
-/* The view is the picture or its light. */
+/* Returns whether the view shows the picture or its lighting. */
 bool shadow_shows_light(const Render *render);
 /* The driver supports one more target in addition to those of the G-buffer. */
 bool shadow_seen_fits(const Render *render);

@@ -14,7 +14,7 @@ layout(std140) uniform Sheet {
     vec4 sheet_plane; // the plane in eye space
     vec3 sheet_eye;   // in world space, on the light's side of the plane
     vec3 sheet_foot;  // the plane's point nearest to sheet_eye
-    int sheet_layer;  // of the light
+    int sheet_layer;  // the light's layer
     int sheet_more;   // 1: earlier planes were stored in the layer
     int sheet_cut;    // 1: alpha test, all or nothing passes
 };

@@ -34,8 +34,8 @@ struct Soft {
     vec2 along_u, along_v;
     vec3 point, normal;
     float pixel;  // a pixel's size at the point
-    bool through; // light from behind the surface counts, too
-    int layer;    // of the first point's map
+    bool through; // light from behind the surface counts, too (transmission)
+    int layer;    // layer of the first point's map
     float near;   // near distance of all maps
 };
 

@@ -25,14 +25,14 @@ typedef struct {
 
 /* Transmittance of infinite planes if it varies: shadow_sheet.c. */
 typedef struct {
-    Material *materials;    /* by layer and sheet */
-    int layer_count, count; /* of lights, of sheets */
+    Material *materials;    /* programs by layer and sheet */
+    int layer_count, count; /* number of lights, number of sheets */
     /* Array texture of transmittances per pixel, a layer for each light that casts shadows. */
     GLuint layers;
     int depth_unit; /* texture unit of the depth of the lit surfaces */
 } ShadowSheets;
 
-/* The rows of techniques, up to NULL, and the state of each. */
+/* The rows of techniques, followed by NULL, and the state of each. */
 typedef struct {
     const ShadowMethod *const *rows;
     void *states[SHADOW_METHODS_MAX];
@@ -46,7 +46,7 @@ struct ShadowMaps {
     /* Texture of the views, four texels each: their rows from eye space; near, texel. */
     GLuint table;
     GLuint planes;         /* texture of infinite planes in eye space */
-    GLuint framebuffer;    /* of the layer that is drawn */
+    GLuint framebuffer;    /* target: the layer that is drawn */
     Material solid;        /* draws depth only; lives as long as the renderer */
     bool drawn;            /* the maps are up to date with the scene */
     bool seen;             /* the target `seen` is up to date with this frame's camera */

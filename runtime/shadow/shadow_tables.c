@@ -150,7 +150,7 @@ SetCasts shadow_casts(const Render *render)
     return shadow_methods_need(render).cuts ? SET_CASTS_cut : SET_CASTS_none;
 }
 
-/* Infinite planes need no map. */
+/* Returns whether infinite planes cast shadows, which need no map. */
 bool shadow_has_planes(const Render *render)
 {
     return shadow_is_cast(render) &&

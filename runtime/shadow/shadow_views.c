@@ -19,7 +19,7 @@ typedef struct {
     const ShadowMethod *const *methods;
     const Scene *scene;
     ShadowViews *made;
-    const int *size;      /* of the picture */
+    const int *size;      /* size of the picture in pixels */
     double (*corners)[3]; /* corners of the casters' bounding boxes, in world space */
     int count;
     bool varying; /* some caster's transparency varies */
@@ -36,7 +36,7 @@ static void add_corners(Fit *fit, const CullBox *box, const SceneMatrix *world_f
     }
 }
 
-/* A row that is 0 at `origin`. */
+/* Sets a row of a view matrix: a scaled axis, 0 at `origin`. */
 static void set_row(const double axis[3], double scale, const double origin[3], double row[4])
 {
     for (int lane = 0; lane < 3; lane++)

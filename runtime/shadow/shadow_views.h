@@ -11,16 +11,16 @@
 
 enum { SHADOW_VIEWS_CUBE = 6 };
 
-typedef struct ShadowMethod ShadowMethod; /* shadow_method.h */
+typedef struct ShadowMethod ShadowMethod; /* declared in shadow_method.h */
 
 typedef struct {
     double rows[3][4]; /* from world space */
-    double near;       /* 0: directional */
+    double near;       /* near distance; 0: the light is directional */
     double texel;      /* a texel's longer edge: at z = 1; directional: everywhere */
     const ShadowMethod *method;
     bool crossed;  /* silhouette crossings are found in it, too */
     bool mirrored; /* left-handed: flips the winding */
-    bool soft;     /* of an area light's point: soft_views.h */
+    bool soft;     /* view from a point of an area light: soft_views.h */
 } ShadowView;
 
 /* Views of a light: none; one; for a directional light the number of cascades, from the finest
@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     ShadowView *views;
     int count;
-    ShadowLight *lights; /* of each light of the scene */
+    ShadowLight *lights; /* by light of the scene */
 } ShadowViews;
 
 /* Makes views for a picture of that size, to which cascades are fitted; `methods` are the rows

@@ -23,7 +23,7 @@ struct Anisotropy {
     vec4 loss[6], grazing[6];
 };
 
-// Polynomials in p, roughness^2, and 1 - k^2.
+// Sets polynomials in p, roughness^2, and 1 - k^2, for the energy loss.
 void lossLines(float p, float rest, out vec4 lines[6])
 {
     lines[0] = vec4(0.0317114, -0.173122, 0.236166, -0.0923749) +
@@ -80,7 +80,7 @@ void lossLines(float p, float rest, out vec4 lines[6])
                 p * (vec4(-3.03528, 0.484335, 33.8637, -13.2969))))));
 }
 
-// Polynomials in p, the roughness, and 1 - k^2.
+// Sets polynomials in p, the roughness, and 1 - k^2, for grazing angles.
 void grazingLines(float p, float rest, out vec4 lines[6])
 {
     lines[0] = vec4(0.998919, 0.013488, -0.0124357, 0.00639183) +
@@ -161,7 +161,7 @@ Anisotropy anisotropyOf(vec2 slot, vec3 normal, float rough)
     return m;
 }
 
-// g of a direction.
+// Returns the anisotropic masking's g toward direction v.
 float anisotropyToward(Anisotropy m, vec3 v)
 {
     vec2 flat_ = vec2(dot(v, m.along), dot(v, m.across));

@@ -31,7 +31,7 @@
 #define LIT_LAYERS
 #endif
 
-// A polynomial of degree 5.
+// Coefficients of a polynomial of degree 5, from the constant on.
 struct Row {
     vec4 low;
     vec2 high;
@@ -108,7 +108,7 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 {
     Grain g;
     g.rough = rough;
-    g.once = 1.0 / (1.0 + 0.287793409 * rough); // 1/2 - 2 / (3 pi)
+    g.once = 1.0 / (1.0 + 0.287793409 * rough); // 0.287793409 = 1/2 - 2 / (3 pi)
     g.high = along / mean;
     g.low = (2.25 - 1.25 * g.high - aside / mean) / 0.130162;
     g.tilt = 3.0 * (g.high - 1.0) - g.low / 7.0;
@@ -402,7 +402,7 @@ mat3 areaFacets(float rough, vec3 normal, vec3 eye)
               rough * (vec4(-53.6715, -166.806, 102.43, -98.0375) +
               rough * (vec4(63.5235, 103.261, -62.0517, 45.7668) +
               rough * (vec4(-24.1714, -23.8377, 16.1749, -8.02276))))));
-    vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // m11, m22, m13
+    vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // matrix entries m11, m22, m13
     float turn = alpha * p.w; // from the mirrored direction upwards
     vec3 flat_ = eye - dot(normal, eye) * normal;
     float sine = length(flat_);

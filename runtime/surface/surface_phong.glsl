@@ -75,7 +75,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
     }
     vec3 sum = m.diffuse;
 #ifdef SURFACE_HAS_specular
-    float along = max(dot(m.reflected, l), 1e-30); // pow(0.0, 0.0) is undefined
+    float along = max(dot(m.reflected, l), 1e-30); // avoids pow(0.0, 0.0), which is undefined
     sum += m.specular * pow(along, m.shininess);
 #endif
     return cosine * sum;

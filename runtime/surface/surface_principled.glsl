@@ -21,7 +21,7 @@ struct Lit {
     vec3 glossAgain; // part of gloss that is scattered repeatedly, or spread by layers
 #endif
     Gloss facets;
-    float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() the eye
+    float metal, alpha, cosine, masked, reflectance, kept; // masked: maskedOf() toward the eye
     // multiple scattering; diffuse transmittance to the eye, layers included
     TONE again, baseOfEye;
     TONE baseRatio;                                        // baseOfEye over the mean transmittance
@@ -40,7 +40,7 @@ struct Lit {
     vec3 filmMean, metalFilmMean, filmLeft;
 #endif
 #ifdef LIGHT_HAS_AREAS
-    mat3 glossInto, coatInto; // areaFacets()
+    mat3 glossInto, coatInto; // linear transforms of cosines: areaFacets()
 #endif
 #ifdef LIT_COAT
     vec3 coatTint, coatNormal;
@@ -343,7 +343,8 @@ Lit surfaceLit(Surface s, vec3 toEye)
 #endif
     TONE meanBase = max(left.x - reflected - left.y * m.again, TONE(1e-4));
 
-    m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512; // (6/7)^5; 7 (7/6)^6
+    // 17.6512 = 7 (7/6)^6, 0.4626641 = (6/7)^5
+    m.dip = mix(vec3(0.4626641), vec3(1.0), m.base) * (1.0 - m.tint) * 17.6512;
     vec3 metal = mix(vec3(1.0 / 21.0), vec3(1.0), m.base) - m.dip / 126.0;
 #ifdef LIT_FILM
     metal = mix(metal, m.metalFilmMean, m.film.weight);

@@ -76,7 +76,7 @@ vec3 surfaceLobe(Lit m, vec3 l)
     vec3 between = l + m.toEye;
     float square = max(dot(between, between), 1e-12), over = inversesqrt(square);
     vec3 h = between * over;
-    // l.h is half of its length
+    // l.h is half of the length of l + v
     float facing = min(0.5 * square * over, 1.0), rest = 1.0 - facing, rest2 = rest * rest, rest5 = rest2 * rest2 * rest;
 #ifdef LIT_ANISOTROPY
     float once = facetsAlong(m.anisotropy, m.normal, l, h, cosine, vec2(m.cosine, m.masked));

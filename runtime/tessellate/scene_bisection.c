@@ -246,7 +246,7 @@ static void divide(SceneBisection *b, uint32_t triangle, uint32_t middle)
         one->weights[2][k] = two->weights[2][k] = (was.weights[0][k] + was.weights[1][k]) / 2;
     renumber(b, &was, 2, 3 * triangle + 2, 3 * triangle);
     renumber(b, &was, 1, 3 * triangle + 1, 3 * made);
-    link(b, 3 * triangle + 2, 3 * made + 1); /* from m to c, and back */
+    link(b, 3 * triangle + 2, 3 * made + 1); /* link m to c in both directions */
     link(b, 3 * made + 1, 3 * triangle + 2);
 }
 
@@ -256,7 +256,8 @@ static void link_halves(SceneBisection *b, size_t count)
 {
     uint32_t last[2] = {UINT32_MAX, UINT32_MAX}, end = UINT32_MAX;
     for (size_t i = 0; i < count; i += 2) {
-        const uint32_t halves[2] = {3 * b->ring[i] + 1, 3 * b->ring[i + 1] + 2}; /* at a, at b */
+        /* half-edges at a and at b */
+        const uint32_t halves[2] = {3 * b->ring[i] + 1, 3 * b->ring[i + 1] + 2};
         const uint32_t at = place_at(b, halves[0], 0);
         end = i ? end : at;
         for (int k = 0; k < 2; k++) {
@@ -401,7 +402,8 @@ static void put(const SceneBisection *b, const double (*to)[3], uint32_t vertex,
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made)
 {
     Order *order = find_order(b);
-    uint32_t *number = calloc(b->vertex_count + 1, sizeof *number); /* from 1 */
+    /* by vertex: its new number, from 1; 0: unused */
+    uint32_t *number = calloc(b->vertex_count + 1, sizeof *number);
     *made = (Shape){.vertices = calloc(b->vertex_count + 1, sizeof *made->vertices),
                     .indices = calloc(3 * b->count + 1, sizeof *made->indices),
                     .base = calloc(b->vertex_count + 1, sizeof *made->base)};

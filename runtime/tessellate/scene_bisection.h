@@ -17,7 +17,7 @@ enum {
 typedef struct {
     int base;           /* the shape's triangle that contains this one */
     int weights[3][3];  /* by corner: in the base's corners */
-    uint32_t vertex[3]; /* by corner: in SceneBisection.vertices */
+    uint32_t vertex[3]; /* by corner: index in SceneBisection.vertices */
     /* Ring of each edge: 3 triangle + edge of the next half-edge between the same two places; a
      * boundary edge refers to itself. */
     uint32_t across[3];
@@ -36,7 +36,7 @@ typedef struct SceneBisection {
     const Shape *shape;
     SceneBisectionTriangle *triangles;
     ShapeVertex *vertices;
-    uint32_t *place_of; /* by vertex */
+    uint32_t *place_of; /* by vertex: index of its place */
     SceneBisectionPlace *places;
     /* scratch: edges that are divided together, and triangles that wait for others */
     uint32_t *ring, *waiting;
@@ -61,6 +61,6 @@ bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape
 double scene_bisection_turn(const int a[3], const int b[3], const int c[3]);
 /* Area of the triangle in object space. */
 double scene_bisection_area(const SceneBisection *b, uint32_t triangle);
-/* Safe on an empty one. */
+/* Frees all memory; also valid for a zeroed struct. */
 void scene_bisection_end(SceneBisection *b);
 #endif

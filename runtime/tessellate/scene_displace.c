@@ -17,7 +17,7 @@
 typedef struct {
     const Scene *scene;
     SceneDisplacer *by;
-    HashIndex index; /* of meshes, by their keys */
+    HashIndex index; /* index of meshes by their keys */
     int *next;       /* by object: its new mesh */
     int64_t triangles;
     int mesh_count;

@@ -22,7 +22,7 @@ typedef enum {
 } SceneDisplaced;
 /* `count` objects from `first` on have other matrices. */
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
-/* A param of a material has another value. */
+/* Updates meshes after a param of a material has got another value. */
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
                                     const double *lanes, int count);
 /* All meshes are tessellated by another method of the list Displacing. */

@@ -5,7 +5,7 @@
 
 /* Hash of a material's param values. */
 Key scene_displacer_param_key(const SceneDisplacer *by, int material);
-/* The material's displacement reads the param. */
+/* Returns whether the material's displacement reads the param. */
 bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count);
 /* Finds or adds a param, with its current value; NULL: out of memory. */
 SceneDisplacedParam *scene_displacer_param(Scene *scene, int material, const char *name, int count);

@@ -162,7 +162,7 @@ static bool move_shape(Mover *mover, Shape *shape)
     return fine;
 }
 
-/* Parts of an edge that give that many triangles in all. */
+/* Returns the number of parts of an edge that give `triangles` in all. */
 static int parts_for(const Shape *from, double triangles)
 {
     const double parts = ceil(sqrt(triangles / fmax(from->index_count / 3., 1)));

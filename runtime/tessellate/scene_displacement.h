@@ -12,7 +12,7 @@ typedef struct {
     const MatcOptions *options;
     SceneMatrix world_from_local;
     const double *origin; /* world position of the matrix's origin */
-    Word method;          /* WORD_Displacing_mesh, ... */
+    Word method;          /* keyword: WORD_Displacing_mesh, ... */
     int triangles;
     SceneDividing dividing;
     int level;             /* parts of an edge of `from`, overriding `triangles`; 0: by triangles */

@@ -14,7 +14,7 @@ typedef struct {
         /* Length of the intervals of the logarithm of size in which copies share a mesh; 0: only
          * equal sizes do. */
         share;
-    double number; /* of the interval */
+    double number; /* number of the interval of sizes */
     /* factor from the object's size to the middle of the interval, for which the mesh is made */
     double scale;
 } SceneFineness;

@@ -35,7 +35,7 @@
 
 /* Difference between a triangle and its displaced samples. */
 typedef struct {
-    double mean[3], square, area; /* square: the mean of the squared distance */
+    double mean[3], square, area; /* square: mean of the squared distance */
 } SceneMiss;
 
 static const double STEP = 0.7; /* relaxation factor of a Jacobi step: two full steps overshoot */
@@ -88,8 +88,8 @@ enum {
 };
 
 typedef struct {
-    int weights[3]; /* in the base triangle */
-    uint32_t next;  /* of the same triangle; NONE */
+    int weights[3]; /* integer weights of the base triangle's corners */
+    uint32_t next;  /* next sample of the same triangle; NONE: last */
     double to[3];
 } Sample;
 
@@ -104,7 +104,7 @@ typedef struct {
     uint32_t *stamp; /* by triangle: the round that changed it last */
     uint32_t round, first_round;
     size_t state_count, first_room, stamp_room;
-    double (*to)[3]; /* by place */
+    double (*to)[3]; /* by place: its displaced position */
     size_t to_count, to_room;
     uint32_t *touched; /* triangles changed since the last round */
     size_t touched_count, touched_room;

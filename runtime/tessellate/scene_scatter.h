@@ -15,7 +15,7 @@ float scene_object_random(int object);
 typedef struct {
     double size[3];              /* of the box around the origin that contains the copies */
     double rotation[3];          /* maximum angle in radians about x, y and z, in both directions */
-    double least, most;          /* scale */
+    double least, most;          /* range of the copies' scale */
     const SceneSurface *surface; /* copies are on this surface; NULL: in the box */
     bool aligned;                /* rotated to the surface's normal */
 } SceneScatter;

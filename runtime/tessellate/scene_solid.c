@@ -31,7 +31,7 @@ static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape
     return true;
 }
 
-/* P = s u + t v, (s, t) in the unit square. */
+/* Builds a parallelogram: P = s u + t v, (s, t) in the unit square. */
 static bool parallelogram(const double u[3], const double v[3], Shape *made)
 {
     /* a product of unnormalized lengths may overflow */
@@ -56,8 +56,8 @@ static bool parallelogram(const double u[3], const double v[3], Shape *made)
 /* A side between two circles, and a lid on each circle with a radius above 0: vertices in rows
  * of `steps` + 1. */
 typedef struct {
-    double foot, top, height; /* radii */
-    int steps;                /* of a circle */
+    double foot, top, height; /* radii of the circles, and the height */
+    int steps;                /* segments of a circle */
 } Round;
 
 /* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal tilts by the slope of
@@ -184,6 +184,6 @@ bool scene_solid(const SceneObject *object, Shape *made)
     case SCENE_Cone:
         return solid_round(&(Round){n[0], 0, n[1], (int)n[2]}, made);
     default:
-        return true; /* a Plane has no triangles, a Mesh its own */
+        return true; /* nothing to build: a Plane has no triangles, a Mesh has its own */
     }
 }

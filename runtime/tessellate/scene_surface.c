@@ -187,7 +187,7 @@ static ShapeVertex mix(const SceneSurfacePart *patch, int triangle, const double
 static void share_around(const double numbers[3], double shares[SCENE_SURFACE_AROUND][3])
 {
     static const double steps[SCENE_SURFACE_AROUND][2] = {{0, 0}, {1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    const double part = 1.0 / 1024; /* of an edge */
+    const double part = 1.0 / 1024; /* step as a fraction of an edge */
     double middle[3];
     share(numbers, middle);
     for (int i = 0; i < SCENE_SURFACE_AROUND; i++) {

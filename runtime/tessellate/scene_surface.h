@@ -9,7 +9,7 @@ enum {
 };
 
 typedef struct {
-    Shape shape; /* in its own space */
+    Shape shape; /* triangles in the object's own space */
     bool made;   /* made for this surface, which owns it; else the scene's */
     int first;   /* index of its first triangle among all */
     int object;  /* index among the objects that the surface was made of */
@@ -24,7 +24,7 @@ typedef struct {
     SceneSurfacePart *patches;
     int patch_count;
     double *sums; /* prefix sums of the triangles' areas, inclusive */
-    int count;    /* of triangles */
+    int count;    /* number of triangles */
 } SceneSurface;
 
 /* Makes the surface of `count` objects, in the space of their matrices; none may be a Plane.

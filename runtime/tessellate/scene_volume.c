@@ -239,7 +239,7 @@ static void put_wall_normal(const Making *m, const SceneNode *node, const SceneC
     put_unit(across, 1, normal);
 }
 
-/* The surroundings of two nodes are equal. */
+/* Returns whether two nodes have equal neighborhoods. */
 static bool same_around(const Making *m, const SceneSpot *spots, uint32_t a, uint32_t b)
 {
     return m->cells.nodes[a].triangle == m->cells.nodes[b].triangle &&

@@ -24,7 +24,7 @@ enum { CORNERS = 6, EDGES = 9, FACES = 5, SIDES = 3, MOST_CORNERS = 4 };
 /* Corners of faces as seen from outside, sides first; -1: a triangle has no fourth. */
 static const int faces[FACES][MOST_CORNERS] = {
     {0, 1, 4, 3}, {1, 2, 5, 4}, {2, 0, 3, 5}, {0, 2, 1, -1}, {3, 4, 5, -1}};
-/* Corners of the edges: around the bottom, around the top, up. */
+/* Corners of a cell's edges: around the bottom, around the top, vertical. */
 static const int edges[EDGES][2] = {{0, 1}, {1, 2}, {2, 0}, {3, 4}, {4, 5},
                                     {5, 3}, {0, 3}, {1, 4}, {2, 5}};
 

@@ -5,7 +5,7 @@
 #include "runtime/gl/shape.h"
 #include <stddef.h>
 
-/* The solid intervals over one place. */
+/* The solid intervals along the displacement over one place. */
 typedef struct {
     ShapeVertex at;
     /* solid from [0] to [1] and from [2] to [3]; empty if the second is not greater */
@@ -18,17 +18,17 @@ typedef struct {
     /* by vertex of the grid: the first vertex at its place, which has the column */
     const int *place;
     const SceneColumn *columns;
-    double low, step; /* level k is at low + k step */
+    double low, step; /* level k is at height low + k step */
     int levels;       /* number of the last level; the first and the last have no solid */
 } SceneLayers;
 
 typedef enum {
-    SCENE_NODE_up,    /* between levels `level` and the next, over vertex a */
+    SCENE_NODE_up,    /* over vertex a, between `level` and the next level */
     SCENE_NODE_along, /* between vertices a and b, at the level */
     SCENE_NODE_corner /* over vertex a, at the level: closes the volume at the shape's boundary */
 } SceneNodeKind;
 
-/* A vertex of the triangles. */
+/* A vertex of the triangles that bound the volume. */
 typedef struct {
     SceneNodeKind kind;
     uint32_t a, b;

@@ -7,7 +7,7 @@
  * that all nodes of one edge agree; and its height. */
 typedef struct {
     int from, to;
-    double t, height;  /* 0 to 1 from `from` to `to` */
+    double t, height;  /* t from 0 at `from` to 1 at `to` */
     SceneColumn there; /* the solid intervals at the nearest evaluated position */
     double field;      /* f there: 0 on a surface, other values at a cliff */
 } SceneSpot;

@@ -61,7 +61,8 @@ layout(std430, binding = 4) buffer BisectRows {
 uniform int bisect_room;        // slots for leaves
 uniform int bisect_baseBits;    // bits of a base's number
 uniform int bisect_tableBits;   // log2 of the table's size
-uniform int bisect_stamp;       // 1 to 255
+// number of the search, from 1 to 255: older table entries are empty
+uniform int bisect_stamp;
 uniform float bisect_worst;     // upper bound of any deviation
 uniform int bisect_coarse;      // triangles of less depth are always bisected
 

@@ -41,7 +41,7 @@ typedef struct {
     /* slots for leaves now, and their maximum; log2 of the table's size */
     int room, most, table_bits;
     int ranged; /* depth up to which ranges are stored */
-    int tile;   /* BISECTION_TILE_FEW or BISECTION_TILE_MANY */
+    int tile;   /* tile size: BISECTION_TILE_FEW or BISECTION_TILE_MANY */
     /* rounds of merging and of splitting in the last view */
     int rounds[2];
     int stamp;   /* generation of the table's entries; 0: the table must be cleared */

@@ -9,7 +9,7 @@ uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count);
 
 /* Memory of a mesh, and statistics of the last view. */
 typedef struct {
-    int leaves, splits, merges; /* of the last view */
+    int leaves, splits, merges; /* counts of the last view */
     size_t kept,
         /* Bytes kept from view to view, for used slots and ranges; and bytes of scratch data,
          * for all slots. */

@@ -14,9 +14,9 @@ uniform mat4 matc_worldFromLocal;
 uniform vec3 displace_eye; // in world space
 uniform float displace_near;
 uniform float displace_detail;
-uniform int displace_skirts; // SKIRTS_...
+uniform int displace_skirts; // one of SKIRTS_...
 uniform int displace_last;   // 1 in the last pass
-uniform int displace_uneven; // triangles of the mesh differ in area
+uniform int displace_uneven; // 1: triangles of the mesh differ in area
 const int SKIRTS_ALL = 1, SKIRTS_BORDERS = 2, SKIRTS_EARLY = 3;
 const uint FINAL = 1u, LOWER = 2u;
 
@@ -73,7 +73,7 @@ void main()
     }
     vec3 p = worldOf(a), q = worldOf(b), r = worldOf(c);
     float ab = distance(p, q), bc = distance(q, r), ca = distance(r, p), s = 0.5 * (ab + bc + ca);
-    float area = sqrt(max(s * (s - ab) * (s - bc) * (s - ca), 0.0)); // Heron
+    float area = sqrt(max(s * (s - ab) * (s - bc) * (s - ca), 0.0)); // Heron's formula
     float away = distance((p + q + r) / 3.0, displace_eye) - displace_near, longest = max(max(ab, bc), ca);
     bool divided = away < displace_detail * area, again = away < 0.25 * displace_detail * area;
     bool early = divided && !again && displace_skirts == SKIRTS_EARLY && displace_last == 0;

@@ -14,10 +14,10 @@ enum {
     /* limit per draw, each triangle becoming at most 16: displaced_tessellation.c */
     SOFTWARE_TRIANGLES = (1 << 15) / 48,
     FINAL = 1,
-    LOWER = 2 /* displace_divide.glsl */
+    LOWER = 2 /* flags of vertices, as in displace_divide.glsl */
 };
 
-/* A vertex in a buffer. */
+/* A vertex in a transform feedback buffer. */
 typedef struct {
     uint32_t patch, flags;
     float weights[2];
@@ -27,7 +27,7 @@ typedef struct {
     Material divide;
     GLuint buffers[2], arrays[2];
     size_t room[2]; /* capacity of the buffers in triangles */
-    int from;       /* the buffer that was written last */
+    int from;       /* index of the buffer that was written last */
     double eye[3];  /* eye for which triangles were divided */
 } Feedback;
 

@@ -6,10 +6,10 @@
 layout(points) in;
 layout(triangle_strip, max_vertices = DISPLACE_VERTICES) out;
 flat in int displace_item[];
-uniform int displace_first; // of displace_drawn
+uniform int displace_first; // index of the draw's first patch in displace_drawn
 uniform int displace_rowCount;
 uniform int displace_parts;
-uniform int displace_skirts; // SKIRTS_...
+uniform int displace_skirts; // one of SKIRTS_...
 const int SKIRTS_COPY = 1, SKIRTS_OUTLINE = 2, SKIRTS_ALL = 3;
 
 uvec2 displace_patch;
@@ -24,7 +24,7 @@ void put(ivec3 weights, bool lower)
     EmitVertex();
 }
 
-// Point `place` of row `row` of the part.
+// Returns the weights of point `place` in row `row` of the part.
 ivec3 inRows(int row, int place)
 {
     return displace_corners[0] * (displace_rowCount - row) + displace_corners[1] * place + displace_corners[2] * (row - place);

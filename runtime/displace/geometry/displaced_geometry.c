@@ -38,7 +38,7 @@ static int points_of(int rows, Word skirts)
                                          : strips;
 }
 
-/* Triangles of a patch whose edges have n parts. */
+/* Returns the number of triangles of a patch whose edges have n parts. */
 static size_t triangles_of(int n, Word skirts)
 {
     const size_t all = (size_t)n * (size_t)n;

@@ -1,7 +1,7 @@
 // Vertex program of a grid: vertices are the points of a patch in rows, ordered as in scene_divide;
 // instances are patches.
-uniform int displace_first; // of displace_drawn
-uniform int displace_parts; // of an edge of the grid
+uniform int displace_first; // index of the draw's first patch in displace_drawn
+uniform int displace_parts; // number of parts of an edge of the grid
 
 void main()
 {

@@ -1,7 +1,7 @@
 // Precedes the geometry program of points: the points of a patch in rows, row i having i + 1
 // points; or, with displace_spread, the three corners of each triangle moved toward its center, so
 // that points that would coincide spread out.
-uniform int displace_first; // of displace_drawn
+uniform int displace_first; // index of the draw's first point in displace_drawn
 uniform int displace_parts;
 uniform float displace_spread; // share of the way to the center; 0: each grid point once
 flat out uint displace_patchOf;

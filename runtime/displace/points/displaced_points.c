@@ -4,7 +4,7 @@
 #include "runtime/displace/displaced_method.h"
 #include "runtime/scene/scene_matrix.h"
 
-enum { SOFTWARE_POINTS = 1 << 15 /* displaced_tessellation.c */ };
+enum { SOFTWARE_POINTS = 1 << 15 /* limit per draw: see displaced_tessellation.c */ };
 
 /* Symbols, by their numbers in displace_symbol.glsl, with their numbers of triangles. */
 static const struct {
@@ -14,7 +14,11 @@ static const struct {
                {WORD_Symbol_billboard, 2},
                {WORD_Symbol_cylinder, 22},
                {WORD_Symbol_sphere, 36}};
-enum { BILLBOARD = 1, HEIGHTS = 4 /* of a volume */, SYMBOLS = sizeof symbols / sizeof *symbols };
+enum {
+    BILLBOARD = 1,
+    HEIGHTS = 4 /* max symbols over a point of a volume */,
+    SYMBOLS = sizeof symbols / sizeof *symbols
+};
 
 static int symbol_of(const Displaced *d)
 {

@@ -5,7 +5,7 @@
 #include "runtime/displace/displaced_method.h"
 #include <stdlib.h>
 
-/* Binding points of the GLSL. */
+/* Binding points of buffers, as in the GLSL. */
 enum {
     HULLS_BINDING = 3,
     GRID_BINDING = 4,

@@ -25,11 +25,11 @@ void main()
     int node = 2 * traceNode(number, TracePart(0, ivec2(0), false));
     vec3 leaves = traceLeaves(), way = traceWay(leaves);
     vec3 from = space.inner * (leaves - space.corner), along = space.inner * way;
-    float side = along.z < 0.0 ? 1.0 : -1.0; // from above, or from below
+    float side = along.z < 0.0 ? 1.0 : -1.0; // 1: the ray enters from above; -1: from below
     vec2 heights = vec2(trace_nodes[node].w, trace_nodes[node + 1].w) / max(abs(along.z), SLANTED * length(way));
     vec2 ends = side > 0.0 ? -heights.yx : heights; // begin and end of the march
     if (trace_eye.w > 0.0)
-        ends = max(ends, -0.99); // nothing is behind the eye
+        ends = max(ends, -0.99); // the march must not begin behind the eye
     int steps = int(clamp(ceil(length(along.xy) * (ends.y - ends.x) * float(trace_parts)), float(LEAST), float(MOST)));
     float enough = NEAR * (trace_nodes[node + 1].w - trace_nodes[node].w);
     // on both sides of the surface: heights, and parameters

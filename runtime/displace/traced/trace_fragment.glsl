@@ -5,7 +5,7 @@
 // polygon offset of depth: factor by the slope, and units of the least step
 uniform vec2 trace_offset;
 
-const int TRACE_STACK = 24; // three of each of at most six levels, and one
+const int TRACE_STACK = 24; // three entries for each of max six levels, and one more
 
 struct TraceRay {
     vec3 from, along; // t = 0 is the point where the ray leaves the hull
@@ -14,7 +14,7 @@ struct TraceRay {
 
 struct TraceHit {
     float t;
-    vec2 at; // a and b
+    vec2 at; // the coordinates a and b
     TracePart part;
 };
 
@@ -216,7 +216,7 @@ float traceOffset(int number, TracePart part, vec4 clip)
 
 void main()
 {
-    int number = gl_PrimitiveID / 8; // triangles of a hull
+    int number = gl_PrimitiveID / 8; // a hull has 8 triangles
     TraceRay ray = traceRay();
     TraceNear near;
     TraceHit hit = traceGrid(number, traceSpace(number), ray, near);

@@ -3,7 +3,7 @@
 layout(std430, binding = 5) readonly buffer TraceNodes {
     vec4 trace_nodes[];
 };
-uniform vec2 trace_pixel;           // of a picture, in clip space
+uniform vec2 trace_pixel;           // a pixel's size in clip space
 uniform vec2 trace_corner;          // clip-space position of gl_FragCoord 0
 // approximate point where the ray leaves the hull, in object space
 in vec3 trace_leaves;

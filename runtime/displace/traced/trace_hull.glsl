@@ -7,7 +7,7 @@ layout(std430, binding = 5) readonly buffer TraceNodes {
 layout(std430, binding = 3) writeonly buffer TraceHulls {
     float trace_hulls[];
 };
-uniform int trace_patches, trace_hull; // triangles of a hull
+uniform int trace_patches, trace_hull; // trace_hull: number of triangles of a hull
 
 void tracePut(int point, vec3 p)
 {

@@ -3,9 +3,9 @@
 // corner 1) + z n, with n the unit normal of the base triangle, and 0 <= b <= a <= 1 inside it.
 //  Row i of a grid of 4 parts, point j in it: the base is at a = i / 4, b = j / 4.
 layout(std430, binding = 4) readonly buffer TraceRows {
-    float trace_rows[]; // of MeshCaptured
+    float trace_rows[]; // vertices of the grid, as in MeshCaptured
 };
-uniform int trace_parts; // of an edge: a power of two
+uniform int trace_parts; // number of parts of an edge: a power of two
 
 const int TRACE_ROW = 17, TRACE_POSITION = 0, TRACE_NORMAL = 3, TRACE_TEXCOORD = 6, TRACE_TANGENT_U = 8, TRACE_TANGENT_V = 11, TRACE_BASE = 14;
 

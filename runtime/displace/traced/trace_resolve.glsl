@@ -3,8 +3,8 @@
 // pixels on the tangent plane, whose differences are the screen-space derivatives; then runs the
 // program's own main.
 uniform usampler2D trace_met;
-uniform vec2 trace_pixel; // of a picture, in clip space
-uniform int trace_hull;   // triangles of a hull
+uniform vec2 trace_pixel; // a pixel's size in clip space
+uniform int trace_hull;   // number of triangles of a hull
 uniform float trace_turn; // -1: negative determinant, the winding is flipped
 flat in uint trace_place;
 

@@ -58,7 +58,8 @@ static void transform(const double m[16], const double v[4], double out[4])
  * distances are therefore replaced by large ones. For light from a point always: 2^10 times the
  * camera's distance, where a millionth of the light arrives. For parallel light only where it
  * runs across the view: its sides then meet in one point, and are tilted by 2^-20. */
-static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024; /* cosine */
+/* across: a cosine */
+static const double far_parallel = 1 << 20, far_place = 1 << 10, across = 1.0 / 1024;
 
 static double distance_to(const Render *render, const double point[4])
 {
@@ -316,7 +317,7 @@ static bool pass_volume_changed(Render *render, unsigned what)
     return true;
 }
 
-/* Moved objects change the views to which maps are fitted. */
+/* Fits shadow maps again after objects have moved, since their views depend on objects. */
 static bool pass_volume_moved(Render *render, int first, int count)
 {
     (void)first, (void)count;

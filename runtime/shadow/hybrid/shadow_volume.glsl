@@ -12,7 +12,7 @@
 // a-c.
 bool volumeTurned(vec4 quad)
 {
-    vec4 steps = quad.xyxw - quad.wzyz; // left, right, lower, upper
+    vec4 steps = quad.xyxw - quad.wzyz; // depth steps along the left, right, lower, upper edge
     steps *= steps;
     return (steps.x < steps.y && steps.w < steps.z) || (steps.y < steps.x && steps.z < steps.w);
 }

@@ -11,7 +11,7 @@
 
 enum {
     LIST,
-    COMMANDS /* binding points */,
+    COMMANDS /* LIST, COMMANDS: binding points */,
     GROUP = 8,
     PARTS = 2 /* cells without and with crossings */,
     CROSSINGS_UNIT = 1
@@ -178,7 +178,7 @@ void volume_cells_draw(const Render *render, int view, int number)
 
 void volume_cells_draw_all(const Render *render, int view, int number)
 {
-    enum { VERTICES = 30 /* of a cell: VOLUME_MOST triangles */ };
+    enum { VERTICES = 30 /* VERTICES: vertices of a cell's VOLUME_MOST triangles */ };
     bind(render);
     render->gl->BindVertexArray(volume_state(render)->array);
     set_cells(render, view, &volume_state(render)->shown[view], (int[]){number, 0});

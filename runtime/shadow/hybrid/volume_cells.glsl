@@ -21,17 +21,17 @@
 //
 // VOLUME_DEPTHS and VOLUME_CROSSINGS are array textures: depths, and the bytes of
 // silhouette_pack.glsl; `layers` are a map's layers in both.
-const int VOLUME_MOST = 10; // triangles of a cell
+const int VOLUME_MOST = 10; // max triangles of a cell
 const int VOLUME_TRIANGLES[7] = int[7](2, 4, 4, 6, 6, 8, 10);
 const int VOLUME_CORNERS[210] = int[210](
-    // no crossing
+    // no crossing on any segment
     0, 3, 6, 0, 6, 9, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // one, on segment 0, with center 0 nearer; or center 1 nearer: the wall is on the deeper side
     0, 1, 9, 1, 2, 9, 2, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     0, 1, 9, 1, 2, 6, 1, 6, 9, 2, 3, 6, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // two, on the segments 3 and 0: center 0 is cut off
     0, 1, 11, 11, 1, 2, 11, 2, 10, 6, 9, 10, 6, 10, 2, 6, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-    // two, on the segments 0 and 2
+    // two, on opposite segments 0 and 2
     0, 1, 8, 0, 8, 9, 1, 2, 7, 1, 7, 8, 2, 3, 6, 2, 6, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
     // three, not on segment 2: the centers 0 and 1 are cut off
     0, 1, 11, 2, 3, 4, 6, 9, 10, 6, 10, 5, 10, 11, 1, 10, 1, 2, 10, 2, 4, 10, 4, 5, 0, 0, 0, 0, 0, 0,

@@ -16,7 +16,7 @@ enum {
     QUAD_INDICES = 6,
     GROUP = 8,
     DEPTHS = 0,
-    INDICES = 1 /* binding points */
+    INDICES = 1 /* DEPTHS, INDICES: binding points */
 };
 
 /* -- indices */

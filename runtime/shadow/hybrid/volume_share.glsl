@@ -17,7 +17,8 @@ float volumeHeight(vec3 abc, vec2 part, bool parallel)
 }
 
 #ifdef SHADOW_CUT
-bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel); // volume_cells.glsl
+// defined in volume_cells.glsl
+bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel);
 #endif
 
 // True if the volume of a view contains the point; uses the same triangles as the drawn volume.
@@ -40,7 +41,7 @@ bool volumeHas(int view, vec3 point)
                      texelFetch(shadow_maps, ivec3(texel + ivec2(1, 0), view), 0).x,
                      texelFetch(shadow_maps, ivec3(texel + ivec2(1, 1), view), 0).x,
                      texelFetch(shadow_maps, ivec3(texel + ivec2(0, 1), view), 0).x);
-    if (SHADOW_QUADS && !volumeTurned(quad)) // b-d: mirrored, it is a-c
+    if (SHADOW_QUADS && !volumeTurned(quad)) // diagonal b-d: mirroring turns the diagonal into a-c
         quad = quad.yxwz, part.x = 1.0 - part.x;
     return depth < (part.x >= part.y ? volumeHeight(quad.xyz, part, parallel) : volumeHeight(quad.xwz, part.yx, parallel));
 #endif

@@ -1,10 +1,10 @@
 // Debug view of a shadow volume: front faces orange, back faces blue, lighter the more they face
 // the eye; or lines. Infinitely distant parts are omitted.
 layout(std140) uniform Look {
-    vec4 look_ray; // view_space.h
+    vec4 look_ray; // set by view_space.h
     vec4 look_view;
 };
-in float volume_away; // 1 where no corner has a depth
+in float volume_away; // 1: no corner of the triangle has a depth in the map
 layout(location = 0) out vec4 look_light; // like tools_light: covered share of the light
 layout(location = 1) out vec4 look_shown;
 

@@ -8,6 +8,6 @@ void main()
     // before any discard
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / gl_FragCoord.z;
     surfaceMain();
-    // 0: nothing is drawn
+    // sets the lowest bit, since 0 marks pixels where nothing is drawn
     facet_slopes = packHalf2x16(clamp(slope * 4096.0, -65504.0, 65504.0)) | 1u;
 }

@@ -43,7 +43,7 @@ bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
     if (right) cut = vec4(1.0 - cut.xy, cut.wz);
     if (up) cut = vec4(cut.yx, 1.0 - cut.zw);
     if (count != 2) return silhouetteCuts(cut.xz, point) == alone;
-    if (cut.x + cut.z > cut.y + cut.w) // cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
+    if (cut.x + cut.z > cut.y + cut.w) // equals cut.x + cut.z + 1 - cut.y + 1 - cut.w > 2
         return !silhouetteCuts(vec2(1.0 - cut.x, cut.w), vec2(1.0 - point.x, point.y)) &&
                !silhouetteCuts(vec2(cut.y, 1.0 - cut.z), vec2(point.x, 1.0 - point.y));
     return silhouetteCuts(cut.xz, point) || silhouetteCuts(1.0 - cut.yw, 1.0 - point);
@@ -56,8 +56,8 @@ const float SILHOUETTE_TILT = 0.005, SILHOUETTE_STEEPEST = 4096.0;
 
 // A point in a view: its position there, and the change of depth per texel on its plane.
 struct SilhouettePlace {
-    vec2 at;     // in texels
-    float depth; // greater is nearer to the light
+    vec2 at;     // position in texels
+    float depth; // depth; a greater one is nearer to the light
     vec2 slope;
     float texel; // depth difference as long as a texel is wide
 };
@@ -117,7 +117,7 @@ bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
     return !silhouetteCovers(covered.wz, covered.xy, cut, part);
 }
 
-#ifdef FACETS // facet.glsl sets them for each light
+#ifdef FACETS // facet.glsl sets both variables for each light
 vec3 facet_side = vec3(0.0); // triangle normal of the pixel, towards the light; 0: unknown
 // the triangle faces away from the light, while the shading normal does not
 bool facet_away = false;
@@ -155,7 +155,7 @@ SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel
     int face = 0;
     if (how.x > 0.0 && count > 1)
         place = shadowOnFace(vec3(place.xy * (0.5 * how.y * float(SHADOW_SIZE)), place.z), face);
-    if (how.x > 0.0 && place.z <= 0.0) return shadowNone(); // behind a spot
+    if (how.x > 0.0 && place.z <= 0.0) return shadowNone(); // the point is behind a spot light
     float texel = how.y * (how.x > 0.0 ? place.z : 1.0);
 #ifdef FACETS
     if (facet_away) return SHARE(0.0);

@@ -16,9 +16,9 @@ typedef struct {
 
 typedef struct {
     GLuint crossings;       /* array of two bytes per texel, a layer for each view with crossings */
-    GLuint extents;         /* buffer: crossings of a view while they are found */
+    GLuint extents;         /* buffer: extents of a view's crossings while they are found */
     GLuint edges, places;   /* buffers: edges of all meshes; numbers of the objects in a view */
-    SilhouetteMesh *meshes; /* by the cache's meshes */
+    SilhouetteMesh *meshes; /* by mesh of the cache */
     int edge_count;
     Material find, pack;
 } Silhouettes;

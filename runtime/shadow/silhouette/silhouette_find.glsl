@@ -39,7 +39,7 @@ uniform mat4 silhouette_view;
 // of a mesh: its first edge, their number; offset of its objects' numbers
 uniform vec3 silhouette_run;
 
-const float NEAR_CENTRE = 1.0 / 128.0; // texels
+const float NEAR_CENTRE = 1.0 / 128.0; // distance to a texel's center in texels
 const float FLAT = 2e-6; // tolerance for faces seen edge-on
 
 float near, size;

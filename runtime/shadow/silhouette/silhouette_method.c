@@ -37,7 +37,7 @@ static bool has_views(const Render *render)
     return has;
 }
 
-/* Other techniques may read crossings, too. */
+/* Writes the GLSL text; other techniques may read crossings, too. */
 static void write_text(const Render *render, bool nearest, ShadowMethodText *made)
 {
     const char **next = made->texts;
