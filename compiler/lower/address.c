@@ -15,13 +15,13 @@
 #include "compiler/lower/address.h"
 #include "compiler/ir/build_words.h"
 
-/* `count` texels as a coordinate, in u and v. */
+/* Converts `count` texels to a distance in texture coordinates, in u and v. */
 static Ref texels(Ir *ir, const Addressed *picture, double count)
 {
     return build_div(ir, build_all(ir, TYPE_vec2, count), picture->size);
 }
 
-/* The center of the texel at uv. */
+/* Returns the center of the texel at uv. */
 static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
 {
     Ref texel = build_floor(ir, build_mul(ir, uv, picture->size));
@@ -59,8 +59,8 @@ Ref address_place(Ir *ir, const Addressed *picture, Ref uv)
     return build_clamp(ir, place, least, most);
 }
 
-/* Share of a box that lies in the picture, per component. A box of one texel begins at u, in
- * texels; a wider one has the same center. */
+/* Returns the share of a box that lies in the picture, per component. A box of one texel begins
+ * at u, in texels; a wider one has the same center. */
 static Ref overlap(Ir *ir, const Addressed *picture, Ref uv, Ref wide)
 {
     Ref zero = build_all(ir, TYPE_vec2, 0), one = build_all(ir, TYPE_vec2, 1);

@@ -11,15 +11,15 @@ typedef struct {
     Ref size;
 } Addressed;
 
-/* Coordinate in the repeated picture of what the addressed picture has at uv. For `border` it is
- * the nearest edge; address_share() gives the weight. */
+/* Returns the coordinate in the repeated image whose value the addressed image has at uv. For
+ * `border` it is the nearest edge; address_share() gives the weight. */
 Ref address_place(Ir *ir, const Addressed *picture, Ref uv);
-/* The coordinate before it is wrapped: it changes as uv does, reversed where the picture is
+/* Returns the coordinate before wrapping: it changes as uv does, reversed where the image is
  * mirrored. */
 Ref address_unfolded(Ir *ir, const Addressed *picture, Ref uv);
-/* Share in [0, 1] of the picture in the value read at uv; the rest is transparent black. `wide`:
- * edges, in texels per component, of a box that replaces the four mixed texels; 0: none. Returns
- * 0 unless the address is `border`. */
+/* Returns the share in [0, 1] of the picture in the value read at uv; the rest is transparent
+ * black. `wide`: edges, in texels per component, of a box that replaces the four mixed texels;
+ * 0: none. Returns 0 unless the address is `border`. */
 Ref address_share(Ir *ir, const Addressed *picture, Ref uv, Ref wide);
 /* Replaces a sampler call at less than one texel per pixel by texel fetches; 0: not a sampler
  * call, or plain repeat. */

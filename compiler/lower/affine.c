@@ -17,8 +17,8 @@ static const double GREATEST = FLT_MAX / 4;
 
 static Line constant(double value) { return (Line){.offset = value}; }
 
-/* The identity: a node that is not affine is a root. Only the first three components of a vec4
- * can be roots. */
+/* Returns the identity form: a node that is not affine is a root. Only the first three
+ * components of a vec4 can be roots. */
 static Line start(Ref ref, int lane)
 {
     Line line = {.root = ref, .closed = lane >= LANES};
@@ -46,7 +46,8 @@ static Line scaled(Line line, double factor)
     return line;
 }
 
-/* The affine form of one component; a scalar is repeated over the components of a vector. */
+/* Returns the affine form of one component; a scalar is repeated over the components of a
+ * vector. */
 static Line line_of(const Lower *l, Ref ref, int lane)
 {
     if (ir_lanes(l->ir, ref) == 1)
@@ -72,7 +73,7 @@ static Line product_line(const Lower *l, Ref ref, int lane)
     return b.root ? start(ref, lane) : scaled(a, b.offset);
 }
 
-/* Product of a matrix, given by constant columns, and a vector. */
+/* Returns the product of a matrix, given by constant columns, and a vector. */
 static Line linear_line(const Lower *l, Ref ref, int lane)
 {
     Line total = constant(0);
@@ -111,7 +112,7 @@ static Line swizzle_line(const Lower *l, Ref ref, int lane)
     return line_of(l, ir_arg(l->ir, ref, 0), (int)(ir_at(l->ir, ref)->payload >> 2 * lane & 3));
 }
 
-/* Affine form of a new node from those of its operands: the AFFINE lines of ops.def. */
+/* Returns the affine form of a new node from those of its operands: the AFFINE lines of ops.def. */
 static Line new_line(const Lower *l, Ref ref, int lane)
 {
     switch (ir_at(l->ir, ref)->op) {
@@ -166,7 +167,8 @@ static void follow(Lower *l, Ref last)
     }
 }
 
-/* True if nothing rounds: one component times a power of two, without an offset. */
+/* Returns true if evaluating the form rounds nothing: one component times a power of two,
+ * without an offset. */
 static bool is_exact(const Line *line)
 {
     int terms = 0, exponent;
@@ -223,7 +225,7 @@ static Ref as_vec3(Lower *l, Ref value)
     return build_vec(ir, TYPE_vec3, value, rest);
 }
 
-/* Affine forms of the components with one common root; false if nothing is gained. */
+/* Finds affine forms of the components with one common root. Returns false if nothing is gained. */
 static bool lines_of(Lower *l, Ref coordinate, Line lines[LANES], Ref *root)
 {
     int lanes = ir_lanes(l->ir, coordinate);

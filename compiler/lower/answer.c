@@ -19,7 +19,8 @@ Answer answer_swizzle(Lower *l, Answer a, const char *lanes)
     return part;
 }
 
-/* An alpha that the conversion adds is constant. */
+/* Converts a value to a type with more components. An alpha that the conversion adds is
+ * constant. */
 Answer answer_widened(Lower *l, Answer a, Type type)
 {
     Ir *ir = l->ir;
@@ -79,8 +80,9 @@ Ref answer_mean(Lower *l, Ref by, Ref a, Ref b)
     return ir_type(ir, by) == TYPE_bool ? build_select(ir, by, a, b) : build_mix(ir, b, a, by);
 }
 
-/* Variance of both sides, each by its share; the distance between their means is left to the
- * split. A share may exceed [0, 1] by rounding, but a variance is never negative. */
+/* Returns the variance of both sides, each weighted by its share; the split accounts for the
+ * distance between their means. A share may exceed [0, 1] by rounding, but a variance is never
+ * negative. */
 static Ref either_variance(Lower *l, Ref by, const Answer *a, const Answer *b)
 {
     Ir *ir = l->ir;
@@ -100,8 +102,8 @@ Ref answer_alpha(Lower *l, Ref color)
     return ir_is(l->ir, alpha, OP_const) ? alpha : 0;
 }
 
-/* A constant alpha that both colors have is kept as it is, and only three components are mixed:
- * an opaque picture and a color stay opaque. */
+/* Mixes two colors. A constant alpha that both colors have is kept, and only three components
+ * are mixed, so that an opaque result stays opaque. */
 static Ref mean_of_colors(Lower *l, Ref by, Ref a, Ref b)
 {
     Ir *ir = l->ir;

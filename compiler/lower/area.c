@@ -7,7 +7,7 @@
 
 enum { MOST_ARGUMENTS = 8 }; /* of a library function */
 
-/* The mean of the values at all taps. */
+/* Returns the mean of the values at all taps. */
 static Ref mean_of(Lower *l, const Ref *values, int count)
 {
     Ir *ir = l->ir;
@@ -79,7 +79,7 @@ static bool is_plain(Lower *l, Answer p)
     return !footprint_edges(l, p) && !affine_coordinate(l, p.value, 1, &parts);
 }
 
-/* Noise; its plain function where nothing is filtered. */
+/* Lowers noise; calls the plain function where nothing is filtered. */
 static Answer noise(Lower *l, int plain, const Octaves *o, Answer p, const Ref args[3])
 {
     return is_plain(l, p) ? answer_of(call_at(l, plain, p.value, args, 3))
@@ -104,14 +104,14 @@ Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3])
     return noise(l, FN_vectorTurbulence, is_simplex ? &simplex : &lattice, p, args);
 }
 
-/* The map's own function at a point. */
+/* Calls the map's own function at a point. */
 static Answer point(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     return answer_of(call_at(l, FN_FIRST_MAP + (int)kind, p.value, args, count));
 }
 
-/* Four samples of cells finer than a pixel are noisier than the mean of all cells: they fade to
- * it from 1.5 cells per pixel on, completely at 3.5. */
+/* Fades four samples to the mean of all cells where cells are small: from 1.5 cells per pixel
+ * on, completely at 3.5. There the samples are noisier than the mean. */
 static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer near)
 {
     Ir *ir = l->ir;
@@ -127,8 +127,8 @@ static Answer far_away(Lower *l, Kind kind, Answer p, const Ref *args, Answer ne
     return (Answer){value, build_mix(ir, near.variance, far.variance, share), NULL};
 }
 
-/* Samples over the footprint: their mean, and their variance, which is exactly 0 where all are
- * equal. */
+/* Samples the map over the footprint. Returns the mean, and the variance, which is exactly 0
+ * where all samples are equal. */
 static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Ir *ir = l->ir;
@@ -146,7 +146,7 @@ static Answer sampled(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return far_away(l, kind, p, args, (Answer){mean, mean_of(l, squares, point_count), NULL});
 }
 
-/* Closed-form means over boxes, by functions (middle, edges, args). */
+/* Returns closed-form means over boxes, by functions (middle, edges, args). */
 static Answer boxes(Lower *l, Kind kind, Answer p, const Ref *args, int count)
 {
     Tap taps[MOST_TAPS];
@@ -178,8 +178,8 @@ Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count)
     return filters[kind_table[kind].filter](l, kind, p, args, count);
 }
 
-/* q without its integer part. Its derivative is q's, also if the parts of a long coordinate
- * assign the derivative to the integer part. */
+/* Returns q without its integer part. The derivative is q's, even if the parts of a long
+ * coordinate assign it to the integer part. */
 static Ref within_period(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -213,8 +213,8 @@ Ref area_odd_share(Lower *l, Answer q)
     return build_sub(ir, build_float(ir, 0.5), build_scale(ir, product, 0.5));
 }
 
-/* True for a varying, or components of one: every pixel of a quad has the same value, helper
- * invocations too. */
+/* Returns true for a varying, or components of one: all pixels of a quad have the value, helper
+ * invocations included. */
 static bool is_varying(const Ir *ir, Ref uv)
 {
     while (ir_is(ir, uv, OP_swizzle))
@@ -222,9 +222,9 @@ static bool is_varying(const Ir *ir, Ref uv)
     return ir_is(ir, uv, OP_input) || ir_is(ir, uv, OP_attribute);
 }
 
-/* The coordinate may depend on a number in a storage buffer that materials share. Mesa's
- * llvmpipe reads 0 from the buffer in helper invocations, so a quad at a triangle's edge would
- * span the whole picture, and its coarsest mipmap would be drawn. */
+/* Returns true if the coordinate may depend on a number in a storage buffer that materials
+ * share. Mesa's llvmpipe reads 0 from the buffer in helper invocations, so a quad at a
+ * triangle's edge would span the whole picture, and its coarsest mipmap would be drawn. */
 static bool may_read_buffer(const Lower *l, Ref uv)
 {
     return l->job->instances && !is_varying(l->ir, uv);
@@ -258,7 +258,7 @@ static Addressed addressed(const Picture *p)
     return (Addressed){p->address, p->function != FN_imageNearest, p->size};
 }
 
-/* The coordinate that the function reads for uv; a sampler gets uv itself. */
+/* Returns the coordinate that the function reads for uv; a sampler gets uv itself. */
 static Ref place_of(Lower *l, const Picture *p, Ref uv)
 {
     const Addressed a = addressed(p);
@@ -291,7 +291,7 @@ static Ref picture_over(Lower *l, Function function, const Picture *p, Ref point
     return build_call(ir, function, p->sampler, point, p->size, right, up);
 }
 
-/* Texels that a pixel covers, per component; 0: none, or the address is no border. */
+/* Returns the texels that a pixel covers, per component; 0: none, or the address is no border. */
 static Ref texels_across(Lower *l, const Picture *p, Spread spread)
 {
     Ir *ir = l->ir;
@@ -390,7 +390,7 @@ Ref area_known_inverse(Lower *l, Ref low, Ref high)
     return build_div(ir, build_float(ir, 1), build_sub(ir, high, low));
 }
 
-/* A step: the share of the box that is not below it; without a box, 1 or 0 by the point t. */
+/* Returns the share of the box that a step has passed; without a box, 1 or 0 by the point t. */
 static Ref step_share(Lower *l, Ref from, Ref edge)
 {
     Ir *ir = l->ir;

@@ -4,13 +4,14 @@
 #define MATC_AREA_H
 #include "compiler/lower/footprint.h"
 
-/* A volume map as a function of a position and its parameters. */
+/* Lowers a volume map as a function of a position and its parameters. */
 Answer area_volume(Lower *l, Kind kind, Answer p, const Ref *args, int count);
-/* turbulence and vectorTurbulence of a position and (octaves, frequencyRatio, noiseRatio). */
+/* Lowers turbulence and vectorTurbulence: functions of a position and (octaves, frequencyRatio,
+ * noiseRatio). */
 Answer area_turbulence(Lower *l, Answer p, const Ref args[3]);
 Answer area_vector_turbulence(Lower *l, Answer p, const Ref args[3]);
-/* Share of the footprint where an odd number of components of q is in the upper half of its
- * period 1; q has two or three components. 0: no footprint, and the point alone decides. */
+/* Returns the share of the footprint where an odd number of components of q is in the upper half
+ * of its period 1; q has two or three components. 0: no footprint, and the point alone decides. */
 Ref area_odd_share(Lower *l, Answer q);
 /* A picture and the function that reads it (sampler, uv, size). */
 typedef struct {
@@ -21,16 +22,16 @@ typedef struct {
 } Picture;
 /* Selects the library function that reads an ImageMap at uv; `smooth`: texels are mixed. */
 Function area_picture_function(const Lower *l, Ref uv, bool smooth);
-/* The picture's value at uv. */
+/* Returns the image's filtered value at uv. */
 Ref area_picture(Lower *l, const Picture *picture, Ref uv);
-/* The value at a point near uv, filtered with uv's footprint: for differences. */
+/* Returns the value at a point near uv, filtered with uv's footprint: for finite differences. */
 Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
 /* Change of one component over one texel along u and v, a vec2. Magnified pictures use the
  * texels themselves; otherwise `shown`, the differences of area_picture_near(), is returned. 0:
  * use `shown` in any case. */
 Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int lane, Ref shown);
-/* 1 / (high - low) of known numbers, computed in double here or when the buffer is filled; 0 if
- * they are equal. */
+/* Returns 1 / (high - low) of known numbers, computed in double here or when the buffer is
+ * filled; 0 if they are equal. */
 Ref area_known_inverse(Lower *l, Ref low, Ref high);
 /* Linear ramp from 0 at `low` to 1 at `high`, as a mean over a box of t; equal bounds make a
  * step. */

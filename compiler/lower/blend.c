@@ -29,7 +29,7 @@ Ref blend_position(Lower *l, Ref t, Ref low, Ref high)
     return build_div(ir, along, build_select(ir, flat, build_float(ir, 1), width));
 }
 
-/* The guard gets the name of the guarded value. */
+/* Makes the guard, which gets the name of the guarded value. */
 Ref blend_guarded(Lower *l, Ref shown, Ref value)
 {
     Ir *ir = l->ir;
@@ -44,8 +44,8 @@ bool blend_is_costly(const Ir *ir, Ref result)
     return lower_cost_below(ir, result, BLEND_CHEAP) >= BLEND_CHEAP;
 }
 
-/* First operand that has to be in [0, 1], with all that follow, for the value to be in [0, 1]
- * too, by the UNIT lines of ops.def; -1: the value may be anything. */
+/* Returns the index of the first operand that, with all that follow, must be in [0, 1] for the
+ * result to be in [0, 1] (UNIT lines of ops.def). -1: the result may be anything. */
 static int first_in_unit(Op op)
 {
     switch (op) {
@@ -58,7 +58,7 @@ static int first_in_unit(Op op)
     }
 }
 
-/* True if every component of a value is surely in [0, 1]. */
+/* Returns true if every component of a value is surely in [0, 1]. */
 static bool within_unit(const Ir *ir, Ref ref, int depth)
 {
     const IrNode *node = ir_at(ir, ref);
@@ -75,7 +75,7 @@ static bool within_unit(const Ir *ir, Ref ref, int depth)
     return true;
 }
 
-/* True for constants whose magnitudes differ by a factor of at most ALIKE. */
+/* Returns true for constants whose magnitudes differ by a factor of at most ALIKE. */
 static bool alike_constants(const Ir *ir, const Stop *stops, int count)
 {
     double least = INFINITY, greatest = 0;
@@ -107,8 +107,8 @@ typedef struct {
     int count, first, last;
 } Run;
 
-/* Condition under which the items first..last show: above the value before them and below the
- * one after; `closed`: also exactly there. 0: everywhere. */
+/* Returns the condition under which the items first..last show: above the value before them and
+ * below the one after; `closed`: also exactly there. 0: everywhere. */
 static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
 {
     Ir *ir = l->ir;
@@ -121,8 +121,8 @@ static Ref where_shown(Lower *l, Ref t, Run s, bool closed)
     return above && below ? build_and(ir, above, below) : above ? above : below;
 }
 
-/* Condition under which any item with the value of item s.first shows; s.first is the first such
- * item. 0: everywhere. */
+/* Returns the condition under which any item with the value of item s.first shows; s.first is
+ * the first such item. 0: everywhere. */
 static Ref where_result(Lower *l, Ref t, Run s, bool closed)
 {
     const Ref result = s.stops[s.first].result;
@@ -168,14 +168,15 @@ Ref blend_share(Lower *l, Ref t, const Stop *stop)
     return build_clamp(l->ir, at, build_float(l->ir, 0), build_float(l->ir, 1));
 }
 
-/* Share of the step from a stop to the next that a box of t has passed; edge 0: a point. */
+/* Returns the share of the step from a stop to the next that a box of t has passed; edge 0: a
+ * point. */
 static Ref step_share(Lower *l, Ref t, Ref edge, const Stop *stop)
 {
     return edge ? area_ramp(l, t, edge, stop[0].value, stop[1].value) : blend_share(l, t, stop);
 }
 
-/* The mean over a box of t: every step from one item to the next counts by the share of it that
- * the box has passed. */
+/* Returns the mean over a box of t: every step from one item to the next counts by the share of
+ * it that the box has passed. */
 static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -188,8 +189,8 @@ static Ref blend_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return result;
 }
 
-/* The share of the box, or of the point, that has reached each item: all for the first, 0 after
- * the last. */
+/* Returns the share of the box, or of the point, that has reached each item: all for the first,
+ * 0 after the last. */
 static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *share = ARENA_ARRAY(l->session->arena, Ref, count + 1);
@@ -200,7 +201,7 @@ static Ref *shares(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
     return share;
 }
 
-/* The weight of each item in the box: exactly 0 where the box does not reach the item. */
+/* Returns the weight of each item in the box: exactly 0 where the box does not reach the item. */
 static Ref *weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ref *weight = shares(l, t, edge, stops, count);
@@ -217,8 +218,9 @@ static bool has_costly(const Ir *ir, const Stop *stops, int count)
     return false;
 }
 
-/* Total weight of all items that have the value of item i, if i is the first of them; otherwise
- * 0. Adjacent items form one run, so that items that cover everything weigh exactly 1. */
+/* Returns the total weight of all items that have the value of item i, if i is the first of
+ * them; otherwise 0. Adjacent items form one run, so that items that cover everything weigh
+ * exactly 1. */
 static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int count, int i)
 {
     const Ref result = stops[i].result;
@@ -235,8 +237,8 @@ static Ref weight_of_result(Lower *l, const Ref *share, const Stop *stops, int c
     return sum;
 }
 
-/* The mean over a box of t, with costly items behind guards: where an item's weight is 0 it is
- * not computed. The condition is the weight itself, after rounding. */
+/* Returns the mean over a box of t, with costly items behind guards: where an item's weight is 0
+ * it is not computed. The condition is the weight itself, after rounding. */
 static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -253,7 +255,7 @@ static Ref blend_guarded_area(Lower *l, Ref t, Ref edge, const Stop *stops, int 
     return result;
 }
 
-/* Weighted sum, for items that are not alike. */
+/* Returns the weighted sum, for items that are not alike. */
 Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count)
 {
     Ir *ir = l->ir;

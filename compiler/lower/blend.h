@@ -19,28 +19,30 @@ typedef struct {
     Ref value, result, variance;
 } Stop;
 
-/* Position of t between two stops, 0 at `low` and 1 at `high`. The divisor is guarded: equal
- * values make a segment that is never taken. */
+/* Returns the position of t between two stops, 0 at `low` and 1 at `high`. The divisor is
+ * guarded: equal values make a segment that is never taken. */
 Ref blend_position(Lower *l, Ref t, Ref low, Ref high);
-/* Share of the step from a stop to the next that t has passed: 0 before both stops, 1 after
- * them. */
+/* Returns the share of the step from a stop to the next that t has passed: 0 before both stops,
+ * 1 after them. */
 Ref blend_share(Lower *l, Ref t, const Stop *stop);
 bool blend_is_costly(const Ir *ir, Ref result);
-/* shown ? value : 0, with the value's name: a branch where that pays (opt_guard.c). */
+/* Returns shown ? value : 0, with the value's name. opt_guard.c makes a branch of the guard
+ * where that pays. */
 Ref blend_guarded(Lower *l, Ref shown, Ref value);
-/* The items, each costly item behind a guard, so that it is computed only where it shows:
- * between its neighbors' values; `closed`: also exactly at them. Returns `stops` itself if no
- * item is costly. */
+/* Puts each costly item behind a guard, so that it is computed only where it shows: between its
+ * neighbors' values; `closed`: also exactly at them. Returns `stops` itself if no item is
+ * costly. */
 const Stop *blend_guarded_items(Lower *l, Ref t, const Stop *stops, int count, bool closed);
-/* True if mixing as a + t (b - a) loses no item to rounding against a greater one: all items are
- * in [0, 1], or are constants of similar size. */
+/* Returns true if mixing as a + t (b - a) loses no item to rounding against a greater one: all
+ * items are in [0, 1], or are constants of similar size. */
 bool blend_alike(const Ir *ir, const Stop *stops, int count);
-/* Sum of items times their weights, at a point of t (edge 0) or over a box. */
+/* Returns the sum of items times their weights, at a point of t (edge 0) or over a box. */
 Ref blend_weights(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
-/* Mean over a box of t with that edge. A costly item is computed only where its weight is not 0. */
+/* Returns the mean over a box of t with that edge. A costly item is computed only where its
+ * weight is not 0. */
 Ref blend_over(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
-/* Variance of a weighted sum of items, in any of its forms; `edge` 0: at a point. Returns 0 if
- * no item has a variance. */
+/* Returns the variance of a weighted sum of items, in any of its forms; `edge` 0: at a point.
+ * Returns 0 if no item has a variance. */
 Ref blend_variance(Lower *l, Ref t, Ref edge, const Stop *stops, int count);
 
 /* A sum of ascending items, weighted by their shares at a point of t. */

@@ -16,7 +16,7 @@ static bool is_same(const Blended *a, const Blended *b)
            !memcmp(a->stops, b->stops, sizeof *a->stops * (size_t)a->count);
 }
 
-/* True if `value` was made from the items and t, and is not one of them. */
+/* Returns true if `value` was made from the items and t, and is not one of them. */
 static bool is_new(Ref value, const Blended *blend)
 {
     for (int i = 0; i < blend->count; i++)
@@ -25,8 +25,8 @@ static bool is_new(Ref value, const Blended *blend)
     return value > blend->t;
 }
 
-/* 1 where t is in the segment that ends at item i. The last segment includes its end
- * (lower_blend.c, is_below). */
+/* Returns 1 where t is in the segment that ends at item i, else 0. The last segment includes its
+ * end (lower_blend.c, is_below). */
 static Ref is_along(Lower *l, const Blended *blend, int i)
 {
     Ir *ir = l->ir;
@@ -36,8 +36,8 @@ static Ref is_along(Lower *l, const Blended *blend, int i)
                                  : build_sub(ir, begun, build_step(ir, stops[i].value, blend->t));
 }
 
-/* The Blend's derivative by t. Exactly at an item the neighbor counts, although it does not show
- * there. */
+/* Returns the Blend's derivative by t. Exactly at an item, the slope of the adjacent segment
+ * counts. */
 static Ref rate(Lower *l, const Blended *blend)
 {
     Ir *ir = l->ir;

@@ -142,8 +142,8 @@ static int guess(const Bracket *b, double most, bool halve)
     return b->fit + step;
 }
 
-/* The trial with the most means that fit, within the bracket; trials[1] has b.fit means. The
- * other trials are dropped. */
+/* Returns the trial with the most means that fit, within the bracket; trials[1] has b.fit means.
+ * The other trials are dropped. */
 static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double most, Bracket b,
                             const int *ends)
 {
@@ -167,7 +167,7 @@ static Trial *most_that_fit(const LowerRequest *what, Trial trials[2], double mo
     return best;
 }
 
-/* Maximum cost of a program with means if it costs `plain` without them. */
+/* Returns the maximum cost of a program with means if it costs `plain` without them. */
 static double most_beside(const LowerRequest *what, int plain)
 {
     const double growth = what->job->pass == PASS_plane ? most_growth_of_plane : most_growth;
@@ -188,7 +188,8 @@ static Guess guess_by_tables(const Node *material)
     return whole && costs.averageable * MEAN_COST <= left ? GUESS_fit : GUESS_many;
 }
 
-/* The program with all means is within the budget. False: the program without means decides. */
+/* Returns true if the program with all means is within the budget. False: the program without
+ * means decides. */
 static bool surely_fits(const LowerRequest *what, const Trial *all, Guess guess)
 {
     if (!all->ir || !all->seen.count || fits(all, most_beside(what, 0)))

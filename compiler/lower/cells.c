@@ -61,7 +61,7 @@ Ref cells_at(Lower *l, const Cells *cells, Ref q, Ref beside)
     return call(l, cells, parts.whole, build_or_zero(ir, rest, ir_type(ir, q)));
 }
 
-/* Value at the center of one box of the footprint. */
+/* Returns the value at the center of one box of the footprint. */
 static Ref at_tap(Lower *l, const Cells *cells, Ref q, Ref middle)
 {
     LongCoordinate parts;

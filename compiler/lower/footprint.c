@@ -27,9 +27,9 @@ bool footprint_is_filtered(const Lower *l)
     return aa != CHOICE_aa_none && !l->filters;
 }
 
-/* Edge of one box that replaces the convolution of two. For a scalar, whose box is all that is
- * known, the variances add. For a vector the greater edge is taken per component, which is as
- * good for checkers and noise, and cheaper. */
+/* Returns the edge of one box that replaces the convolution of two. For a scalar, whose box is
+ * all that is known, the variances add. For a vector the greater edge is taken per component,
+ * which is as good for checkers and noise, and cheaper. */
 static Ref together(Lower *l, Ref a, Ref b)
 {
     Ir *ir = l->ir;
@@ -42,8 +42,8 @@ static Ref together(Lower *l, Ref a, Ref b)
     return build_sqrt(ir, build_add(ir, build_square(ir, a), build_square(ir, b)));
 }
 
-/* Edge of a box from the slopes, combined with the variance that the slopes do not account for:
- * variances add. */
+/* Returns the edge of a box from the slopes, combined with the variance that the slopes do not
+ * account for: variances add. */
 static Ref with_variance(Lower *l, Ref edges, Ref variance)
 {
     Ir *ir = l->ir;
@@ -85,7 +85,8 @@ int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS])
     return MOST_TAPS;
 }
 
-/* A rotated grid, so that every row and column of the pixel's 4 x 4 subpixels has one point. */
+/* Places the points on a rotated grid, so that every row and column of the pixel's 4 x 4
+ * subpixels has one point. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS])
 {
     Ir *ir = l->ir;
@@ -124,7 +125,7 @@ Ref footprint_greatest_lane(Lower *l, Ref value)
     return greatest;
 }
 
-/* max(b / 2 - |x|, 0): the length by which a box of edge b around x reaches over 0. */
+/* Returns max(b / 2 - |x|, 0): the length by which a box of edge b around x reaches over 0. */
 static Ref footprint_over(Lower *l, Ref x, Ref edge)
 {
     Ir *ir = l->ir;
@@ -138,7 +139,7 @@ Ref footprint_over_edge(Lower *l, Ref part, Ref edge)
     return build_div(ir, part, build_max(ir, edge, build_float(ir, LEAST_DIVISOR)));
 }
 
-/* The quotient, at most 1/2, is computed before the product, so that neither overflows or
+/* Computes the quotient, at most 1/2, before the product, so that neither overflows or
  * underflows a float. */
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge)
 {

@@ -15,26 +15,27 @@ typedef struct {
     Ref middle, edges;
 } Tap;
 
-/* True for a kind whose mean over the pixel has a closed form, which --aa=auto may use. */
+/* Returns true for a kind whose mean over the pixel has a closed form, which --aa=auto may use. */
 bool footprint_may_average(Kind kind);
-/* True if the current map is averaged over the pixel. Maps below Smooth3D and Laplace3D are not:
- * the filters sample them many times themselves. */
+/* Returns true if the current map is averaged over the pixel. Maps below Smooth3D and Laplace3D
+ * are not: the filters sample them many times themselves. */
 bool footprint_is_filtered(const Lower *l);
 /* Boxes of equal weight that cover the pixel's footprint on a coordinate: one, or with
  * --aa=aniso MOST_TAPS along the longer side. Returns their number; 0: the coordinate is
  * constant over the pixel. */
 int footprint_taps(Lower *l, Answer coordinate, Tap taps[MOST_TAPS]);
-/* The longer side of the footprint, and the edges of the boxes along it; 0 unless --aa=aniso. */
+/* Returns the longer side of the footprint, and the edges of the boxes along it; 0 unless
+ * --aa=aniso. */
 Ref footprint_longer(Lower *l, Answer coordinate, Ref *edges);
-/* MOST_TAPS points distributed over the footprint, for functions without a closed mean; 0 as
- * above. */
+/* Returns MOST_TAPS points distributed over the footprint, for functions without a closed mean;
+ * 0 as above. */
 int footprint_points(Lower *l, Ref coordinate, Ref points[MOST_TAPS]);
-/* Edges per component of a box with the same variance as the value within the pixel, from its
- * slope and the variance it has left out. 0: the value is constant. Otherwise the edges are
- * shader values that may be 0; a box without edges is its center, so divisions by an edge need a
- * guard. */
+/* Returns the edges per component of a box with the same variance as the value within the pixel,
+ * from its slope and the variance it has left out. 0: the value is constant. Otherwise the edges
+ * are shader values that may be 0; a box without edges is its center, so divisions by an edge
+ * need a guard. */
 Ref footprint_edges(Lower *l, Answer a);
-/* The maximum over the components. */
+/* Returns the maximum over the components. */
 Ref footprint_greatest_lane(Lower *l, Ref value);
 /* Splits `scale` times a coordinate into an integer and a fraction in [-1/2, 1/2], for
  * --coordinates=long. The coordinate must be an affine function with constant factors. Returns
@@ -43,9 +44,9 @@ typedef struct {
     Ref whole, fraction;
 } LongCoordinate;
 bool affine_coordinate(Lower *l, Ref coordinate, double scale, LongCoordinate *parts);
-/* part / edge, for a part that is 0 where the edge is 0; the result is 0 there. */
+/* Returns part / edge, for a part that is 0 where the edge is 0; the result is 0 there. */
 Ref footprint_over_edge(Lower *l, Ref part, Ref edge);
-/* max(b / 2 - |x|, 0)^2 / (2 b): the excess of the mean of max(x, 0) over a box of edge b over
- * max(x, 0); 0 without a box. */
+/* Returns max(b / 2 - |x|, 0)^2 / (2 b): the excess of the mean of max(x, 0) over a box of edge
+ * b over max(x, 0); 0 without a box. */
 Ref footprint_box_corner(Lower *l, Ref x, Ref edge);
 #endif

@@ -10,7 +10,8 @@ enum {
 
 typedef Answer (*LowerMap)(Lower *l, const Node *node, Group group, const Env *env);
 
-/* A volume map has the same value on every channel: its function of the position, then its wave. */
+/* Lowers a volume map. The value is the same on every channel: the function of the position,
+ * then its wave. */
 static Answer lower_volume(Lower *l, const Node *node, Group group, const Env *env);
 
 #define OWN_LOWERING(name)    lower_##name
@@ -71,8 +72,8 @@ Ref lower_as_group(Lower *l, Ref value, Group group)
     return group == GROUP_IOR ? build_swizzle(ir, value, "x") : build_convert(ir, value, TYPE_vec3);
 }
 
-/* A hash table of its own kind: an entry holds the whole key and the value, so a lookup reads no
- * other memory. */
+/* Doubles the memo: a hash table whose entries hold the whole key and the value, so that a
+ * lookup reads no other memory. */
 static void memo_grow(Lower *l)
 {
     size_t size = l->memo ? 2 * (l->memo_mask + 1) : FIRST_MEMO;
@@ -99,7 +100,7 @@ static Memo *memo_find(Lower *l, uint64_t key)
     return &l->memo[at];
 }
 
-/* The component that all components of a vector equal, or the value itself. */
+/* Returns the component that all components of a vector equal, or the value itself. */
 static Ref repeated(const Ir *ir, Ref value)
 {
     const IrNode *node = ir_at(ir, value);
@@ -122,7 +123,7 @@ void lower_mark_head(Ir *ir, Ref value, uint32_t origin)
     ir_set_head(ir, value, true);
 }
 
-/* Values of the draw call become inputs when they are first queried. */
+/* Returns a draw call's value; it becomes an input of the program when first queried. */
 static Ref root_of(Lower *l, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -187,7 +188,8 @@ Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env)
     return answer;
 }
 
-/* A material counts 1, so that in nested mixes at most `limit` nodes are visited. */
+/* Returns a map's own cost. A material counts 1, so that in nested mixes at most `limit` nodes
+ * are visited. */
 static int own_cost(const Node *map)
 {
     return kind_table[map->kind].cost + (kind_table[map->kind].lowering == LOWERING_MATERIAL);
@@ -289,7 +291,7 @@ Answer lower_Gradient(Lower *l, const Node *node, Group group, const Env *env)
     return answer_as_group(l, lower_waved(l, node, answer_dot(l, p, direction)), group);
 }
 
-/* a = max(|omega|, 1)^(1 - n): normalizes the sum of octaves that grow. */
+/* Returns a = max(|omega|, 1)^(1 - n), which normalizes the sum of octaves that grow. */
 static Ref octave_scale(Lower *l, Ref omega, double octaves)
 {
     Ir *ir = l->ir;

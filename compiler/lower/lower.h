@@ -138,7 +138,7 @@ typedef struct {
     bool failed;                  /* a diagnostic was reported */
 } Lower;
 
-/* Environment of a point of a rasterized surface. lower_pass.c */
+/* Returns the environment of a point of a rasterized surface. lower_pass.c */
 Env lower_surface_env(Lower *l);
 /* Lowers a material to the IR of a job's program. NULL: failed, with diagnostics. */
 Ir *lower(Session *session, const Graph *graph, const Node *material, const Job *job,
@@ -155,9 +155,9 @@ typedef struct {
 /* Lowers with means for the maps of an index below `below` only, as --aa=auto does;
  * l->averageable then lists the maps that could have a mean. lower_pass.c */
 Ir *lower_averaging(Lower *l, const LowerRequest *what, int below);
-/* Cost in operations of the program without means, after `l` has lowered the program with means:
- * values that contain no mean are reused. `l` cannot lower anything afterwards. Negative:
- * failure. lower_pass.c */
+/* Returns the cost in operations of the program without means, after `l` has lowered the program
+ * with means: values that contain no mean are reused. `l` cannot lower anything afterwards.
+ * Negative: failure. lower_pass.c */
 int lower_cost_of_points(const Lower *l, const Node *material);
 /* Starts a lowering of single maps, and makes the environment that its pass begins with.
  * lower_pass.c */
@@ -167,7 +167,7 @@ Env lower_pass_env(Lower *l);
 /* Lowers a map's group of channels; a NULL map is the surface. R has the type that the map
  * makes, IOR is a float, the others are vec3. */
 Answer lower_answer(Lower *l, const Node *map, Group group, const Env *env);
-/* The value alone of lower_answer(). */
+/* Returns the value alone of lower_answer(). */
 Ref lower_ask(Lower *l, const Node *map, Group group, const Env *env);
 /* Estimate from the cost tables: operations of a map or material without means, counted up to
  * `limit`, and the number of its maps that may be averaged. */
@@ -175,7 +175,7 @@ typedef struct {
     int points, averageable;
 } MapCosts;
 MapCosts lower_map_costs(const Node *map, int limit);
-/* costly enough to be computed only where it is visible */
+/* Returns true if the map is costly enough to be computed only where it is visible. */
 bool lower_wants_branch(const Node *map);
 /* Calls lower_answer() for a map that is one of several alternatives, whose evaluation may move
  * into a branch. */
@@ -183,24 +183,25 @@ Answer lower_arm(Lower *l, const Node *map, Group group, const Env *env);
 void lower_mark_head(Ir *ir, Ref value, uint32_t origin);
 /* Converts a color to another group's value: component 0 for IOR, otherwise three components. */
 Ref lower_as_group(Lower *l, Ref value, Group group);
-/* A parameter's value as IR, converted to `type`. */
+/* Returns a parameter's value as IR, converted to `type`. */
 Ref lower_param(Lower *l, const Value *value, Type type);
-/* The map that is a parameter's value; NULL: none. */
+/* Returns the map that is a parameter's value; NULL: none. */
 const Node *lower_param_node(const Node *node, int param);
 /* Reports an error if a parameter whose value must be known is a uniform. */
 void lower_reject_uniform(Lower *l, const Value *value, const char *name, const char *why);
-/* Cost of a value, up to `limit`: an upper bound, since a shared part counts once per use.
- * lower_cost.c */
+/* Returns the cost of a value, up to `limit`: an upper bound, since a shared part counts once
+ * per use. lower_cost.c */
 int lower_cost_below(const Ir *ir, Ref ref, int limit);
 /* Lowers one slot of a material. lower_material.c */
 Ref lower_slot(Lower *l, const Node *material, Slot slot, const Env *env);
-/* The material whose parameters displace a surface: the material itself, or the one its switches
- * choose, with a SideSwitch taken from the front; NULL: none. lower_material.c */
+/* Returns the material whose parameters displace a surface: the material itself, or the one its
+ * switches choose, with a SideSwitch taken from the front; NULL: none. lower_material.c */
 const Node *lower_displaced(const Node *material);
-/* Displacement of a point (lower_displacement.c): a float along the normal, or a vec3 along
- * dP/du, dP/dv and the normal; for a volume a vec4, the two solid intervals along the normal. */
+/* Returns the displacement of a point (lower_displacement.c): a float along the normal, or a
+ * vec3 along dP/du, dP/dv and the normal; for a volume a vec4, the two solid intervals along the
+ * normal. */
 Ref lower_displacement(Lower *l, const Node *displaced, const Env *env);
-/* Environment of the displaced surface: normal and tangents follow the slopes of the
+/* Returns the environment of the displaced surface: normal and tangents follow the slopes of the
  * displacement, all else is as in `env`. */
 Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env);
 /* Writes displacement and slopes as colors; or, for vertex stages, without screen-space
@@ -215,10 +216,10 @@ typedef struct {
     Ref flat;   /* vector whose side decides; 0: cross(tu, tv) */
 } Frame;
 Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2]);
-/* n / |n|; 0 if |n| is 0. */
+/* Returns n / |n|; 0 if |n| is 0. */
 Ref lower_unit(Lower *l, Ref n);
-/* Derivative of n / |n|: the part of `change` perpendicular to n, over |n|. n = (0, 0, 2) and a
- * change of (1, 0, 1): (.5, 0, 0). */
+/* Returns the derivative of n / |n|: the part of `change` perpendicular to n, over |n|. n = (0,
+ * 0, 2) and a change of (1, 0, 1): (.5, 0, 0). */
 Ref lower_unit_slope(Lower *l, Ref n, Ref change);
 
 /* Parameters of a clear coat, which belongs to a Principled or to a Layer. lower_coat.c */
@@ -231,66 +232,68 @@ typedef struct {
         node, P_##kind##_coat, P_##kind##_coatColor, P_##kind##_coatRoughness, P_##kind##_coatIor, \
             P_##kind##_coatDarkening, P_##kind##_coatRoughening, P_##kind##_coatNormal             \
     }
-/* A slot of the coat over a base of the given diffuse color. */
+/* Returns a slot of the coat over a base of the given diffuse color. */
 Ref lower_coat_slot(Lower *l, const Coat *coat, Slot slot, Ref diffuse, const Env *env);
-/* The coat's normal, a direction, where the coat's weight is above 0; (0, 0, 0) where the coat
- * follows the base's normal. */
+/* Returns the coat's normal, a direction, where the coat's weight is above 0; (0, 0, 0) where
+ * the coat follows the base's normal. */
 Ref lower_coat_normal(Lower *l, const Coat *coat, const Env *env);
-/* Slots of the surface below a coat: its apparent roughness, its reflectance at normal incidence
- * from its index of refraction relative to air, and its emission. */
+/* Return slots of the surface below a coat: its apparent roughness, its reflectance at normal
+ * incidence from its index of refraction relative to air, and its emission. */
 Ref lower_coated_roughness(Lower *l, const Coat *coat, Ref roughness, const Env *env);
 Ref lower_coated_reflectance(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_coated_emission(Lower *l, const Coat *coat, Ref sent, const Env *env);
-/* Index of refraction of a thin film below a coat, clamped to its slot's range. */
+/* Returns the index of refraction of a thin film below a coat, clamped to its slot's range. */
 Ref lower_coated_film(Lower *l, const Coat *coat, Ref ior, const Env *env);
 Ref lower_film_ior(Ir *ir, Ref ior);
-/* A slot of a lobe; its `absent` value where `weight` is not above 0. */
+/* Returns a slot of a lobe; its `absent` value where `weight` is not above 0. */
 Ref lower_where_there(Ir *ir, Ref weight, Slot slot, Ref value);
-/* Fresnel reflectance at normal incidence: ((ior - 1) / (ior + 1))^2. */
+/* Returns the Fresnel reflectance at normal incidence: ((ior - 1) / (ior + 1))^2. */
 Ref lower_reflectance(Ir *ir, Ref ior);
 
-/* The shading normal as the G-buffer stores it: in eye or world space, of unit length, facing
- * the viewer. */
+/* Returns the shading normal as the G-buffer stores it: in eye or world space, of unit length,
+ * facing the viewer. */
 Ref lower_stored_normal(Lower *l, const Node *material, const Env *env);
-/* The coat's own normal, in the same form; (0, 0, 0) if the coat has none of its own. */
+/* Returns the coat's own normal, in the same form; (0, 0, 0) if the coat has none of its own. */
 Ref lower_stored_coat_normal(Lower *l, const Node *material, const Env *env);
-/* The slot anisotropy about the stored normal. lower_principled.c */
+/* Returns the slot anisotropy about the stored normal. lower_principled.c */
 Ref lower_stored_anisotropy(Lower *l, const Node *material, const Env *env);
 /* Writes every render target of the job's layout, as case `number` of the layout packs them.
  * lower_layout.c */
 void lower_layout(Lower *l, int number, const Node *material, const Env *env);
-/* Number of the first case of the layout that stores all slots that the material has; the case
- * count if no case does. Needs an IR with simplification, so that constants are recognized. */
+/* Returns the number of the first case of the layout that stores all slots that the material
+ * has; the case count if no case does. Needs an IR with simplification, so that constants are
+ * recognized. */
 int lower_layout_case(Lower *l, const Node *material, const Env *env);
-/* Number of the case that loses the fewest slots, which a warning lists; the case count if the
- * layout is not for all materials, or no case stores the model. */
+/* Returns the number of the case that loses the fewest slots, which a warning lists; the case
+ * count if the layout is not for all materials, or no case stores the model. */
 int lower_nearest_case(Lower *l, const Node *material, const Env *env);
 /* Warns of a slot that no case of a layout for all Principled materials stores. */
 void lower_left_out(Lower *l, const Node *material, const Env *env);
 /* Reports the error that no case of the layout stores the material. */
 void lower_no_case(Lower *l, const Node *material, const Env *env);
-/* Bits (1 << slot) of the slots that a case of a layout made for a set must store to fit the
- * material; alpha is part of the transparency. */
+/* Returns the bits (1 << slot) of the slots that a case of a layout made for a set must store to
+ * fit the material; alpha is part of the transparency. */
 unsigned lower_needed_slots(Lower *l, const Node *material, const Env *env);
 /* Records the coordinate of a Blend with items, and the slopes of a displacement (0: none), for
  * lower_doubt(). lower_doubt.c */
 void lower_note_crossing(Lower *l, const Node *blend, Ref coordinate);
 void lower_note_relief(Lower *l, const Node *displacement, Ref by_u, Ref by_v);
-/* After lowering: warns of Blends whose items are never reached, and of displacements whose
+/* Warns, after lowering, of Blends whose items are never reached, and of displacements whose
  * slopes are all 0. */
 void lower_doubt(Lower *l);
 Answer lower_wave(Lower *l, const Wave *wave, Answer v);
-/* w(frequency f + phase), where w is the node's wave; the node's first four parameters are those
- * of VOLUME_PARAMS. */
+/* Applies a wave: w(frequency f + phase), where w is the node's wave; the node's first four
+ * parameters are those of VOLUME_PARAMS. */
 Answer lower_waved(Lower *l, const Node *node, Answer f);
 /* Converts derivatives by u and v to the one by the coordinate that a UVTransform makes. With J
  * the inverse of its matrix, d/du' = d/du J00 + d/dv J10, and d/dv' = d/du J01 + d/dv J11.
  * Applies to tangents and slopes; `group` is GROUP_DU or GROUP_DV. */
 Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group);
 
-/* A slot of any material, unconverted; `principled`: a Phong is converted to a Principled. */
+/* Returns a slot of any material, unconverted; `principled`: a Phong is converted to a
+ * Principled. */
 Ref lower_value_slot(Lower *l, const Node *material, bool principled, Slot slot, const Env *env);
-/* The material's surface model is Principled, not Phong. */
+/* Returns true if the material's surface model is Principled, not Phong. */
 bool lower_is_principled(const Lower *l, const Node *material);
 /* Values of a Phong from which a Principled is made: the queried slot itself, the specular color
  * (vec3) and the exponent. */

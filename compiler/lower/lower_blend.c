@@ -30,7 +30,8 @@ typedef struct {
     int count, first, last;
 } Segments;
 
-/* Value within segment i: t is below item i's value and not below the previous item's. */
+/* Returns the value within segment i: t is below item i's value and not below the previous
+ * item's. */
 static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
 {
     if (i == 0)
@@ -39,7 +40,7 @@ static Ref segment(Lower *l, Ref t, const Stop *stops, int i)
     return build_mix(l->ir, stops[i - 1].result, stops[i].result, at);
 }
 
-/* True for known values that ascend; `strictly`: no two are equal as floats. */
+/* Returns true for known values that ascend; `strictly`: no two are equal as floats. */
 static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
 {
     for (int i = 0; i < count; i++) {
@@ -52,10 +53,10 @@ static bool ascending(const Ir *ir, const Stop *stops, int count, bool strictly)
     return true;
 }
 
-/* Condition: t has not reached item i of `count`. The last segment includes its end, where the
- * value is the last item's but the slope is the segment's: a wave that rises to 1 and falls
- * again is 1 for many floats around its peak, and at all but one of them it still rises or
- * falls. */
+/* Returns the condition that t has not reached item i of `count`. The last segment includes its
+ * end, where the value is the last item's but the slope is the segment's: a wave that rises to 1
+ * and falls again is 1 for many floats around its peak, and at all but one of them it still
+ * rises or falls. */
 static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
 {
     Ir *ir = l->ir;
@@ -63,7 +64,7 @@ static Ref is_below(Lower *l, Ref t, const Stop *stops, int i, int count)
     return closed ? build_le(ir, t, stops[i].value) : build_lt(ir, t, stops[i].value);
 }
 
-/* The form as written: the first item whose value is above t decides. */
+/* Lowers the Blend as written: the first item whose value is above t decides. */
 static Ref blend_walk(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -88,8 +89,9 @@ static Ref blend_search(Lower *l, Ref t, Segments s)
                         blend_search(l, t, (Segments){s.stops, s.count, middle + 1, s.last}));
 }
 
-/* Form without branches, for values known to ascend: each item is mixed over the result of the
- * items before it. The weight is 1 where t has passed a segment, 0 where t has not reached it. */
+/* Lowers the Blend without branches, for values known to ascend: each item is mixed over the
+ * result of the items before it. The weight is 1 where t has passed a segment, 0 where t has not
+ * reached it. */
 static Ref blend_mixes(Lower *l, Ref t, const Stop *stops, int count)
 {
     Ir *ir = l->ir;
@@ -110,8 +112,8 @@ static bool cheap_arms(const Ir *ir, const Stop *stops, int count)
     return cost < BLEND_CHEAP;
 }
 
-/* The sum, with its slopes recorded. If the same node is another Blend already, returns the
- * binary search instead. */
+/* Returns the sum, and records its slopes. If the same node is another Blend already, returns
+ * the binary search instead. */
 static Ref noted(Lower *l, Ref sum, const Blended *blend)
 {
     return blend_note(l, sum, blend)
@@ -119,7 +121,7 @@ static Ref noted(Lower *l, Ref sum, const Blended *blend)
                : blend_search(l, blend->t, (Segments){blend->stops, blend->count, 0, blend->count});
 }
 
-/* Value at a point of t. */
+/* Returns the value at a point of t. */
 static Ref blend_point(Lower *l, Ref t, const Stop *stops, int count)
 {
     const bool ordered = ascending(l->ir, stops, count, true);
@@ -157,7 +159,8 @@ static Answer blend_lanes(Lower *l, Answer t, const Stop *stops, int count)
     return blend;
 }
 
-/* The constant alpha that all items have; 0: it differs between items, or is no constant. */
+/* Returns the constant alpha that all items have; 0: the alpha differs between items, or is not
+ * constant. */
 static Ref common_alpha(Lower *l, const Stop *stops, int count)
 {
     Ref alpha = 0;
@@ -202,7 +205,7 @@ static Answer blend_split(Lower *l, Answer x, const Stop *stops, int count, int 
     return answer_either(l, x.split->by, a, b);
 }
 
-/* The items, converted to one type. */
+/* Returns the items, converted to one type. */
 static Stop *stops_of(Lower *l, const Value *blend, Group group, const Env *env)
 {
     const int count = blend->items->count;
@@ -248,7 +251,7 @@ Answer lower_Blend(Lower *l, const Node *node, Group group, const Env *env)
     return answer;
 }
 
-/* Linear from a to b as t goes from 0 to 1. */
+/* Interpolates linearly from a to b as t goes from 0 to 1. */
 static Answer ramp(Lower *l, Answer t, Answer a, Answer b)
 {
     const Type type = answer_common_type(ir_type(l->ir, a.value), ir_type(l->ir, b.value));
@@ -289,7 +292,7 @@ typedef struct {
     int first, last;
 } Choices;
 
-/* The choice at a point, by bisection. */
+/* Returns the choice at a point, by bisection. */
 static Answer chosen_of(Lower *l, Choices c)
 {
     if (c.first == c.last)
@@ -301,8 +304,8 @@ static Answer chosen_of(Lower *l, Choices c)
                          chosen_of(l, (Choices){c.number, c.maps, middle + 1, c.last}));
 }
 
-/* The choice over a box of the number; with more maps than MOST_AREA_ITEMS allows, at its
- * center. */
+/* Returns the choice over a box of the number; with more maps than MOST_AREA_ITEMS allows, at
+ * its center. */
 static Answer chosen_at(Lower *l, Answer number, const Answer *maps, int count)
 {
     Ref edge = 2 * (count - 1) <= MOST_AREA_ITEMS ? footprint_edges(l, number) : 0;

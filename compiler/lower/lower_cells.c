@@ -3,8 +3,8 @@
 #include "compiler/lower/cells.h"
 #include "compiler/lower/relief.h"
 
-/* Jitter, clamped to [0, 1] since a uniform may have any value: within that range the search for
- * points is complete and its values are bounded. */
+/* Returns the jitter, clamped to [0, 1] since a uniform may have any value: within that range
+ * the search for points is complete and its values are bounded. */
 static Ref find_jitter(Lower *l, const Node *node, int param)
 {
     Ref jitter = lower_param(l, node_param(node, param), TYPE_float);

@@ -37,13 +37,13 @@ static Ref weight(Lower *l, const Coat *coat, const Env *env)
     return unit(l->ir, red(l, coat->of, coat->weight, env));
 }
 
-/* Clamped to 0, since an index of -1 would divide by 0. */
+/* Returns the coat's index of refraction, clamped to 0, since an index of -1 would divide by 0. */
 static Ref coat_ior(Lower *l, const Coat *coat, const Env *env)
 {
     return build_max(l->ir, red(l, coat->of, coat->ior, env), build_float(l->ir, 0));
 }
 
-/* The coat's color by its weight, white where the weight is 0. */
+/* Returns the coat's color by its weight, white where the weight is 0. */
 static Ref colored(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
@@ -52,7 +52,7 @@ static Ref colored(Lower *l, const Coat *coat, const Env *env)
     return build_mix(ir, build_all(ir, TYPE_vec3, 1), color, weight(l, coat, env));
 }
 
-/* K: share of the light from below that the coat's inner side reflects back. */
+/* Returns K, the share of the light from below that the coat's inner side reflects back. */
 static Ref sent_back(Lower *l, const Coat *coat, const Env *env)
 {
     Ir *ir = l->ir;
@@ -158,7 +158,8 @@ Ref lower_film_ior(Ir *ir, Ref ior)
                        build_float(ir, slot_table[SLOT_filmIor].high));
 }
 
-/* The index of refraction, relative to air, that has this reflectance at normal incidence. */
+/* Returns the index of refraction, relative to air, that has this reflectance at normal
+ * incidence. */
 static Ref ior_of(Ir *ir, Ref reflectance)
 {
     Ref root = build_sqrt(ir, unit(ir, reflectance)), one = build_float(ir, 1);
@@ -166,7 +167,7 @@ static Ref ior_of(Ir *ir, Ref reflectance)
                      build_max(ir, build_sub(ir, one, root), build_float(ir, LEAST)));
 }
 
-/* A slot of a Layer's base, changed by the coat above. */
+/* Returns a slot of a Layer's base, changed by the coat above. */
 static Ref below(Lower *l, const Coat *coat, Slot slot, Ref base, const Env *env)
 {
     switch (slot) {

@@ -34,7 +34,7 @@ static Ref vector(Lower *l, const Displacement *d, const Env *env)
     return build_convert(l->ir, lower_ask(l, d->vector->node, GROUP_R, env), TYPE_vec3);
 }
 
-/* The sum of height and vector, as far as both are present. */
+/* Returns the sum of height and vector, as far as both are present. */
 static Ref moved_by(Lower *l, const Displacement *d, const Env *env)
 {
     Ir *ir = l->ir;
@@ -110,8 +110,8 @@ typedef struct {
     Slopes slopes, turns, swings[2];
 } Carried;
 
-/* Tu + x_u Tu/|Tu| + y_u Tv/|Tv| + x s_u + y t_u + z n_u, where s and t are the rotations of
- * both unit tangents: the part of the displaced tangent other than its rise along n. */
+/* Returns the part of the displaced tangent other than its rise along n: Tu + x_u Tu/|Tu| + y_u
+ * Tv/|Tv| + x s_u + y t_u + z n_u, where s and t are the rotations of both unit tangents. */
 static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -134,8 +134,8 @@ static Ref slid(Lower *l, const Env *env, const Carried *m, bool by_v)
     return whole;
 }
 
-/* z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|: a point moved along a tangent sinks where the surface
- * curves down. */
+/* Returns the rise of the displaced tangent along n: z_u - x n_u . Tu/|Tu| - y n_u . Tv/|Tv|. A
+ * point moved along a tangent sinks where the surface curves down. */
 static Ref rise(Lower *l, const Env *env, const Carried *m, bool by_v)
 {
     Ir *ir = l->ir;
@@ -168,15 +168,15 @@ static Carried moved_of(Lower *l, const Node *displaced, const Env *env)
     return (Carried){.by = risen.value, .slopes = {by_u, by_v}};
 }
 
-/* Derivative of the unit normal; 0: constant. */
+/* Returns the derivative of the unit normal; 0: constant. */
 static Ref turn_of(Lower *l, Ref normal, Direction direction)
 {
     Ref change = slope_mesh_normal(l, normal, direction);
     return change ? lower_unit_slope(l, normal, change) : 0;
 }
 
-/* Rotation of a unit tangent about the normal; its tilt belongs to the normal. 0: it does not
- * rotate. */
+/* Returns the rotation of a unit tangent about the normal; its tilt belongs to the normal. 0:
+ * the tangent does not rotate. */
 static Ref swing_of(Lower *l, const Env *env, Ref tangent, Direction direction)
 {
     Ir *ir = l->ir;
@@ -211,7 +211,8 @@ Env lower_displaced_env(Lower *l, const Node *displaced, const Env *env)
     return moved;
 }
 
-/* Three components, a height being the last; four for a volume. */
+/* Returns the displacement as a vector: three components, a height being the last; four for a
+ * volume. */
 static Ref as_vector(Lower *l, Ref value)
 {
     Ir *ir = l->ir;

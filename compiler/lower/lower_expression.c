@@ -20,9 +20,9 @@ typedef struct {
     Ref attributes[LIMIT_ATTRIBUTES];
 } Leaves;
 
-/* View direction V = E.xyz - E.w P, of unit length: one formula for orthographic and perspective
- * cameras. It starts at the surface point, whatever coordinate `input` makes. Both are relative
- * to the same origin (Job.origin), which cancels here and must not be added. */
+/* Returns the view direction V = E.xyz - E.w P, of unit length: one formula for orthographic and
+ * perspective cameras. It starts at the surface point, whatever coordinate `input` makes. Both
+ * are relative to the same origin (Job.origin), which cancels here and must not be added. */
 static Ref toward_viewer(Lower *l, const Env *env)
 {
     Ir *ir = l->ir;
@@ -47,7 +47,8 @@ static Ref quantity_at(Lower *l, const Node *input, Quantity quantity, const Env
     return build_swizzle(l->ir, group, row->lanes);
 }
 
-/* A map's value in the declared number of components; one component is the color's first. */
+/* Returns a map's value in the declared number of components; one component is the color's
+ * first. */
 static Ref input_at(Lower *l, const Item *item, const Env *env)
 {
     Ir *ir = l->ir;
@@ -119,8 +120,8 @@ static Ref value_at(Lower *l, const Formula *f, const bool *read, const Leaves *
     return refs[f->result];
 }
 
-/* The leaf's values at the samples, from its slopes. Returns false, with all values equal, if
- * the leaf is constant. */
+/* Sets the leaf's values at the samples, from its slopes. Returns false, with all values equal,
+ * if the leaf is constant. */
 static bool spread(Lower *l, Ref leaf, Ref at[MOST_TAPS])
 {
     const bool changes = footprint_points(l, leaf, at) > 0;
@@ -138,7 +139,7 @@ typedef struct {
     Ref *refs;
 } Reading;
 
-/* The mean of the samples; 0: all samples are equal. */
+/* Returns the mean of the samples; 0: all samples are equal. */
 static Ref sampled(Lower *l, const Reading *r)
 {
     Ir *ir = l->ir;
@@ -169,8 +170,8 @@ static Ref sampled(Lower *l, const Reading *r)
     return changes ? build_scale(ir, sum, 1.0 / MOST_TAPS) : 0;
 }
 
-/* An attribute of the mesh, which belongs to the shaded point, whatever coordinate `input`
- * makes. */
+/* Returns an attribute of the mesh, which belongs to the shaded point, whatever coordinate
+ * `input` makes. */
 static Ref attribute_at(Lower *l, int number, const Env *env)
 {
     const MeshAttribute *attribute = l->graph->attributes[number];

@@ -8,7 +8,7 @@
 /* Scalar operations of an input from which on its 27 evaluations become a loop. */
 enum { LOOP_COST = 100 };
 
-/* Environment whose position and texture coordinate are the function's arguments. */
+/* Returns an environment whose position and texture coordinate are the function's arguments. */
 static Env shifted_env(Lower *l, const Env *outer, const Ref *arguments)
 {
     Ir *ir = l->ir;
@@ -42,7 +42,7 @@ static int make_function(Lower *l, const Node *input, Group group, const Env *en
     return ir_function(ir, arguments, 2, result);
 }
 
-/* The input at a point of the kernel, whose coordinates are -1, 0 or 1. */
+/* Returns the input at a point of the kernel, whose coordinates are -1, 0 or 1. */
 static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, const int at[3])
 {
     Ir *ir = l->ir;
@@ -52,7 +52,7 @@ static Ref at_neighbour(Lower *l, int function, const Env *env, Ref size, const 
     return build_apply(ir, function, REFS(ir, build_add(ir, env->root[GROUP_X], offset), uv));
 }
 
-/* The three sizes, the first parameters after `input`. */
+/* Returns the three sizes, the first parameters after `input`. */
 static Ref filter_size(Lower *l, const Node *node)
 {
     Ref size[3];
@@ -70,8 +70,8 @@ static Answer steady(Lower *l, Ref value)
     return answer_of(value);
 }
 
-/* A cheap input is written out as 27 calls. Drivers inline every call, so a costly input would
- * take minutes to compile: it is summed in a loop. */
+/* Lowers a Smooth3D. A cheap input is written out as 27 calls. Drivers inline every call, so a
+ * costly input would take minutes to compile: it is summed in a loop. */
 Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -90,8 +90,8 @@ Answer lower_Smooth3D(Lower *l, const Node *node, Group group, const Env *env)
     return steady(l, build_scale(ir, sum, 1.0 / KERNEL_POINTS));
 }
 
-/* 1/2 of the center minus 1/12 of each neighbor, as a sum of differences: exactly 0 where the
- * input is constant. */
+/* Lowers a Laplace3D: 1/2 of the center minus 1/12 of each neighbor, as a sum of differences,
+ * which is exactly 0 where the input is constant. */
 Answer lower_Laplace3D(Lower *l, const Node *node, Group group, const Env *env)
 {
     Ir *ir = l->ir;

@@ -6,15 +6,15 @@
 
 static const double greatest_half = 65504;
 
-/* True for a Principled in a layout without the slot `model`, which cannot distinguish it from a
- * Phong. */
+/* Returns true for a Principled in a layout without the slot `model`, which cannot distinguish
+ * it from a Phong. */
 static bool is_lit_as_phong(Lower *l, const Node *material, const Env *env)
 {
     return !(l->layout_slots >> SLOT_model & 1) &&
            !ir_is_number(l->ir, lower_slot(l, material, SLOT_model, env), MODEL_Phong);
 }
 
-/* The slot as the G-buffer stores it. */
+/* Returns the slot as the G-buffer stores it. */
 static Ref stored_slot(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     if (slot == SLOT_anisotropy)
@@ -32,7 +32,8 @@ static Ref one_lane(Lower *l, const Node *material, SlotLane source, const Env *
     return build_lane(l->ir, stored_slot(l, material, source.slot, env), source.lane);
 }
 
-/* Consecutive components of one slot are a swizzle of it, others are combined. */
+/* Returns the value of a piece's source. Consecutive components of one slot become a swizzle,
+ * others a vector. */
 static Ref source_value(Lower *l, const Piece *piece, const Node *material, const Env *env)
 {
     const SlotLane *source = &piece->field->source[piece->first];
@@ -103,8 +104,8 @@ static Ref word_value(Lower *l, const Packed *p, int target, int lane, double kn
     return !word ? rest : known != 0 ? build_join(ir, word, rest) : word;
 }
 
-/* The words of an integer target. The lowest bits of the first word hold the case's number; a
- * `further` case also sets the highest bit of the last word. */
+/* Returns the words of an integer target. The lowest bits of the first word hold the case's
+ * number; a `further` case also sets the highest bit of the last word. */
 static Ref words_value(Lower *l, const Packed *p, int target, int number)
 {
     Ref words[FIELD_LANES];
@@ -123,7 +124,7 @@ static const Piece *piece_at(const Placement *placement, int target, int lane)
     return NULL;
 }
 
-/* The pieces of a float target, in order. */
+/* Returns the pieces of a float target, in order. */
 static Ref floats_value(Lower *l, const Packed *p, int target)
 {
     Ir *ir = l->ir;
@@ -137,13 +138,14 @@ static Ref floats_value(Lower *l, const Packed *p, int target)
     return count == 1 ? parts[0] : build_vec_of(ir, TYPE_vec4, parts, count);
 }
 
-/* True if the slot is the constant of a material that does not use it. */
+/* Returns true if the slot is the constant of a material that does not use it. */
 static bool is_absent(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     return ir_is_number(l->ir, lower_slot(l, material, slot, env), slot_table[slot].absent);
 }
 
-/* True if the slot is not absent, and neither are all slots without which it has no effect. */
+/* Returns true if the slot is not absent, and neither are all slots without which it has no
+ * effect. */
 static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
 {
     const unsigned matters = slot_class_table[slot].matters;
@@ -155,7 +157,8 @@ static bool is_needed(Lower *l, const Node *material, Slot slot, const Env *env)
     return !matters;
 }
 
-/* True if the slot must be stored; a case for all materials also stores slots without effect. */
+/* Returns true if the slot must be stored; a case for all materials also stores slots without
+ * effect. */
 static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot slot,
                      const Env *env)
 {
@@ -163,7 +166,7 @@ static bool is_asked(Lower *l, const LayoutRow *row, const Node *material, Slot 
            (layout_is_whole(row) || is_needed(l, material, slot, env));
 }
 
-/* True if the slot is the constant that the case restores when it is read. */
+/* Returns true if the slot is the constant that the case restores when it is read. */
 static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, const Env *env)
 {
     const Ref value = lower_slot(l, material, fixed->slot, env);
@@ -173,7 +176,8 @@ static bool is_given(Lower *l, const Node *material, const FixedRow *fixed, cons
     return true;
 }
 
-/* True if a case that does not store the slot does not restore the material's value either. */
+/* Returns true if a case that does not store the slot does not restore the material's value
+ * either. */
 static bool is_lost(Lower *l, const CaseRow *of, const Node *material, Slot slot, const Env *env)
 {
     const FixedRow *fixed = layout_case_fixed(of, slot);
@@ -187,7 +191,7 @@ static unsigned stored_slots(const Lower *l)
     return l->layout_slots & ~layout_fixed_slots(l->job->layout);
 }
 
-/* Slots of `stored` that case `number` loses for this material. */
+/* Returns the slots of `stored` that case `number` loses for this material. */
 static unsigned lost_slots(Lower *l, int number, unsigned stored, const Node *material,
                            const Env *env)
 {
@@ -287,8 +291,8 @@ static bool allocate(Lower *l, int number, Placement *placement)
     return !l->session->diags.errors;
 }
 
-/* True if the value surely differs from what the layout restores; without simplification the
- * value is not known to be constant. */
+/* Returns true if the value surely differs from what the layout restores; without simplification
+ * the value is not known to be constant. */
 static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const Env *env)
 {
     const double least = 1e-6;
@@ -300,8 +304,8 @@ static bool differs(Lower *l, const FixedRow *fixed, const Node *material, const
     return false;
 }
 
-/* True if the slot has an effect: at least one slot on which it depends may be above 0. The
- * exponent of a material without a lobe has no effect. */
+/* Returns true if the slot has an effect: at least one slot on which it depends may be above 0.
+ * The exponent of a material without a lobe has no effect. */
 static bool matters(Lower *l, Slot slot, const Node *material, const Env *env)
 {
     const unsigned to = slot_class_table[slot].matters;

@@ -44,7 +44,8 @@ static Ref color(Lower *l, const Node *map, const Env *env)
     return build_convert(l->ir, lower_ask(l, map, GROUP_R, env), TYPE_vec3);
 }
 
-/* Alpha of a color: only a vec4 has one, the conversion table makes 1 of all others. */
+/* Returns the alpha of a color: only a vec4 has one; for all others the conversion table gives
+ * 1. */
 static Ref alpha_of(Lower *l, const Node *map, const Env *env)
 {
     Ir *ir = l->ir;
@@ -52,8 +53,8 @@ static Ref alpha_of(Lower *l, const Node *map, const Env *env)
     return ir_type(ir, value) == TYPE_vec4 ? build_swizzle(ir, value, "w") : build_float(ir, 1);
 }
 
-/* Phong exponent of a shininess; where that is one of two values within the pixel, the mean of
- * both exponents. */
+/* Returns the Phong exponent of a shininess; where that is one of two values within the pixel,
+ * the mean of both exponents. */
 static Ref exponent_of(Lower *l, Answer shininess, int depth)
 {
     Ir *ir = l->ir;
@@ -115,7 +116,8 @@ Ref lower_Phong(Lower *l, const Node *m, Slot slot, const Env *env)
     }
 }
 
-/* A material of one color: a Phong with that diffuse color and a uniform transparency. */
+/* Returns a slot of a material of one color: a Phong with that diffuse color and a uniform
+ * transparency. */
 static Ref plain_slot(Lower *l, Ref diffuse, Ref clear, Slot slot, const Env *env)
 {
     Ir *ir = l->ir;
@@ -161,8 +163,8 @@ static Ref missing_slot(Lower *l, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(ir, 0), slot, env);
 }
 
-/* The sky's radiance along the local position. Terms of the sun alone are computed here, in
- * double. */
+/* Returns the sky's radiance along the local position. Terms of the sun alone are computed here,
+ * in double. */
 static Ref sky_radiance(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -192,7 +194,7 @@ Ref lower_SunSkyLight(Lower *l, const Node *m, Slot slot, const Env *env)
     return plain_slot(l, diffuse, build_float(l->ir, 0), slot, env);
 }
 
-/* The material of a side. A missing back is replaced by the front; a missing front stays
+/* Returns the material of a side. A missing back is replaced by the front; a missing front stays
  * missing. */
 const Node *lower_choose_SideSwitch(const Node *m, bool front)
 {
@@ -200,7 +202,8 @@ const Node *lower_choose_SideSwitch(const Node *m, bool front)
     return back ? back : lower_param_node(m, P_SideSwitch_frontShader);
 }
 
-/* A preview uses the GUI's material, else the ray tracer's, else the radiation model's. */
+/* Returns the material for a preview: the GUI's, else the ray tracer's, else the radiation
+ * model's. */
 const Node *lower_choose_AlgorithmSwitch(const Node *m, bool front)
 {
     (void)front;
@@ -216,8 +219,8 @@ const Node *lower_displaced(const Node *m)
     return m;
 }
 
-/* The material visible from one side, through any number of nested switches, which all see the
- * same side. */
+/* Returns the material visible from one side, through any number of nested switches, which all
+ * see the same side. */
 static const Node *seen_from(const Node *m, bool front)
 {
     while (m && switches[m->kind])
@@ -241,7 +244,7 @@ bool lower_is_principled(const Lower *l, const Node *m)
     return m && l->graph->models[m->index] >> MODEL_Principled & 1;
 }
 
-/* A material that is not a switch, converted to a Principled. */
+/* Returns a slot of a material that is not a switch, converted to a Principled. */
 static Ref side_as_principled(Lower *l, const Node *m, Slot slot, const Env *env)
 {
     if (lower_is_principled(l, m))
@@ -263,8 +266,8 @@ Ref lower_value_slot(Lower *l, const Node *m, bool principled, Slot slot, const 
     return both_sides(l, env, REFS(l->ir, side(l, front, slot, env), side(l, back, slot, env)));
 }
 
-/* The normal in eye space: the interpolated normal comes from the vertex program in eye space;
- * any other is transformed. */
+/* Returns the normal in eye space: the interpolated normal comes from the vertex program in eye
+ * space; any other is transformed. */
 static Ref in_eye_space(Lower *l, Ref normal, const Env *env)
 {
     if (normal == env->root[GROUP_N] && env->eye_n)
@@ -278,7 +281,7 @@ static Ref side_normal(Lower *l, const Node *m, const Env *env, bool eye)
     return eye ? in_eye_space(l, normal, env) : normal;
 }
 
-/* Environment of the displaced surface. */
+/* Returns the environment of the displaced surface. */
 static Env shape_env(Lower *l, const Node *m, const Env *mesh)
 {
     const Node *displaced = lower_displaced(m);
@@ -296,7 +299,7 @@ static Ref normal_of(Lower *l, const Node *m, const Env *mesh, bool eye)
                       REFS(l->ir, side_normal(l, front, env, eye), side_normal(l, back, env, eye)));
 }
 
-/* Normalizes, and flips to the viewer's side. */
+/* Normalizes a normal, and flips it to the viewer's side. */
 static Ref finished_normal(Lower *l, Ref normal, const Env *env)
 {
     Ir *ir = l->ir;
@@ -313,7 +316,7 @@ Ref lower_stored_normal(Lower *l, const Node *material, const Env *env)
     return value;
 }
 
-/* The coat's own normal, normalized and flipped; (0, 0, 0) if the coat has none. */
+/* Returns the coat's own normal, normalized and flipped; (0, 0, 0) if the coat has none. */
 static Ref coat_normal_of(Lower *l, const Node *material, const Env *mesh, bool eye)
 {
     Ir *ir = l->ir;

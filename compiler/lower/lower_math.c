@@ -11,7 +11,7 @@
 
 enum { MOST_HALVINGS = 3 }; /* nesting depth of halves: each level doubles the computation */
 
-/* A color of one, three or four components, with its split. */
+/* Returns a color of one, three or four components, with its split. */
 static Answer whole_colour(Lower *l, const Node *node, int param, const Env *env)
 {
     Answer answer = lower_answer(l, lower_param_node(node, param), GROUP_R, env);
@@ -26,7 +26,7 @@ static Answer colour(Lower *l, const Node *node, int param, const Env *env)
     return answer;
 }
 
-/* The red component as a number. */
+/* Returns the red component of a parameter as a number. */
 static Ref number(Lower *l, const Node *node, int param, const Env *env)
 {
     return build_swizzle(l->ir, colour(l, node, param, env).value, "x");
@@ -97,7 +97,7 @@ Answer lower_Multiply(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, with_alpha(l, product, p.a.value), group);
 }
 
-/* (x - from) * by + to */
+/* Returns (x - from) * by + to. */
 static Answer line(Lower *l, Answer x, Ref from, const Ref by_to[2])
 {
     Answer moved = answer_moved(l, x, build_neg(l->ir, from));
@@ -158,7 +158,8 @@ Answer lower_Clamp(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, curved(l, &(Curve){clamped, {low, high}}, x, MOST_HALVINGS), group);
 }
 
-/* lower_term() reads all arguments that a term may have. */
+/* Returns x to the power of `exponent`, with x bounded so that the power is at most 1e37.
+ * lower_term() reads all arguments that a term may have. */
 static Ref raised(Lower *l, Ref x, const Ref *exponent)
 {
     Ir *ir = l->ir;
@@ -215,7 +216,7 @@ Answer lower_Combine(Lower *l, const Node *node, Group group, const Env *env)
     return given(l, answer_of(build_vec(ir, TYPE_vec3, r, g, b)), group);
 }
 
-/* A component of a color that is widened to four. */
+/* Lowers a Separate: a component of a color that is widened to four. */
 Answer lower_Separate(Lower *l, const Node *node, Group group, const Env *env)
 {
     static const char *const lanes[] = {"x", "y", "z", "w"};

@@ -20,7 +20,7 @@ static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)
     return &l->slots[(size_t)m->index * SLOT_COUNT + (size_t)slot];
 }
 
-/* A slot of a Mix's side, in the Mix's surface model. */
+/* Returns a slot of a Mix's side, in the Mix's surface model. */
 static Ref side_of_mix(Lower *l, const Node *mix, const Node *side, Slot slot, const Env *env)
 {
     return lower_value_slot(l, side, lower_is_principled(l, mix), slot, env);
@@ -32,7 +32,7 @@ typedef struct {
     Ref shows;
 } MixedSide;
 
-/* A slot of a Mix's side, converted to the slot's type. */
+/* Returns a slot of a Mix's side, converted to the slot's type. */
 static Ref side_value(Lower *l, const MixedSide *of, Slot slot, const Env *env)
 {
     l->arms++;
@@ -82,8 +82,8 @@ static Ref mixed(Lower *l, Slot slot, const Ref sides[2], Ref by)
     return build_mix(ir, a, b, by);
 }
 
-/* Weight of the second side: the mask clamped to [0, 1], separately for each part of a split
- * pixel. Half a pixel at -1 and half at 1 give 1/2. */
+/* Returns the weight of the second side: the mask clamped to [0, 1], separately for each part of
+ * a split pixel. Half a pixel at -1 and half at 1 give 1/2. */
 static Ref share_of_second(Lower *l, Answer mask, int depth)
 {
     Ir *ir = l->ir;
@@ -111,8 +111,8 @@ static Ref mixed_by(Lower *l, Slot slot, const Ref sides[2], Answer mask, int de
     return mixed(l, slot, sides, share_of_second(l, mask, depth));
 }
 
-/* Weight of the second side, multiplied by the slot that weighs this one on both sides. If both
- * are 0, the weight is t. */
+/* Returns the weight of the second side, multiplied by the slot that weighs this one on both
+ * sides. If both are 0, the weight is t. */
 static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env *env)
 {
     Ir *ir = l->ir;
@@ -136,7 +136,7 @@ static Ref weighed(Lower *l, const MixedSide sides[2], Slot by, Ref t, const Env
     return share;
 }
 
-/* The Mix's share, with the Mix as its origin whichever slot is queried first. */
+/* Returns the Mix's share, with the Mix as its origin whichever slot is queried first. */
 static Ref named_share(Lower *l, const Node *mix, Answer mask)
 {
     Ir *ir = l->ir;

@@ -28,9 +28,10 @@ static Frame input_frame(Lower *l, const Node *input, const Env *env)
     return f;
 }
 
-/* n' = Tu' x Tv', on n's side. In the expanded product the term du dv (n x n) is 0 and left out:
- * for steep slopes it would be dominated by float rounding. Tangents of the opposite handedness,
- * as mirrored texture coordinates and transforms make them, would flip the normal:
+/* Returns the raised normal n' = Tu' x Tv', on n's side. In the expanded product the term du dv
+ * (n x n) is 0 and left out: for steep slopes it would be dominated by float rounding. Tangents
+ * of the opposite handedness, as mirrored texture coordinates and transforms make them, would
+ * flip the normal:
  *   n = (0, 0, 1), Tu = (-1, 0, 0), Tv = (0, 1, 0), du = 0.1, dv = 0: a rise towards -x, so the
  *   normal leans to x. Tu x Tv + n x (du Tv - dv Tu) = (0, 0, -1) + (-0.1, 0, 0); (Tu x Tv) . n
  *   < 0, so n' = (0.1, 0, 1) */
@@ -45,7 +46,8 @@ Ref lower_raised_normal(Lower *l, const Frame *f, const Ref slope[2])
     return build_select(ir, turns_left, build_neg(ir, normal), normal);
 }
 
-/* Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x Tv' with the unit normal n. */
+/* Returns the tilted vector that `group` selects: Tu' = Tu + du n, Tv' = Tv + dv n, n' = Tu' x
+ * Tv' with the unit normal n. */
 static Ref tilted(Lower *l, const Frame *f, const Ref slope[2], Group group)
 {
     Ir *ir = l->ir;
@@ -67,7 +69,7 @@ static Slopes turned_by(Lower *l, const Node *transform, Slopes slopes)
     return (Slopes){u, v};
 }
 
-/* Column of the transform: the new slopes along u (0) and along v (1). */
+/* Returns a column of the transform: the new slopes along u (0) and along v (1). */
 static Slopes column_of(Lower *l, const Turn *turn, int column)
 {
     Ir *ir = l->ir;
@@ -95,8 +97,8 @@ static Turn *turn_at(Lower *l, const Node *node)
     return &l->turns[node->index];
 }
 
-/* Product of the UVTransforms from a node down its inputs. Each node caches its own product, so
- * a chain is walked once. */
+/* Returns the product of the UVTransforms from a node down its inputs. Each node caches its own
+ * product, so a chain is walked once. */
 static Turn turn_of(Lower *l, const Node *node)
 {
     const Node **chain = NULL;
@@ -174,7 +176,7 @@ static Ref tangent_normal(Lower *l, const Node *node, const Env *env)
     return build_vec(ir, TYPE_vec3, xy, z);
 }
 
-/* v / |v|; 0 if |v| is 0. */
+/* Returns v / |v|; 0 if |v| is 0. */
 static Ref unit(Lower *l, Ref v)
 {
     Ir *ir = l->ir;
@@ -183,7 +185,8 @@ static Ref unit(Lower *l, Ref v)
     return build_mul(ir, v, build_div(ir, build_float(ir, 1), size));
 }
 
-/* t.x T + t.y B + t.z n, with T along Tu and B on the side of Tv, both perpendicular to n. */
+/* Transforms t from tangent space: t.x T + t.y B + t.z n, with T along Tu and B on the side of
+ * Tv, both perpendicular to n. */
 static Ref from_tangents(Lower *l, const Frame *f, Ref t)
 {
     Ir *ir = l->ir;
@@ -226,7 +229,8 @@ static Ripple ripple(Lower *l, Ref x, Ref count)
     return (Ripple){height, build_neg(ir, build_mul(ir, rate, sine))};
 }
 
-/* The top face in a box's texture layout is u in [1/4, 1/2], v in [1/3, 2/3]. */
+/* Returns true where (u, v), relative to (1/4, 1/3), is in the top face of a box's texture
+ * layout: u in [1/4, 1/2], v in [1/3, 2/3]. */
 static Ref in_box_top(Lower *l, Ref u, Ref v)
 {
     Ir *ir = l->ir;

@@ -6,8 +6,8 @@
 #include "grammar/lobe_table.h"
 #include <string.h>
 
-/* True for passes with one viewer. A shadow pass may serve several lights, and the sky looks the
- * same from every position. */
+/* Returns true for passes with one viewer. A shadow pass may serve several lights, and the sky
+ * looks the same from every position. */
 static bool sees(Pass pass)
 {
     return pass == PASS_gbuffer || pass == PASS_plane || pass == PASS_value;
@@ -46,8 +46,8 @@ static void set_root(Lower *l, Ref value, Ref by_u, Ref by_v)
     slope_set(l, value, DIRECTION_v, by_v);
 }
 
-/* Environment at the intersection of the view ray with the plane. Discards the pixel if they do
- * not intersect, and writes the depth. */
+/* Returns the environment at the intersection of the view ray with the plane. Discards the pixel
+ * if they do not intersect, and writes the depth. */
 static Env plane_env(Lower *l)
 {
     Ir *ir = l->ir;
@@ -83,8 +83,8 @@ static Env plane_env(Lower *l)
     return env;
 }
 
-/* Environment of the sky along the view ray: position and normal are directions, u and v are
- * longitude and latitude. */
+/* Returns the environment of the sky along the view ray: position and normal are directions, u
+ * and v are longitude and latitude. */
 static Env sky_env(Lower *l)
 {
     Ir *ir = l->ir;

@@ -7,7 +7,7 @@ static Ref color(Lower *l, const Node *m, int param, const Env *env)
     return build_convert(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), TYPE_vec3);
 }
 
-/* The red component as a number. */
+/* Returns the red component of a parameter as a number. */
 static Ref red(Lower *l, const Node *m, int param, const Env *env)
 {
     return build_swizzle(l->ir, lower_ask(l, lower_param_node(m, param), GROUP_R, env), "x");
@@ -31,7 +31,7 @@ static bool is_thin(const Node *m)
     return !value_is_zero(node_param(m, P_Principled_thinWalled));
 }
 
-/* weight ((ior - 1) / (ior + 1))^2: Fresnel reflectance at normal incidence. The index is
+/* Returns weight ((ior - 1) / (ior + 1))^2: Fresnel reflectance at normal incidence. The index is
  * clamped to 0, since -1 would divide by 0. A transmissive thin wall reflects on both sides,
  * repeatedly: R + (1 - R)^2 R / (1 - R^2) = 2 R / (1 + R). */
 static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env)
@@ -49,8 +49,8 @@ static Ref reflectance(Lower *l, const Node *m, const Coat *coat, const Env *env
     return build_mix(ir, once, both, clear);
 }
 
-/* Share of light scattered within thin walls that leaves on one side: `toward` 1 is the opposite
- * side, -1 the side where the light entered. */
+/* Returns the share of light scattered within thin walls that leaves on one side: `toward` 1 is
+ * the opposite side, -1 the side where the light entered. */
 static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
 {
     Ir *ir = l->ir;
@@ -62,8 +62,8 @@ static Ref scattered(Lower *l, const Node *m, double toward, const Env *env)
     return build_mul(ir, all, build_add(ir, half, build_scale(ir, on, toward / 2)));
 }
 
-/* Diffuse color of the dielectric: the part that is not transmitted, with subsurface scattering
- * mixed in. */
+/* Returns the diffuse color of the dielectric: the part that is not transmitted, with subsurface
+ * scattering mixed in. */
 static Ref dielectric(Lower *l, const Node *m, Ref own, const Env *env)
 {
     Ir *ir = l->ir;
@@ -81,8 +81,8 @@ static Ref not_metal(Lower *l, const Node *m, const Env *env)
     return build_sub(l->ir, build_float(l->ir, 1), share(l, m, P_Principled_metalness, env));
 }
 
-/* Transmittance of the surface per component: each of a closed mesh's two surfaces takes the
- * square root of the color. */
+/* Returns the transmittance of the surface per component: each of a closed mesh's two surfaces
+ * takes the square root of the color. */
 static Ref through(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -110,8 +110,8 @@ static Ref transparency(Lower *l, const Node *m, Slot slot, const Env *env)
     return build_mul(ir, opacity, most);
 }
 
-/* Diffuse transmission. Light scattered below the surface leaves where it entered, except for
- * thin walls. */
+/* Returns the diffuse transmission. Light scattered below the surface leaves where it entered,
+ * except for thin walls. */
 static Ref to_other_side(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -124,7 +124,8 @@ static Ref to_other_side(Lower *l, const Node *m, const Env *env)
     return build_mul(ir, scattered(l, m, 1, env), weight);
 }
 
-/* Diffuse and metallic base color. `specular` scales all of a metal's reflection. */
+/* Returns the base color: the diffuse color, mixed with the metal's by metalness. `specular`
+ * scales all of a metal's reflection. */
 static Ref base(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -171,7 +172,7 @@ static Ref film(Lower *l, const Node *m, const Coat *coat, Slot slot, const Env 
     return lower_where_there(ir, there, slot, build_clamp(ir, path, zero, most));
 }
 
-/* Doubled angle t of x toward y: (cos 2 t, sin 2 t); (1, 0) for zero. */
+/* Returns the doubled angle t of x toward y as (cos 2 t, sin 2 t); (1, 0) for the zero vector. */
 static Ref twice_the_angle(Ir *ir, Ref x, Ref y)
 {
     const double least = 1e-30;
@@ -192,8 +193,8 @@ static Ref unit_or_nothing(Ir *ir, Ref vector)
                      build_splat(ir, build_div(ir, build_float(ir, 1), size), TYPE_vec3));
 }
 
-/* Doubled angle of a world-space vector, from dP/du toward dP/dv. With n = dP/du x dP/dv the
- * vector n x dP/du is perpendicular to dP/du, and |n| times as long. */
+/* Returns the doubled angle of a world-space vector, from dP/du toward dP/dv. With n = dP/du x
+ * dP/dv the vector n x dP/du is perpendicular to dP/du, and |n| times as long. */
 static Ref tangent_turn(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -328,9 +329,9 @@ Ref lower_principled_of_phong(Lower *l, Slot slot, const PhongSlots *phong)
     }
 }
 
-/* Reflectance at normal incidence of the metal and the dielectric. A Phong mixed with a
- * Principled may have any number here; outside [0, 1] the rest of the lobe would be a difference
- * of large numbers. */
+/* Returns the reflectance at normal incidence of the metal and the dielectric. A Phong mixed
+ * with a Principled may have any number here; outside [0, 1] the rest of the lobe would be a
+ * difference of large numbers. */
 static Ref reflected(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -341,8 +342,8 @@ static Ref reflected(Lower *l, const Node *m, const Env *env)
     return build_clamp(ir, share, build_all(ir, TYPE_vec3, 0), build_all(ir, TYPE_vec3, 1));
 }
 
-/* Phong exponent of the lobe as wide as GGX's: over light directions the lobe is twice as wide
- * as over microfacet normals. */
+/* Returns the Phong exponent of the lobe as wide as GGX's: over light directions the lobe is
+ * twice as wide as over microfacet normals. */
 static Ref exponent_of(Lower *l, const Node *m, const Env *env)
 {
     const double least = 1e-6, greatest = slot_table[SLOT_shininess].high;
@@ -369,7 +370,8 @@ static Ref kept_twice(Lower *l, const Node *m, const Env *env)
     return build_select(ir, opaque, one, factor);
 }
 
-/* Strength with the correction of kept_twice(), at most 1, the bound of the slots. */
+/* Returns a lobe's strength with the correction of kept_twice(), at most 1, the bound of the
+ * slots. */
 static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
 {
     Ir *ir = l->ir;
@@ -377,8 +379,8 @@ static Ref within_slot(Lower *l, const Node *m, Ref strength, const Env *env)
     return build_min(ir, wanted, build_all(ir, TYPE_vec3, 1));
 }
 
-/* Strength of the lobe, of which a Phong of exponent n reflects 2 / (n + 2); at most 1, the
- * bound of the slot. */
+/* Returns the strength of the Phong lobe. A lobe of exponent n reflects 2 / (n + 2); the
+ * strength is at most 1, the bound of the slot. */
 static Ref lobe_of(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;
@@ -387,7 +389,7 @@ static Ref lobe_of(Lower *l, const Node *m, const Env *env)
     return build_min(ir, lobe, build_all(ir, TYPE_vec3, 1));
 }
 
-/* Diffuse color, including the reflection that exceeds the lobe's maximum. */
+/* Returns the diffuse color, including the reflection that exceeds the lobe's maximum. */
 static Ref matt_of(Lower *l, const Node *m, const Env *env)
 {
     Ir *ir = l->ir;

@@ -36,8 +36,8 @@ Answer lower_Graytone(Lower *l, const Node *node, Group group, const Env *env)
 
 static const char *const lane_name[] = {"x", "y", "z", "w"};
 
-/* True where floor(2 q) is odd, from the integer and the fraction of 2 q, per component: edges
- * are at integers, near which the fraction is small and good to its last bit. */
+/* Returns true where floor(2 q) is odd, from the integer and the fraction of 2 q, per component:
+ * edges are at integers, near which the fraction is small and good to its last bit. */
 static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *lane)
 {
     Ir *ir = l->ir;
@@ -48,9 +48,9 @@ static Ref odd_beside_edge(Lower *l, const LongCoordinate *twice, const char *la
     return build_ne(ir, odd, build_lt(ir, fraction, build_float(ir, 0)));
 }
 
-/* True where the sum of the components of floor(2 q) is odd. floor(2 x) is odd where fract(x) is
- * not below 1/2: this form is exact for every float, while a sum of large integers loses its
- * last bit. */
+/* Returns true where the sum of the components of floor(2 q) is odd. floor(2 x) is odd where
+ * fract(x) is not below 1/2: this form is exact for every float, while a sum of large integers
+ * loses its last bit. */
 static Ref odd_sum(Lower *l, Ref q)
 {
     Ir *ir = l->ir;
@@ -66,8 +66,8 @@ static Ref odd_sum(Lower *l, Ref q)
     return odd;
 }
 
-/* uv + step; multiples of the period `turn` are dropped first, since far from the origin the
- * step would be lost to rounding. */
+/* Returns uv + step; multiples of the period `turn` are dropped first, since far from the origin
+ * the step would be lost to rounding. */
 static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
 {
     Ir *ir = l->ir;
@@ -76,7 +76,7 @@ static Ref stepped(Lower *l, Ref uv, Ref step, double turn)
     return build_add(ir, part, step);
 }
 
-/* True where floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
+/* Returns true where floor(2u) + floor(2v) is odd at uv + (step_u, step_v). */
 static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
 {
     if (step_u != 0 || step_v != 0)
@@ -84,7 +84,8 @@ static Ref odd_square(Lower *l, Ref uv, double step_u, double step_v)
     return odd_sum(l, uv);
 }
 
-/* Difference of the two colors where a step crosses an edge, else the slope of the color itself. */
+/* Returns the difference of the two colors where a step crosses an edge, else the slope of the
+ * color itself. */
 static Ref checker_slope(Lower *l, const Node *node, Ref uv, Group group, const Env *env)
 {
     Ir *ir = l->ir;
@@ -114,8 +115,9 @@ static void ask_colors(Lower *l, Colors *colors, Group group, const Env *env)
         colors->answer[i] = lower_arm(l, colors->node[i], group, env);
 }
 
-/* Share of the pixel where the sum of the components of floor(2 q) is odd. Without a footprint,
- * or where --aa=auto keeps a branch around costly colors, a bool for the point instead. */
+/* Returns the share of the pixel where the sum of the components of floor(2 q) is odd. Without a
+ * footprint, or where --aa=auto keeps a branch around costly colors, a bool for the point
+ * instead. */
 static Ref odd_at(Lower *l, const void *map, Answer q)
 {
     const Colors *colors = map;
@@ -160,7 +162,7 @@ Answer lower_VolumeChecker(Lower *l, const Node *node, Group group, const Env *e
     return odd_or_even(l, p, 0.5 * kind_table[KIND_VolumeChecker].step, &colors);
 }
 
-/* True for equal pictures, or Carpenter reliefs with equal parameters. */
+/* Returns true for equal pictures, or Carpenter reliefs with equal parameters. */
 static bool same_texture(const IrTexture *a, const IrTexture *b)
 {
     if (a->kind != b->kind || a->image != b->image || a->kind == TEXTURE_image)
@@ -176,7 +178,7 @@ static bool same_texture(const IrTexture *a, const IrTexture *b)
     return true;
 }
 
-/* Equal textures have equal hashes. */
+/* Hashes a texture: equal textures have equal hashes. */
 static uint32_t texture_hash(const IrTexture *texture)
 {
     double numbers[16] = {0};
@@ -188,7 +190,7 @@ static uint32_t texture_hash(const IrTexture *texture)
     return (uint32_t)XXH3_64bits_withSeed(numbers, sizeof numbers, (uintptr_t)texture->image);
 }
 
-/* Number of an equal texture; a new one on first use. */
+/* Returns the number of an equal texture, which is added on first use. */
 static uint32_t texture_number(Ir *ir, const IrTexture *wanted)
 {
     const uint32_t hash = texture_hash(wanted);
@@ -220,8 +222,8 @@ static Ref lanes_of(Lower *l, const Sampled *sampled, Ref value)
                                       : build_swizzle(l->ir, value, lane_name[sampled->lane]);
 }
 
-/* The picture's width and height: queried from the sampler where possible, so that pictures of
- * all sizes share a program. */
+/* Returns the picture's width and height: queried from the sampler where possible, so that
+ * pictures of all sizes share a program. */
 static Ref size_of(Lower *l, const IrTexture *texture, Ref sampler)
 {
     if (texture->sampled && target_table[l->job->target].words)
@@ -240,8 +242,8 @@ static Ref near_zero(Ir *ir, Ref uv)
     return build_sub(ir, uv, build_sub(ir, turns, kept));
 }
 
-/* Period in u and v after which the picture repeats exactly; 0: none, or a sampler reads it,
- * which would take a dropped period for a wide footprint. */
+/* Returns the period in u and v after which the picture repeats exactly; 0: none, or a sampler
+ * reads it, which would take a dropped period for a wide footprint. */
 static double turn_of(const Sampled *sampled)
 {
     if (sampled->texture.sampled)
@@ -251,7 +253,8 @@ static double turn_of(const Sampled *sampled)
                                                      : 0;
 }
 
-/* uv + step, or an equivalent point: far from the origin the step would be lost to rounding. */
+/* Returns uv + step, or an equivalent point: far from the origin the step would be lost to
+ * rounding. */
 static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
 {
     if (sampled->texture.kind == TEXTURE_carpenter)
@@ -260,7 +263,8 @@ static Ref beyond_of(Lower *l, const Sampled *sampled, Ref uv, Ref step)
     return turn > 0 ? stepped(l, uv, step, turn) : build_add(l->ir, uv, step);
 }
 
-/* Forward difference, the base rule of surface maps: (f(u + h, v) - f(u, v)) / h, per component. */
+/* Returns the forward difference, the base rule of surface maps: (f(u + h, v) - f(u, v)) / h,
+ * per component. */
 static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv, bool by_v)
 {
     Ir *ir = l->ir;
@@ -275,8 +279,8 @@ static Ref difference(Lower *l, const Sampled *sampled, const Picture *picture, 
     return sampled->step > 0 ? build_scale(ir, rise, 1 / sampled->step) : build_mul(ir, rise, lane);
 }
 
-/* Slope over a step of one texel, from eight texels instead of three samples where the sampler
- * allows it. */
+/* Returns the slope over a step of one texel, from eight texels instead of three samples where
+ * the sampler allows it. */
 static Ref sampled_slope(Lower *l, const Sampled *sampled, const Picture *picture, Ref uv,
                          bool by_v)
 {
@@ -330,9 +334,9 @@ static int channel_lane(const Node *node)
     return value->kind == VALUE_number ? (int)value->number[0] - (int)WORD_Channel_r : ALL_LANES;
 }
 
-/* Texel format. An encoding that no texture of the target decodes is decoded to 16 bits when the
- * texture is filled. Half floats replace words if the target has none, and replace floats if its
- * samplers do not filter floats. */
+/* Returns the texel format. An encoding that no texture of the target decodes is decoded to 16
+ * bits when the texture is filled. Half floats replace words if the target has none, and replace
+ * floats if its samplers do not filter floats. */
 static Texels texels_of(const Lower *l, const Image *image, bool srgb)
 {
     const TargetRow *target = &target_table[l->job->target];
@@ -350,8 +354,8 @@ static bool is_sampled(Function function)
     return function == FN_imageSampled || function == FN_imageSampledOver;
 }
 
-/* Wrap mode of the sampler, as far as the sampler can do the addressing and the program allows
- * it. Without filtering texels are fetched, and one sampler is enough. */
+/* Returns the wrap mode of the sampler, as far as the sampler can do the addressing and the
+ * program allows it. Without filtering texels are fetched, and one sampler is enough. */
 static Word wrap_of(const Lower *l, Word address, bool sampled)
 {
     const bool borders = sampled && target_table[l->job->target].borders;

@@ -40,7 +40,7 @@ static Ref by_lanes(Lower *l, OfNumbers *of, const Ref *args, int count)
     return build_vec_of(ir, type, lane, type_table[type].lanes);
 }
 
-/* True for a constant whose components are all far from 0. */
+/* Returns true for a constant whose components are all far from 0. */
 static bool is_far_from_zero(const Ir *ir, Ref a)
 {
     const double *known = ir_is(ir, a, OP_const) ? ir_numbers(ir, a) : NULL;
@@ -70,7 +70,7 @@ static void guard_division(Lower *l, const Ref *x, Ref guarded[2])
     guarded[1] = build_select(ir, none, build_all(ir, ir_type(ir, x[1]), 1), x[1]);
 }
 
-/* a / b with a scalar divisor: one condition for all components. */
+/* Returns a / b with a scalar divisor: one condition for all components. */
 static Ref quotient_by_number(Lower *l, const Ref *x)
 {
     Ref guarded[2];
@@ -113,7 +113,7 @@ static Ref power_by_number(Lower *l, Ref base, Ref exponent, double by)
     return build_pow(ir, within, exponent);
 }
 
-/* Power of x[0] by x[1]. */
+/* Returns the power of x[0] by x[1]. */
 static Ref power(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -127,7 +127,7 @@ static Ref power(Lower *l, const Ref *x)
     return build_min(ir, raised, build_float(ir, GREATEST_POWER));
 }
 
-/* min(max(a, b), c); GLSL's clamp is undefined where b is above c. */
+/* Returns min(max(a, b), c); GLSL's clamp is undefined where b is above c. */
 static Ref bounded(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -144,7 +144,7 @@ static Ref within(Lower *l, Ref a, double low, double high)
     return build_clamp(ir, a, build_float(ir, low), build_float(ir, high));
 }
 
-/* Position of x between `low` and `high`, in [0, 1]. */
+/* Returns the position of x between `low` and `high`, in [0, 1]. */
 static Ref share(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -193,7 +193,8 @@ static Ref turned(Lower *l, const Ref *x)
     return build_linear(ir, (Ref[]){x[0], a, b}, 3);
 }
 
-/* RGB of a hue in turns: each component is 1 within a sixth of a turn around its own hue. */
+/* Converts HSV to RGB, hue in turns: each component is 1 within a sixth of a turn around its own
+ * hue. */
 static Ref rgb(Lower *l, Ref hsv)
 {
     Ir *ir = l->ir;
@@ -205,7 +206,8 @@ static Ref rgb(Lower *l, Ref hsv)
     return MUL(v, build_mix(ir, build_vec3(ir, 1, 1, 1), full, s));
 }
 
-/* The greatest component selects the third of the hue circle, the other two the position in it. */
+/* Converts RGB to HSV. The greatest component selects the third of the hue circle, the other two
+ * the position in the third. */
 static Ref hsv(Lower *l, Ref rgb)
 {
     Ir *ir = l->ir;
@@ -229,8 +231,8 @@ static Ref octaves(Lower *l, bool vector, Ref p, const Ref *args)
     return (vector ? area_vector_turbulence(l, at, args) : area_turbulence(l, at, args)).value;
 }
 
-/* |noise| of one octave. The variance that the pixel leaves out contributes to the mean as if it
- * were normally distributed: 2.3 % off where all is left out. */
+/* Returns |noise| of one octave. The variance that the pixel leaves out contributes to the mean
+ * as if it were normally distributed: 2.3 % off where all is left out. */
 static Ref folded_octave(Lower *l, Ref p)
 {
     Ir *ir = l->ir;
@@ -246,7 +248,8 @@ static Ref folded_octave(Lower *l, Ref p)
     return build_sqrt(ir, build_add(ir, square, build_scale(ir, noise.variance, share)));
 }
 
-/* Arguments: position, octaves, factor on the frequency, factor on the amplitude. */
+/* Returns the sum of octaves of |noise|. Arguments: position, octaves, factor on the frequency,
+ * factor on the amplitude. */
 static Ref folded(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -279,7 +282,7 @@ static Ref each(Lower *l, Function function, Ref a)
     return build_vec_of(ir, ir_type(ir, a), lane, ir_lanes(ir, a));
 }
 
-/* b where the condition holds, else c, in the wider of both types. */
+/* Returns b where the condition holds, else c, in the wider of both types. */
 static Ref chosen(Lower *l, const Ref *x)
 {
     Ir *ir = l->ir;
@@ -287,8 +290,8 @@ static Ref chosen(Lower *l, const Ref *x)
     return build_select(ir, x[0], build_splat(ir, x[1], type), build_splat(ir, x[2], type));
 }
 
-/* 1 where the sum of both components' floors is odd: where one floor is odd and the other is
- * not. */
+/* Returns 1 where the sum of both components' floors is odd: where one floor is odd and the
+ * other is not. */
 static Ref odd(Lower *l, Ref uv)
 {
     Ir *ir = l->ir;

@@ -4,8 +4,8 @@
 #include "compiler/lower/lower.h"
 #include "grammar/expression_tables.h"
 
-/* The value of a term, from its arguments; missing arguments are 0. */
+/* Returns the value of a term, from its arguments; missing arguments are 0. */
 Ref lower_term(Lower *l, Term term, const Ref *args);
-/* a to an integer power, per component: a product, or its inverse. */
+/* Returns a to an integer power, per component: a product, or its inverse. */
 Ref lower_whole_power(Lower *l, Ref a, int power);
 #endif

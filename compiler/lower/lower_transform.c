@@ -4,7 +4,7 @@
 
 static bool is_zero(const Ir *ir, Ref ref) { return ir_is_number(ir, ref, 0); }
 
-/* A matrix of scalars, m[row][column], times q; a diagonal matrix becomes a product per
+/* Multiplies a matrix of scalars, m[row][column], by q; a diagonal matrix becomes a product per
  * component. */
 static Ref times_matrix(Lower *l, Ref m[3][3], int size, Ref q)
 {
@@ -56,7 +56,7 @@ static void uv_matrix(Lower *l, const Node *node, Ref m[3][3])
     m[1][1] = build_mul(ir, scale_v, c);
 }
 
-/* 1/x, 0 for 0: a texture scaled to 0 has no tangent. */
+/* Returns 1/x, and 0 for 0: a texture scaled to 0 has no tangent. */
 static Ref guarded_inverse(Lower *l, Ref x)
 {
     Ir *ir = l->ir;
@@ -79,7 +79,7 @@ Ref lower_uv_tangent(Lower *l, const Node *node, Ref du, Ref dv, Group group)
                      build_mul(ir, dv, build_mul(ir, by_v, inverse)));
 }
 
-/* m ((u, v) - offset); w is unchanged. */
+/* Returns m ((u, v) - offset); w is unchanged. */
 static Answer turned_uv(Lower *l, const Node *node, Answer uvw)
 {
     Ir *ir = l->ir;
@@ -199,7 +199,8 @@ Answer lower_XYZTransform(Lower *l, const Node *node, Group group, const Env *en
     return transform->kind == VALUE_transform ? transformed(l, transform->transform, q) : q;
 }
 
-/* q + amount DTurb(q), for the position and for the texture coordinate alike. */
+/* Lowers a Turbulence: q + amount DTurb(q), for the position and for the texture coordinate
+ * alike. */
 Answer lower_Turbulence(Lower *l, const Node *node, Group group, const Env *env)
 {
     enum { MOST_OCTAVES = 10 };

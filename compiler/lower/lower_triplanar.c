@@ -13,7 +13,7 @@ static const double TRIPLANAR_LEAST_SHARE = 1 / 64.; /* min weight of an axis: s
 
 static const int maps_of[AXES] = {P_Triplanar_x, P_Triplanar_y, P_Triplanar_z};
 
-/* The map of an axis, or of the next axis that has one. */
+/* Returns the map of an axis, or of the next axis that has one. */
 static const Node *projected_map(const Node *node, int axis)
 {
     for (int i = 0; i < AXES; i++) {
@@ -35,7 +35,7 @@ static int place_number(Lower *l, Place place)
     return (int)l->place_count - 1;
 }
 
-/* The environment of an axis. Equal texture coordinates in equal environments share an
+/* Returns the environment of an axis. Equal texture coordinates in equal environments share an
  * environment number, so that nested Triplanars, which read one position, have three of them in
  * total. */
 static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
@@ -49,8 +49,9 @@ static Env projected_env(Lower *l, const Env *env, Answer p, int axis)
     return made;
 }
 
-/* |n|^k of the unit normal, per axis, as a share of the sum; the excess over
- * TRIPLANAR_LEAST_SHARE counts. The weights count as constant when the map is differentiated. */
+/* Returns the weights of the axes: |n|^k of the unit normal, as a share of the sum; the excess
+ * over TRIPLANAR_LEAST_SHARE counts. The weights count as constant when the map is
+ * differentiated. */
 static Ref weights_of(Lower *l, Ref p, Ref sharpness)
 {
     Ir *ir = l->ir;

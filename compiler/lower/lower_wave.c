@@ -7,8 +7,8 @@
 #define CALL(name, a)     build_call(ir, FN_##name, a)
 #define CALL2(name, a, b) build_call(ir, FN_##name, a, b)
 
-/* Square, in the form that --powers selects. Squares of squares become higher powers in
- * opt_power.c. */
+/* Returns the square, in the form that --powers selects. Squares of squares become higher powers
+ * in opt_power.c. */
 static Ref square(Lower *l, Ref v)
 {
     Ir *ir = l->ir;
@@ -55,8 +55,8 @@ static BoxMean box_mean(Lower *l, WaveKind kind, Ref v, Ref w)
     }
 }
 
-/* Factor by which the wave scales small changes of its argument; 0: unknown, no variance is
- * passed on. */
+/* Returns the factor by which the wave scales small changes of its argument; 0: unknown, no
+ * variance is passed on. */
 static Ref rate(Lower *l, WaveKind kind, Ref v)
 {
     Ir *ir = l->ir;
@@ -70,8 +70,9 @@ static Ref rate(Lower *l, WaveKind kind, Ref v)
     }
 }
 
-/* All of the variance once the box is as wide as a period; below, the part not covered by the
- * mean's slope is about the cube of the box's share of the period. */
+/* Returns the variance within a box of width w: all of it once the box is as wide as a period.
+ * Below, the part not covered by the mean's slope is about the cube of the box's share of the
+ * period. */
 static Ref period_variance(Lower *l, Ref w, double variance, double period)
 {
     Ir *ir = l->ir;
@@ -79,7 +80,7 @@ static Ref period_variance(Lower *l, Ref w, double variance, double period)
     return MUL(MUL(MUL(share, share), share), K(variance));
 }
 
-/* Variance of the wave that results from its argument's variance. */
+/* Returns the variance of the wave that results from its argument's variance. */
 static Ref passed_variance(Lower *l, WaveKind kind, Answer v)
 {
     Ir *ir = l->ir;

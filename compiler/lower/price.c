@@ -73,7 +73,7 @@ static void add_map(Side *side, const MetMap *met)
         count(side, lower_ask(&side->lower, met->map, met->group, &side->env));
 }
 
-/* True if both lowerings are equal: a mean has additional nodes. */
+/* Returns true if both lowerings are equal: a mean has additional nodes. */
 static bool are_alike(const Side *a, const Side *b)
 {
     return a->nodes == b->nodes && a->cost == b->cost;

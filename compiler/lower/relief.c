@@ -28,8 +28,8 @@ static Ref number(Lower *l, Ref value)
     return build_select(ir, value, build_float(ir, 1), build_float(ir, 0));
 }
 
-/* Forward difference (f(q + h e) - f(q)) / h, e along one component. f has period 1, so integers
- * are dropped first: far from the origin the step would be lost to rounding. */
+/* Returns the forward difference (f(q + h e) - f(q)) / h, e along one component. f has period 1,
+ * so integers are dropped first: far from the origin the step would be lost to rounding. */
 static Ref difference(Lower *l, Ref value, const Stepped *map, int lane)
 {
     Ir *ir = l->ir;
@@ -68,7 +68,7 @@ void relief_step(Lower *l, Ref value, const Stepped *map)
     relief_rise(l, value, map->q.value, rate);
 }
 
-/* A map's red component. */
+/* Returns a map's red component. */
 static Ref red(Lower *l, const Node *map, const Env *env)
 {
     return build_swizzle(l->ir, lower_ask(l, map, GROUP_R, env), "x");
@@ -110,7 +110,7 @@ static Risen stepped(Lower *l, ReliefValue *make, const Node *what, const Env *e
     return risen;
 }
 
-/* The map's value for a derivative channel; 0: a constant 0. */
+/* Returns the map's value for a derivative channel; 0: the constant 0. */
 static Ref channel(Lower *l, const Node *displacement, Group group, const Env *env)
 {
     Ref answer = lower_ask(l, displacement, group, env);

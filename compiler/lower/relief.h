@@ -3,7 +3,7 @@
 #define MATC_RELIEF_H
 #include "compiler/lower/answer.h"
 
-/* Derivatives of the red component of a BumpMap's displacement by u and v; with
+/* Returns the derivatives of the red component of a BumpMap's displacement by u and v; with
  * --derivatives=finite the maps' own derivative channels. Records slopes that are 0 for a
  * warning. */
 Slopes relief_slopes(Lower *l, const Node *bump, const Env *env);
@@ -18,7 +18,7 @@ typedef struct {
 } Risen;
 Risen relief_of(Lower *l, ReliefValue *make, const Node *what, const Env *env);
 
-/* Within a displacement: lowers a map below which nothing jumps and no picture is read as
+/* Lowers, within a displacement, a map below which nothing jumps and no picture is read as
  * outside of the displacement, so that both share one node. */
 Answer relief_smooth(Lower *l, const Node *map, Group group, const Env *env);
 

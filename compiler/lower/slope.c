@@ -40,8 +40,8 @@ static Ref pick(Ir *ir, const Ref x[3])
                       build_times(ir, build_sub(ir, build_float(ir, 1), mask), b));
 }
 
-/* sqrt(1 - a^2), bounded from below: at the ends of an arc the derivative is limited rather than
- * infinite. */
+/* Returns sqrt(1 - a^2), bounded from below: at the ends of an arc the derivative is limited
+ * rather than infinite. */
 static Ref arc(Ir *ir, Ref a)
 {
     const double least = 1e-6;
@@ -61,7 +61,7 @@ static Ref operand(const Ir *ir, Ref ref, int i)
     return i < ir_at(ir, ref)->count ? ir_arg(ir, ref, i) : 0;
 }
 
-/* Derivative of an operation that works per component: the SLOPE lines of ops.def. */
+/* Returns the derivative of an operation that works per component: the SLOPE lines of ops.def. */
 static Ref lanes_slope(Ir *ir, Ref r, const Ref *slopes)
 {
     Ref a = operand(ir, r, 0), b = operand(ir, r, 1), c = operand(ir, r, 2);
@@ -92,8 +92,8 @@ static Ref swizzle_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_lanes(ir, slopes[0], ir_at(ir, ref)->payload, ir_lanes(ir, ref));
 }
 
-/* A condition with a finite difference (relief.c) counts as a number from 0 to 1; other
- * conditions are constant. */
+/* Returns the derivative of a select. A condition with a finite difference (relief.c) counts as
+ * a number from 0 to 1; other conditions are constant. */
 static Ref select_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     const Type type = ir_type(ir, ref);
@@ -123,8 +123,8 @@ static Ref length_slope(Ir *ir, Ref ref, const Ref *slopes)
     return build_over(ir, toward, build_max(ir, ref, build_float(ir, least)));
 }
 
-/* A matrix times a vector: the matrix times the vector's derivative, plus the columns'
- * derivatives times the vector. */
+/* Differentiates a matrix times a vector: the matrix times the vector's derivative, plus the
+ * columns' derivatives times the vector. */
 static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
 {
     Ref moved[5], turned[5];
@@ -141,8 +141,8 @@ static Ref linear_slope(Ir *ir, Ref ref, const Ref *slopes)
                       turns ? build_linear(ir, turned, count) : 0);
 }
 
-/* Central difference of f(a + h d) and f(a - h d), for a library function without a row in
- * slopes.def: the error is h^2 / 6 of the third derivative. */
+/* Returns the central difference of f(a + h d) and f(a - h d), for a library function without a
+ * row in slopes.def: the error is h^2 / 6 of the third derivative. */
 static Ref difference_slope(Ir *ir, Ref ref, const Ref *args, const Ref *slopes, int count)
 {
     const double step = 1.0 / 256;
@@ -175,7 +175,7 @@ static Ref call_sibling(Ir *ir, const SlopeRow *row, const Ref *args, int count,
     return build_call_of(ir, row->by, all, used);
 }
 
-/* n x^(n - 1) dx, for a constant exponent. */
+/* Differentiates a power with a constant exponent: n x^(n - 1) dx. */
 static Ref power_slope(Ir *ir, const Ref *args, Ref d)
 {
     double n = ir_numbers(ir, args[1])[0];
@@ -224,8 +224,8 @@ static Ref call_slope(Ir *ir, Ref ref, const Ref *slopes)
     return difference_slope(ir, ref, args, slopes, node.count);
 }
 
-/* The derivative of a function of the program is another function. Its arguments' derivatives
- * were set when it was made. */
+/* Returns the derivative of a call of a program's function: a call of another function. Its
+ * arguments' derivatives were set when it was made. */
 static Ref apply_slope(Lower *l, Ref ref, Direction direction)
 {
     IrNode node = *ir_at(l->ir, ref);
@@ -276,8 +276,8 @@ static Ref input_slope(Lower *l, Ref ref, Direction direction)
     return 0;
 }
 
-/* Derivatives of the operands, 0 for none, at least LANE_OPERANDS of them. Returns true if any
- * operand changes. */
+/* Finds the derivatives of the operands, 0 for none, at least LANE_OPERANDS of them. Returns
+ * true if any operand changes. */
 static bool operand_slopes(Lower *l, Ref ref, Direction direction, Ref *slopes)
 {
     bool any = false;
@@ -324,8 +324,8 @@ static Ref differentiate(Lower *l, Ref ref, Direction direction)
     }
 }
 
-/* Number of nodes whose derivatives are needed: the operands; the result of a called function;
- * the texels of a sampler; or the terms of a SlopeSum. */
+/* Returns the number of nodes whose derivatives are needed: the operands; the result of a called
+ * function; the texels of a sampler; or the terms of a SlopeSum. */
 static int parts_of(Lower *l, Ref ref)
 {
     const SlopeSum *sum = slope_sum_of(l, ref);

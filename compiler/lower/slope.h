@@ -4,11 +4,11 @@
 #define MATC_SLOPE_H
 #include "compiler/lower/lower.h"
 
-/* The derivative of a value; 0 where the value is constant. Discontinuities do not count: a step
- * has derivative 0. */
+/* Returns the derivative of a value; 0 where the value is constant. Discontinuities do not
+ * count: a step has derivative 0. */
 Ref slope_of(Lower *l, Ref value, Direction direction);
-/* The derivative as a footprint, which itself counts as constant along every direction. It is
- * behind an OP_detach that no rule looks through. */
+/* Returns the derivative as a footprint, which itself counts as constant along every direction.
+ * It is behind an OP_detach that no rule looks through. */
 Ref slope_detached(Lower *l, Ref value, Direction direction);
 /* Removes the OP_detach marks of footprints from the IR, after all differentiation is done. */
 void slope_done(Lower *l);
@@ -16,12 +16,12 @@ void slope_done(Lower *l);
  * of a function's argument. */
 void slope_set(Lower *l, Ref value, Direction direction, Ref slope);
 
-/* Derivative of a mesh attribute. slope_attribute.c */
+/* Returns the derivative of a mesh attribute. slope_attribute.c */
 Ref slope_attribute(Lower *l, Ref ref, Direction direction);
-/* Derivative of the mesh's normal by u or v; 0: constant, as on a plane. Normals that maps
- * compute have none. */
+/* Returns the derivative of the mesh's normal by u or v; 0: constant, as on a plane. Normals
+ * that maps compute have none. */
 Ref slope_mesh_normal(Lower *l, Ref normal, Direction direction);
-/* Derivative of the mesh's tangent by u or v. */
+/* Returns the derivative of the mesh's tangent by u or v. */
 Ref slope_mesh_tangent(Lower *l, Ref tangent, Direction direction);
 
 /* Values whose derivative is a weighted sum of other values' derivatives. slope_sum.c */

@@ -39,7 +39,7 @@ Ref slope_attribute(Lower *l, Ref ref, Direction direction)
     return by_surface(l->ir, ax, ay, direction == DIRECTION_v);
 }
 
-/* The input that a value is; INPUT_COUNT: no input. */
+/* Returns the input that a value is; INPUT_COUNT: the value is no input. */
 static Input input_of(const Ir *ir, Ref value)
 {
     return ir_is(ir, value, OP_input) ? (Input)ir_at(ir, value)->payload : INPUT_COUNT;

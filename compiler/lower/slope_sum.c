@@ -18,7 +18,7 @@ const void *slope_set_sum(Lower *l, Ref value, SlopeTerms *terms, const void *wh
     return NULL;
 }
 
-/* The terms' nodes get the value's origin. */
+/* Returns the recorded sum of a value. The terms' nodes get the value's origin. */
 const SlopeSum *slope_sum_of(Lower *l, Ref value)
 {
     struct LateSum *late = value < l->sum_room ? l->sums[value] : NULL;

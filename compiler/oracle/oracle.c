@@ -18,7 +18,8 @@ void oracle_surface_default(Surface *surface)
     surface->root[channel_id(GROUP_E, 2)] = 1;
 }
 
-/* W and the color are channels that no surface sets: at the root they are always 0. */
+/* Returns true for channels that a surface sets. W and the color are not set: at the root they
+ * are always 0. */
 static bool on_surface(const ChannelRow *row)
 {
     return row->group != GROUP_R && !(row->group == GROUP_U && row->lane == 2);
@@ -100,8 +101,8 @@ void oracle_close(Oracle *oracle)
     free(oracle);
 }
 
-/* A new stamp invalidates every row, so that the memo of a depth need not be cleared between
- * points. */
+/* Opens an environment. A new stamp invalidates every row, so that the memo of a depth need not
+ * be cleared between points. */
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth)
 {
     const Memo none = {0};
@@ -126,7 +127,7 @@ double oracle_ask(Environment *environment, const Node *map, int channel)
     return value;
 }
 
-/* NULL if the parameter is absent. */
+/* Returns a parameter's map; NULL if the parameter is absent. */
 static const Node *map_of(const Value *value)
 {
     if (value->kind == VALUE_none)
@@ -140,7 +141,8 @@ double oracle_ask_param(Environment *environment, const Node *node, int param, i
     return oracle_ask(environment, map_of(node_param(node, param)), channel);
 }
 
-/* `input` is the first parameter of every map that has one; test_oracle checks this. */
+/* Evaluates the map `input`, the first parameter of every map that has one; test_oracle checks
+ * this. */
 double oracle_ask_input(Environment *environment, const Node *node, int channel)
 {
     return oracle_ask_param(environment, node, kind_table[node->kind].first, channel);

@@ -29,8 +29,8 @@ typedef struct {
     uint32_t has; /* other components have their defaults, equal at all points */
 } Surface;
 
-/* Front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0), viewed along n, ior 1, all
- * else 0. */
+/* Sets the default surface: front side, n = (0, 0, 1), dP/du = (1, 0, 0), dP/dv = (0, 1, 0),
+ * viewed along n, ior 1, all else 0. */
 void oracle_surface_default(Surface *surface);
 /* Sets a channel by its name ("u", "px", ...). Returns false for an unknown channel, or one that
  * is always 0 at the surface (w, r, g, b, a). */
@@ -67,7 +67,7 @@ void oracle_close(Oracle *oracle);
  * missing one. Returns false if the work exceeds LIMIT_WORK and the result is unknown. */
 bool oracle_material(Oracle *oracle, const Node *material, const Surface *surface,
                      SlotValues *result);
-/* Work for the last point, in steps of about 5 ns. */
+/* Returns the work for the last point, in steps of about 5 ns. */
 double oracle_work(const Oracle *oracle);
 /* Displacement of a point along dP/du, dP/dv and the normal, followed by its derivatives by u
  * and by v; all 0: not displaced. For a volume: begin and end along the normal of its two solid
@@ -78,10 +78,10 @@ typedef struct {
 } OracleDisplacement;
 bool oracle_displacement(Oracle *oracle, const Node *material, const Surface *surface,
                          OracleDisplacement *result);
-/* The material that displaces a surface, the given one or one that its switches choose; NULL:
- * none. */
+/* Returns the material that displaces a surface, the given one or one that its switches choose;
+ * NULL: none. */
 const Node *oracle_displaced(const Node *material);
-/* The displacement without its slopes, which takes a fraction of the time. */
+/* Evaluates the displacement without its slopes, in a fraction of the time. */
 bool oracle_displacement_at(Oracle *oracle, const Node *material, const Surface *surface,
                             double by[ORACLE_HEIGHTS]);
 /* Evaluates one channel of one map at a point. A NULL map is the surface. */

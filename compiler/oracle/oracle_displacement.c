@@ -6,8 +6,8 @@
 
 enum { ALONG_N = 2 };
 
-/* Begin and end of a volume's solid intervals. An interval whose begin is below the threshold
- * becomes empty. */
+/* Sets begin and end of a volume's solid intervals. An interval whose begin is below the
+ * threshold becomes empty. */
 static void solid_heights(Environment *environment, const Displacement *d, double bound,
                           double heights[ORACLE_HEIGHTS])
 {
@@ -20,7 +20,7 @@ static void solid_heights(Environment *environment, const Displacement *d, doubl
             heights[lane + 1] = heights[lane];
 }
 
-/* Displacement along dP/du, dP/dv and the normal. */
+/* Sets the displacement along dP/du, dP/dv and the normal. */
 void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS])
 {
     const Displacement d = graph_displacement(displaced);
@@ -67,7 +67,7 @@ void oracle_move(Environment *environment, const Node *displaced, OracleDisplace
 
 static double length(const double v[3]) { return fmax(vec3_length(v), 1e-30); }
 
-/* Derivative of n / |n| if n changes by `change`. */
+/* Sets the derivative of n / |n| if n changes by `change`. */
 static void turn_of(const double n[3], const double change[3], double turn[3])
 {
     const double size = length(n), along = vec3_dot(n, change) / (size * size);
@@ -75,15 +75,15 @@ static void turn_of(const double n[3], const double change[3], double turn[3])
         turn[i] = (change[i] - along * n[i]) / size;
 }
 
-/* A point moved along Tu by x and along Tv by y sinks where the normal tilts toward the
- * tangents. */
+/* Returns the rate at which a point moved along Tu by x and along Tv by y sinks: the normal
+ * tilts toward the tangents. */
 static double falls(const OracleDisplacement *d, const double turn[3], const double tu[3],
                     const double tv[3])
 {
     return d->by[0] * vec3_dot(turn, tu) / length(tu) + d->by[1] * vec3_dot(turn, tv) / length(tv);
 }
 
-/* Derivative of a unit tangent by its rotation about the normal. */
+/* Sets the derivative of a unit tangent by its rotation about the normal. */
 static void swing_of(const double n[3], const double tangent[3], const double change[3],
                      double swing[3])
 {

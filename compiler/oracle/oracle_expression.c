@@ -10,7 +10,7 @@
 
 enum { STEP_WORK = 4 }; /* per step of a formula; noise is charged by its octaves */
 
-/* The unit vector from the point to the eye, or against parallel rays. */
+/* Sets v to the unit vector from the point to the eye, or against parallel rays. */
 static void toward_viewer(const Environment *environment, double v[3])
 {
     const double *root = environment->surface->root, w = root[channel_id(GROUP_E, 3)];
@@ -46,7 +46,7 @@ static void quantity_at(Environment *environment, const Node *node, Quantity qua
         result[i] = result[0];
 }
 
-/* A number is repeated in all components, as formula_value() expects. */
+/* Evaluates an input. A number is repeated in all components, as formula_value() expects. */
 static void input_at(Environment *environment, const Item *item, double result[4])
 {
     const int width = item->width ? item->width : item->input ? item->input->width : 3;
@@ -56,7 +56,7 @@ static void input_at(Environment *environment, const Item *item, double result[4
         result[i] = result[0];
 }
 
-/* A number is repeated in all components, as formula_value() expects. */
+/* Sets the mesh attributes. A number is repeated in all components, as formula_value() expects. */
 static void attributes_at(const Environment *environment, double result[LIMIT_ATTRIBUTES][4])
 {
     const Graph *graph = environment->oracle->graph;
@@ -84,7 +84,7 @@ static double noise_work(const Formula *f, const FormulaStep *step)
            (step->row == TERM_fbm3 || step->row == TERM_noise3 ? 3 : 1);
 }
 
-/* All components are computed and cached together. */
+/* Evaluates the formula; all components are computed and cached together. */
 static void value_of(Environment *environment, const Node *node, double result[4])
 {
     Oracle *oracle = environment->oracle;

@@ -17,7 +17,8 @@ double oracle_answer(Environment *environment, const Node *node, int channel)
     return answers[node->kind](environment, node, channel);
 }
 
-/* A constant has the same value on every channel, except that derivative channels are 0. */
+/* Evaluates a constant, which has the same value on every channel, except that derivative
+ * channels are 0. */
 static double constant(int channel, const double rgba[4])
 {
     return is_derivative(channel) ? 0 : rgba[lane_of(channel)];
@@ -132,7 +133,8 @@ static double volume_at(const void *map, const double p[3])
     return oracle_waved(v->environment, v->node, result[0]);
 }
 
-/* Step of the finite difference of a discontinuous volume map; 0: continuous. */
+/* Returns the step of the finite difference of a discontinuous volume map; 0: the map is
+ * continuous. */
 static double volume_step(Kind kind)
 {
     return kind == KIND_Mandel || kind == KIND_Julia ? 0.005 : 0;
@@ -183,7 +185,8 @@ double oracle_VolumeTurbulence(Environment *environment, const Node *node, int c
 
 static double item_value(const Item *item) { return oracle_float(&item->value); }
 
-/* The first item whose value is above t; the item count if t is above all values. */
+/* Returns the index of the first item whose value is above t; the item count if t is above all
+ * values. */
 static int item_above(const Items *items, double t)
 {
     int i = 0;
@@ -192,8 +195,8 @@ static int item_above(const Items *items, double t)
     return i;
 }
 
-/* All items before the one above t have values of at most t, so the two mixed items never have
- * equal values. */
+/* Evaluates the Blend at t. All items before the one above t have values of at most t, so the
+ * two mixed items never have equal values. */
 static double blend_at(Environment *environment, const Items *items, double t, int channel)
 {
     int above = item_above(items, t);

@@ -11,7 +11,7 @@ typedef struct {
     size_t count, room;
     HashIndex index;
 } NodeNumbers;
-/* Number of a node, assigned on its first visit. oracle_memo.c */
+/* Returns the number of a node, assigned on its first visit. oracle_memo.c */
 size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node);
 
 /* Cached values of a node, valid while the stamp equals the environment's. */
@@ -82,7 +82,8 @@ typedef struct Environment {
 } Environment;
 Environment environment_open(Oracle *oracle, const Surface *surface, int depth);
 
-/* Cached value of a map in the environment; false: none yet. oracle_memo.c */
+/* Finds the cached value of a map in the environment; false: the value is not cached.
+ * oracle_memo.c */
 bool memo_find(const Environment *environment, const Node *node, int channel, double *value);
 void memo_set(const Environment *environment, const Node *node, int channel, double value);
 
@@ -94,7 +95,7 @@ double oracle_ask_param(Environment *environment, const Node *node, int param, i
 double oracle_ask_input(Environment *environment, const Node *node, int channel);
 void oracle_ask_input3(Environment *environment, const Node *node, Group group, double result[3]);
 
-/* Numbers, from literals or uniforms: of a value, or of a parameter. */
+/* Return numbers, from literals or uniforms: of a value, or of a parameter. */
 double oracle_float(const Value *value);
 void oracle_vec3(const Value *value, double result[3]);
 double oracle_number(const Node *node, int param);
@@ -106,10 +107,10 @@ typedef struct {
     const Node *node;
     int lane;
 } Height;
-/* Derivatives of a height by u and v. oracle_normal.c */
+/* Computes the derivatives of a height by u and v. oracle_normal.c */
 void oracle_slopes(Environment *environment, const Height *height, double slope[2]);
-/* Derivatives of a smooth height to a few ulp, instead of a difference's 1e-8; several times as
- * costly. */
+/* Computes the derivatives of a smooth height to a few ulp, instead of a difference's 1e-8;
+ * several times as costly. */
 void oracle_slopes_exact(Environment *environment, const Height *height, double slope[2]);
 /* Environment in which a Triplanar evaluates the map of an axis; `outer` must outlive the
  * projection. oracle_triplanar.c */
@@ -118,8 +119,8 @@ typedef struct {
     Environment environment;
 } Projection;
 void oracle_project(Environment *outer, const Node *triplanar, int axis, Projection *made);
-/* Displacement of the point by a material, with slopes and without; and the surface's normal and
- * tangents after displacement. oracle_displacement.c */
+/* Compute the displacement of the point by a material, with slopes and without; and the
+ * surface's normal and tangents after displacement. oracle_displacement.c */
 void oracle_move(Environment *environment, const Node *displaced, OracleDisplacement *result);
 void oracle_move_by(Environment *environment, const Node *displaced, double move[ORACLE_HEIGHTS]);
 void oracle_displace(Environment *environment, const Node *displaced, Surface *surface);
@@ -134,12 +135,12 @@ enum {
 };
 /* Adds to the cost of evaluating the point. */
 void oracle_spend(const Environment *environment, double steps);
-/* True if the work exceeds LIMIT_WORK. */
+/* Returns true if the work exceeds LIMIT_WORK. */
 bool oracle_spent(const Oracle *oracle);
 /* Calls the C reference of a library function, and adds its cost. */
 void oracle_call(const Environment *environment, int function, const double *args, double *result);
 
-/* w(frequency value + phase), for a map with VOLUME_PARAMS. */
+/* Returns w(frequency value + phase), for a map with VOLUME_PARAMS. */
 double oracle_waved(const Environment *environment, const Node *node, double value);
 /* Caches the value of a volume map for the first three components of the channel's group, which
  * are equal, and returns it. Derivative channels have the same value; only a fourth component is
@@ -153,11 +154,11 @@ typedef struct {
     const void *map;
     double step[3]; /* 0: does not depend on that component */
 } Stepped;
-/* f at q0, extrapolated to q along the difference quotients (f(q0 + h e) - f(q0)) / h: a
+/* Returns f at q0, extrapolated to q along the difference quotients (f(q0 + h e) - f(q0)) / h: a
  * discontinuous map becomes linear near the point. */
 double oracle_along_steps(const Stepped *map, const double q0[3], const double q[3]);
-/* Share of color1 in a Checker or VolumeChecker: 1 or 0 at the shaded point, and extrapolated
- * along its steps at adjacent points. */
+/* Returns the share of color1 in a Checker or VolumeChecker: 1 or 0 at the shaded point, and
+ * extrapolated along its steps at adjacent points. */
 double oracle_odd_share(Environment *environment, const Node *checker);
 
 /* Converts derivatives by u and v to those by the coordinates that a UVTransform makes. */
@@ -167,12 +168,13 @@ void oracle_turn_slopes(Oracle *oracle, const Node *input, double slope[2]);
 
 static inline Group group_of(int channel) { return (Group)(channel / LANES_OF_GROUP); }
 static inline int lane_of(int channel) { return channel % LANES_OF_GROUP; }
-/* True for components x, y, z of a group, which a map defines as a triple. */
+/* Returns true for components x, y, z of a group, which a map defines as a triple. */
 static inline bool in_triple(int channel, Group group)
 {
     return group_of(channel) == group && lane_of(channel) < 3;
 }
-/* Channel ids 8..14 of semantics.md, without the fourth component of DV. */
+/* Returns true for the derivative channels: ids 8..14 of semantics.md, without the fourth
+ * component of DV. */
 static inline bool is_derivative(int channel)
 {
     return channel >= channel_id(GROUP_DU, 0) && channel <= channel_id(GROUP_DV, 2);
@@ -190,12 +192,12 @@ Answer oracle_volume; /* declares oracle_volume for LOWERING_VOLUME */
 #undef DECLARE_OWN
 #undef DECLARE_VOLUME
 /* Functions shared by several materials, from oracle_material.c. */
-/* RGB of a parameter's map. */
+/* Evaluates the RGB of a parameter's map. */
 void oracle_ask_colour(Environment *environment, const Node *node, int param, double rgb[3]);
 /* Stores a normal with unit length, flipped to the visible side. */
 void oracle_set_normal(const Environment *environment, const double normal[3], SlotValues *result);
 const Node *oracle_material_of(const Node *material, int param); /* NULL: none */
-/* Slots of one side of a material, converted to the surface model of the whole. */
+/* Evaluates the slots of one side of a material, converted to the surface model of the whole. */
 void oracle_answer_as(Environment *environment, const Node *whole, const Node *side,
                       SlotValues *result);
 bool oracle_is_principled(const Environment *environment, const Node *material);

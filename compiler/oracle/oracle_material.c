@@ -60,7 +60,7 @@ void oracle_set_normal(const Environment *environment, const double normal[3], S
         lane[i] = -lane[i];
 }
 
-/* A Phong without maps, in black: the base of the other materials. */
+/* Sets a black Phong without maps: the base of the other materials. */
 static void set_neutral(const Environment *environment, SlotValues *result)
 {
     memset(result, 0, sizeof *result);
@@ -74,7 +74,7 @@ static void set_neutral(const Environment *environment, SlotValues *result)
     result->lane[SLOT_ior][0] = environment->surface->root[channel_id(GROUP_IOR, 0)];
 }
 
-/* An RGBA as a Phong: diffuse rgb of alpha 1, and transparency 1 - a. */
+/* Sets a Phong from an RGBA: diffuse rgb of alpha 1, and transparency 1 - a. */
 static void set_rgba(const double rgb[3], double a, SlotValues *result)
 {
     set_colour(result, SLOT_diffuse, rgb);
@@ -94,8 +94,8 @@ static void missing(SlotValues *result)
     set_rgba((double[3]){MISSING_GRAY, MISSING_GRAY, MISSING_GRAY}, 1, result);
 }
 
-/* The Phong exponent that a shininess map encodes; a parameter without a map keeps the neutral
- * one. */
+/* Sets the Phong exponent that a shininess map encodes; a parameter without a map keeps the
+ * neutral exponent. */
 static void exponent(Environment *environment, const Node *material, int param, Slot slot,
                      SlotValues *result)
 {
@@ -105,8 +105,8 @@ static void exponent(Environment *environment, const Node *material, int param, 
     oracle_call(environment, FN_phongExponent, &red, result->lane[slot]);
 }
 
-/* Alpha of the diffuse map makes the surface transparent: at 0 completely, at 1 the transparency
- * map decides. */
+/* Sets the transparency. The diffuse map's alpha makes the surface transparent: at 0 completely,
+ * at 1 the transparency map decides. */
 static void transparency(Environment *environment, const Node *material, SlotValues *result)
 {
     double alpha = oracle_ask_param(environment, material, P_Phong_diffuse, channel_id(GROUP_R, 3));
@@ -117,8 +117,8 @@ static void transparency(Environment *environment, const Node *material, SlotVal
         result->lane[SLOT_transparency][i] = 1 + alpha * (colour[i] - 1);
 }
 
-/* Only the normal and the index of refraction come from `input`; the other maps read the
- * surface. */
+/* Evaluates a Phong. Only the normal and the index of refraction come from `input`; the other
+ * maps read the surface. */
 void oracle_Phong(Environment *environment, const Node *material, SlotValues *result)
 {
     double normal[3];
@@ -145,7 +145,7 @@ void oracle_Phong(Environment *environment, const Node *material, SlotValues *re
  * F(0, theta of the sun), and A to E. */
 enum { SKY_VIEW, SKY_SUN, SKY_ZENITH, SKY_A, SKY_ARGUMENTS = SKY_A + 5 };
 
-/* The coefficients of the sky with these numbers, usually those of the previous point. */
+/* Returns the coefficients of the sky with these numbers, usually those of the previous point. */
 static const OracleSky *sky_of(Oracle *oracle, const double numbers[5])
 {
     OracleSky *sky = &oracle->sky;
@@ -178,7 +178,8 @@ const Node *oracle_material_of(const Node *material, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-/* A missing back is replaced by the front; a missing front stays missing, whatever the back is. */
+/* Returns the material of a side. A missing back is replaced by the front; a missing front stays
+ * missing, whatever the back is. */
 const Node *oracle_choose_SideSwitch(const Node *material, bool front)
 {
     const Node *back = front ? NULL : oracle_material_of(material, P_SideSwitch_backShader);
@@ -198,7 +199,8 @@ const Node *oracle_choose_AlgorithmSwitch(const Node *material, bool front)
     return NULL;
 }
 
-/* The material that a switch chooses, through any number of nested switches; NULL if missing. */
+/* Returns the material that a switch chooses, through any number of nested switches; NULL if
+ * missing. */
 static const Node *chosen(const Node *material, bool front)
 {
     while (material && switches[material->kind])
@@ -234,9 +236,9 @@ void oracle_answer_as(Environment *environment, const Node *whole, const Node *s
         oracle_as_principled(result);
 }
 
-/* The surface for evaluating a shape, which depends on neither viewer nor object: the direction
- * to the viewer is the normal, mesh attributes have their defaults, and the object's random
- * number is 0. */
+/* Returns the surface for evaluating a shape, which depends on neither viewer nor object: the
+ * direction to the viewer is the normal, mesh attributes have their defaults, and the object's
+ * random number is 0. */
 static Surface unseen(const Surface *surface)
 {
     Surface made = *surface;

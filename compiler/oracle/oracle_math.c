@@ -4,7 +4,7 @@
 
 static const double LEAST_WIDTH = 1e-30, MOST_EXPONENT = 64;
 
-/* A component of a parameter's color, that of the channel, whatever its group. */
+/* Returns a component of a parameter's color, that of the channel, whatever its group. */
 static double lane_at(Environment *environment, const Node *node, int param, int lane)
 {
     return oracle_ask_param(environment, node, param, channel_id(GROUP_R, lane));
@@ -71,7 +71,7 @@ double oracle_Power(Environment *environment, const Node *node, int channel)
     return lane_of(channel) == 3 ? x : fmin(pow(fmax(x, 1e-37), exponent), 1e37);
 }
 
-/* RGB to HSV, hue in turns: the hexagon is the color cube viewed along its diagonal. */
+/* Converts RGB to HSV, hue in turns: the hexagon is the color cube viewed along its diagonal. */
 static void hsv_of(const double rgb[3], double hsv[3])
 {
     const double most = fmax(rgb[0], fmax(rgb[1], rgb[2])),
@@ -84,8 +84,8 @@ static void hsv_of(const double rgb[3], double hsv[3])
     hsv[2] = most;
 }
 
-/* A component of an HSV color: full within a sixth of a turn around its own hue, and reduced by
- * the saturation outside a third. */
+/* Returns a component of an HSV color: full within a sixth of a turn around its own hue, and
+ * reduced by the saturation outside a third. */
 static double lane_of_hsv(const double hsv[3], int lane)
 {
     const double turn = hsv[0] - lane / 3., from = fabs(turn - floor(turn + .5));

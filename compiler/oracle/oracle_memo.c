@@ -13,8 +13,8 @@ size_t node_number(Arena *arena, NodeNumbers *numbers, const Node *node)
     return numbers->count - 1;
 }
 
-/* The node's cached values in the environment. The pointer is invalidated by the first visit of
- * another node. */
+/* Returns the node's cached values in the environment. The pointer is invalidated by the first
+ * visit of another node. */
 static MemoRow *row_of(const Environment *environment, const Node *node)
 {
     Oracle *oracle = environment->oracle;

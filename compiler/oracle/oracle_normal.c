@@ -23,8 +23,8 @@ static double cross(const double a[3], const double b[3], int lane)
     return a[i] * b[j] - a[j] * b[i];
 }
 
-/* Handedness: -1 for tangents that are left-handed around the normal, as mirrored ones are, else
- * 1. */
+/* Returns the handedness: -1 for tangents that are left-handed around the normal, as mirrored
+ * ones are, else 1. */
 static double turning(const Frame *frame)
 {
     double volume = 0;
@@ -33,10 +33,10 @@ static double turning(const Frame *frame)
     return volume < 0 ? -1 : 1;
 }
 
-/* A component of the frame after the tangents were raised along the normal by the given slopes.
- * The new normal is their cross product, not normalized, on the old normal's side. The term n x
- * n is left out: it is 0, but would be rounding noise as a difference of products of steep
- * slopes. */
+/* Returns a component of the frame after the tangents were raised along the normal by the given
+ * slopes. The new normal is their cross product, not normalized, on the old normal's side. The
+ * term n x n is left out: it is 0, but would be rounding noise as a difference of products of
+ * steep slopes. */
 static double raised(const Frame *frame, double slope_u, double slope_v, int channel)
 {
     int lane = lane_of(channel);
@@ -92,8 +92,8 @@ static double height_at(Environment *environment, const Height *height, double d
     return height->at(open_beside(environment, du, dv, room), height->node, height->lane);
 }
 
-/* A step that is small compared with a float's rounding, so that both sides of a crease can be
- * distinguished, but large compared with a double's. */
+/* Returns a step that is small compared with a float's rounding, so that both sides of a crease
+ * can be distinguished, but large compared with a double's. */
 static double slope_step(const Surface *surface)
 {
     double size = 1;
@@ -111,9 +111,10 @@ typedef struct {
     double bend, rounding;
 } Bend;
 
-/* `here` is the height at the point. Both sides have different distances: from the middle of a
- * stair's step, equal distances would cross as many steps up as down. Rounding has two sources:
- * the height, and the point, whose coordinates are up to 2^26 / part of its movement. */
+/* Computes the bend on one side; `here` is the height at the point. Both sides have different
+ * distances: from the middle of a stair's step, equal distances would cross as many steps up as
+ * down. Rounding has two sources: the height, and the point, whose coordinates are up to 2^26 /
+ * part of its movement. */
 static Bend bend_at(Environment *environment, const Height *height, const double move[2],
                     double part, double here)
 {
@@ -149,9 +150,9 @@ static bool is_smooth(Environment *environment, const Height *height, const doub
     return true;
 }
 
-/* The derivative along a direction (1 or 0 of u and of v) from a difference. A one-sided span
- * uses the parabola through three points, since a straight line would be off by a part of the
- * slope's own derivative: noise has different curvatures on both sides of a lattice point. */
+/* Returns the derivative along a direction (1 or 0 of u and of v) from a difference. A one-sided
+ * span uses the parabola through three points, since a straight line would be off by a part of
+ * the slope's own derivative: noise has different curvatures on both sides of a lattice point. */
 static double slope_along(Environment *environment, const Height *height, const double along[2],
                           double h)
 {
@@ -176,9 +177,10 @@ void oracle_slopes(Environment *environment, const Height *height, double slope[
         environment->oracle->rough = true;
 }
 
-/* The derivative of a smooth function near the point, to a few ulp: central differences over
- * steps from wide to narrow, each extrapolated with the previous ones to a step of 0 (Ridders
- * 1982). The result is the entry with the least difference to its neighbors plus rounding error.
+/* Returns the derivative of a smooth function near the point, to a few ulp: central differences
+ * over steps from wide to narrow, each extrapolated with the previous ones to a step of 0
+ * (Ridders 1982). The result is the entry with the least difference to its neighbors plus
+ * rounding error.
  *     x^3 at 1: steps of 1/2 and 1/8 give 3.25 and 3.015625, and (16 * 3.015625 - 3.25) / 15 = 3 */
 static double slope_extrapolated(Environment *environment, const Height *height,
                                  const double along[2], double widest)
@@ -266,8 +268,8 @@ typedef struct {
     double u, v, count_u, count_v;
 } WavePoint;
 
-/* The top of a box is u in [1/4, 1/2], v in [1/3, 2/3] of its texture layout; the waves are then
- * relative to the face. */
+/* Moves the point to the top face of a box: u in [1/4, 1/2], v in [1/3, 2/3] of its texture
+ * layout. The waves are then relative to the face. */
 static void move_to_box_top(WavePoint *point)
 {
     point->u -= 1. / 4;
@@ -313,7 +315,7 @@ static Surface shifted(const Surface *from, const double shift[3])
     return surface;
 }
 
-/* The input's values on some components of a group, at a surface point whose local position and
+/* Evaluates the input on some components of a group, at a surface point whose local position and
  * texture coordinate are offset by `shift`. */
 static void shifted_input(Environment *environment, const Node *node, const Lanes *lanes,
                           const double shift[3], double result[3])
@@ -335,9 +337,9 @@ enum { CENTRE = 13 }; /* index of the center among the 27 cells */
 /* Weights of a 3x3x3 kernel, by the number of the three indices that differ from the center's. */
 typedef double Kernel[4];
 
-/* Sums differences to the center: a constant yields exactly itself or 0, without the rounding of
- * the weights' sum. All components of a group are evaluated together, since they share their
- * points. */
+/* Evaluates a filter as a sum of differences to the center: a constant yields exactly itself or
+ * 0, without the rounding of the weights' sum. All components of a group are evaluated together,
+ * since they share their points. */
 static double filtered(Environment *environment, const Node *node, int channel,
                        const double size[3], const Kernel kernel)
 {

@@ -14,10 +14,10 @@ static double ask_red(Environment *environment, const Node *material, int param)
 
 static double unit(double x) { return fmin(fmax(x, 0), 1); }
 
-/* Linear interpolation; exact at both ends, even if the other value is much greater. */
+/* Interpolates linearly; exact at both ends, even if the other value is much greater. */
 static double mixed(double a, double b, double t) { return (1 - t) * a + t * b; }
 
-/* Fresnel reflectance at normal incidence. */
+/* Returns the Fresnel reflectance at normal incidence. */
 static double reflectance_of(double ior) { return (ior - 1) / (ior + 1) * ((ior - 1) / (ior + 1)); }
 
 typedef struct {
@@ -72,8 +72,8 @@ static void lay(const OracleCoat *coat, double ior, double specular, SlotValues 
     result->lane[SLOT_coatReflectance][0] = own;
 }
 
-/* a (cos 2 t, sin 2 t), with t from the rotation in turns plus, if present, the tangent's angle
- * from dP/du toward dP/dv. */
+/* Sets the anisotropy a (cos 2 t, sin 2 t), with t from the rotation in turns plus, if present,
+ * the tangent's angle from dP/du toward dP/dv. */
 static void set_anisotropy(Environment *environment, const Node *material, SlotValues *result)
 {
     const double strength = unit(ask_red(environment, material, P_Principled_anisotropy));
@@ -93,9 +93,9 @@ static void set_anisotropy(Environment *environment, const Node *material, SlotV
     result->lane[SLOT_anisotropy][1] = strength * sin(turn);
 }
 
-/* Transmission, straight and by subsurface scattering: the color applies once to both surfaces
- * of a closed mesh together, and scattered light leaves where it entered. Before the call the
- * diffuse slot is b (1 - metal + metal weight). */
+/* Applies transmission, straight and by subsurface scattering: the color applies once to both
+ * surfaces of a closed mesh together, and scattered light leaves where it entered. Before the
+ * call the diffuse slot is b (1 - metal + metal weight). */
 static void let_through(Environment *environment, const Node *material, SlotValues *result)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission)),
@@ -139,7 +139,7 @@ static void set_film(Environment *environment, const Node *material, SlotValues 
     result->lane[SLOT_filmPath][0] = fmin(fmax(path, 0), slot_table[SLOT_filmPath].high);
 }
 
-/* The coat's own normal; (0, 0, 0) if the coat follows the normal of the surface below. */
+/* Sets the coat's own normal; (0, 0, 0) if the coat follows the normal of the surface below. */
 static void set_coat_normal(Environment *environment, const Node *material, int param,
                             SlotValues *result)
 {
@@ -154,7 +154,7 @@ static void set_coat_normal(Environment *environment, const Node *material, int 
         lane[i] = -lane[i];
 }
 
-/* Reflectance of both sides of a thin, transmissive wall. */
+/* Returns the reflectance of both sides of a thin, transmissive wall. */
 static double of_both_sides(Environment *environment, const Node *material, double once)
 {
     const double clear = unit(ask_red(environment, material, P_Principled_transmission));
@@ -163,8 +163,8 @@ static double of_both_sides(Environment *environment, const Node *material, doub
                : mixed(once, 2 * once / fmax(1 + once, LEAST), clear);
 }
 
-/* The index of refraction gives the Fresnel reflectance at normal incidence; `specular` scales
- * it, and scales the color of metal. */
+/* Evaluates a Principled. The index of refraction gives the Fresnel reflectance at normal
+ * incidence; `specular` scales it, and scales the color of metal. */
 void oracle_Principled(Environment *environment, const Node *material, SlotValues *result)
 {
     static const int coat_params[] = {P_Principled_coat,          P_Principled_coatColor,
@@ -262,8 +262,8 @@ void oracle_as_principled(SlotValues *side)
 
 static double roughness_of(double exponent) { return sqrt(sqrt(2 / (exponent + 2))); }
 
-/* Weight of the second side where the mask is t, multiplied by the slot that weighs this one on
- * both sides. */
+/* Returns the weight of the second side where the mask is t, multiplied by the slot that weighs
+ * this one on both sides. */
 static double counted(Slot slot, const SlotValues sides[2], double t)
 {
     if (slot_weight(slot) == SLOT_COUNT)
@@ -299,8 +299,8 @@ static void mix_slot(const Environment *environment, Slot slot, const SlotValues
     }
 }
 
-/* A material that occurs repeatedly in nested Mixes is evaluated as often; the bound on work
- * limits the total. */
+/* Evaluates a Mix. A material that occurs repeatedly in nested Mixes is evaluated as often; the
+ * bound on work limits the total. */
 void oracle_MixMaterial(Environment *environment, const Node *material, SlotValues *result)
 {
     SlotValues sides[2];

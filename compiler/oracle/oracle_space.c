@@ -21,8 +21,8 @@ static UVMap uv_map(const Node *node)
     };
 }
 
-/* The inverse of the linear part, whose determinant is scaleU * scaleV. A singular map has no
- * inverse: there the tangents become 0 rather than infinite. */
+/* Sets the inverse of the linear part, whose determinant is scaleU * scaleV. A singular map has
+ * no inverse: there the tangents become 0 rather than infinite. */
 static void uv_inverse(const Node *node, const UVMap *map, double inverse[2][2])
 {
     double determinant =
@@ -67,8 +67,8 @@ static SlopeTurn *turn_at(Oracle *oracle, const Node *node)
     return &oracle->turns[number];
 }
 
-/* Product of the UVTransforms from a node down its inputs. Every node caches its own, so a chain
- * is walked once. */
+/* Returns the product of the UVTransforms from a node down its inputs. Every node caches its
+ * own, so a chain is walked once. */
 static SlopeTurn turn_of(Oracle *oracle, const Node *node)
 {
     const Node **chain = NULL;
@@ -118,7 +118,7 @@ static void rotate(double q[3], int axis, double angle)
     q[i] = a;
 }
 
-/* M = T Rz Ry Rx S H, applied from the right: shear, scale, rotate about x, y, z, translate. */
+/* Applies M = T Rz Ry Rx S H, from the right: shear, scale, rotate about x, y, z, translate. */
 static void transform_components(const Transform *transform, double q[3])
 {
     double translation[3], rotation[3], scale[3], shear[3];

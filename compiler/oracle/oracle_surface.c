@@ -18,16 +18,16 @@ double oracle_along_steps(const Stepped *map, const double q0[3], const double q
     return value;
 }
 
-/* Parity of an integer. The parity of a sum is the exclusive or, which stays exact where the sum
- * would not. */
+/* Returns the parity of an integer. The parity of a sum is the exclusive or, which stays exact
+ * where the sum would not. */
 static bool is_odd(double whole) { return fmod(whole, 2) != 0; }
 
 static bool odd_square(double u, double v) { return is_odd(floor(2 * u)) != is_odd(floor(2 * v)); }
 
 static const double CHECKER_STEP = 0.05;
 
-/* Slope of a checker: across an edge of the pattern the difference of the colors; within a
- * square the slope of the color itself. */
+/* Returns the slope of a checker: across an edge of the pattern the difference of the colors;
+ * within a square the slope of the color itself. */
 static double checker_slope(Environment *environment, const Node *node, int channel,
                             const double uv[2])
 {
@@ -50,7 +50,7 @@ static void ask_uv(Environment *environment, const Node *node, double uv[2])
     uv[1] = oracle_ask_input(environment, node, channel_id(GROUP_U, 1));
 }
 
-/* Linear from a to b as x goes from 0 to 1; constant outside. */
+/* Interpolates linearly from a to b as x goes from 0 to 1; constant outside. */
 static double between(double a, double b, double x) { return a + fmin(fmax(x, 0), 1) * (b - a); }
 
 double oracle_Ramp(Environment *environment, const Node *node, int channel)
@@ -99,7 +99,7 @@ double oracle_odd_share(Environment *environment, const Node *checker)
     return oracle_along_steps(map, q0, q);
 }
 
-/* Mix of both colors by the checker's share; `color1` is the parameter of the first color,
+/* Mixes both colors by the checker's share; `color1` is the parameter of the first color,
  * followed by color2. */
 static double one_of(Environment *environment, const Node *checker, int channel, int color1)
 {
@@ -138,8 +138,8 @@ typedef struct {
     int channel;
 } Picture;
 
-/* A component of a picture at (u, v). Components that the function does not write are those of a
- * gray. */
+/* Returns a component of an image at (u, v). Components that the function does not write are
+ * those of a gray. */
 static double picture_at(const Picture *picture, double u, double v, int component)
 {
     ReferenceContext context = picture->environment->oracle->context;
@@ -178,8 +178,8 @@ static double picture_beside(const Picture *picture, const Node *node, const dou
     return oracle_along_steps(&map, (double[3]){centre[0], centre[1]}, (double[3]){uv[0], uv[1]});
 }
 
-/* A derivative channel is the difference quotient of its own component, the rule of all surface
- * maps, so BumpMap gets the slope of red. */
+/* Evaluates a channel of an image. A derivative channel is the difference quotient of its own
+ * component, the rule of all surface maps, so BumpMap gets the slope of red. */
 static double picture_channel(const Picture *picture, const Node *node, int channel)
 {
     int component = lane_of(channel);
@@ -197,7 +197,7 @@ static double picture_channel(const Picture *picture, const Node *node, int chan
            picture->step_v;
 }
 
-/* A missing picture is a constant gray, whose difference quotients are 0. */
+/* Evaluates a missing image: a constant gray, whose difference quotients are 0. */
 static double no_picture(int channel)
 {
     if (is_derivative(channel))
@@ -213,7 +213,7 @@ static int word_of(const Node *node, int param)
     return value->kind == VALUE_number ? (int)value->number[0] : NO_WORD;
 }
 
-/* True if a texel's color is at its center. Without filtering that makes no difference. */
+/* Returns true if a texel's color is at its center. Without filtering that makes no difference. */
 static bool is_centred(const Node *node)
 {
     return oracle_number(node, P_ImageMap_bilinearFiltering) != 0 &&
@@ -248,7 +248,7 @@ double oracle_ImageMap(Environment *environment, const Node *node, int channel)
     return picture_channel(&picture, node, channel);
 }
 
-/* A Carpenter's texels, baked on first use; NULL: baking exceeds the limit of work. */
+/* Returns a Carpenter's texels, baked on first use; NULL: baking exceeds the limit of work. */
 static const float *relief(const Environment *environment, const Node *node, int width, int height)
 {
     Oracle *oracle = environment->oracle;

@@ -2,7 +2,7 @@
 #include "compiler/oracle/oracle_maps.h"
 #include "compiler/base/vec3.h"
 
-/* Normalizes; a zero vector stays 0. */
+/* Normalizes a vector; a zero vector stays 0. */
 static void make_unit(double v[3])
 {
     const double size = fmax(vec3_length(v), 1e-30);
@@ -10,7 +10,7 @@ static void make_unit(double v[3])
         v[i] /= size;
 }
 
-/* Vector that the picture encodes, x along Tu, y along Tv, z along the normal. */
+/* Sets t to the vector that the normal map encodes: x along Tu, y along Tv, z along the normal. */
 static void tangent_normal(Environment *environment, const Node *node, double t[3])
 {
     const double scale = oracle_number(node, P_NormalMap_scale);
@@ -23,7 +23,7 @@ static void tangent_normal(Environment *environment, const Node *node, double t[
     t[1] *= oracle_number(node, P_NormalMap_flipY) != 0 ? -scale : scale;
 }
 
-/* The normal in world space, from the input's unit normal and tangents. */
+/* Transforms t to world space, by the input's unit normal and tangents. */
 static void turned_normal(const double t[3], const double n[3], double frame[2][3],
                           double normal[3])
 {

@@ -12,7 +12,7 @@ static const Node *map_at(const Node *node, int param)
     return value->kind == VALUE_node ? value->node : NULL;
 }
 
-/* The map of an axis, or of the next axis that has one. */
+/* Returns the map of an axis, or of the next axis that has one. */
 static const Node *map_of(const Node *node, int axis)
 {
     for (int i = 0; i < AXES; i++)
@@ -42,8 +42,8 @@ static double position(Environment *environment, const Node *node, int lane)
     return oracle_ask_input(environment, node, channel_id(GROUP_X, lane));
 }
 
-/* Weights by axis, at the center of the difference quotient: adjacent points use the same
- * weights. */
+/* Sets the weights by axis, at the center of the difference quotient: adjacent points use the
+ * same weights. */
 static void weights_at(Environment *environment, const Node *node, double weight[AXES])
 {
     Environment *at = environment->origin ? environment->origin : environment;
@@ -68,7 +68,7 @@ static void weights_at(Environment *environment, const Node *node, double weight
         weight[i] /= above;
 }
 
-/* All components of the color projected along an axis. */
+/* Evaluates all components of the color projected along an axis. */
 static void ask_side(Environment *environment, const Node *node, int axis, double color[LANES])
 {
     Projection here, origin;

@@ -20,7 +20,7 @@ void oracle_spend(const Environment *environment, double steps)
 double oracle_work(const Oracle *oracle) { return oracle->work; }
 bool oracle_spent(const Oracle *oracle) { return oracle->work > LIMIT_WORK; }
 
-/* Repetition count of a library function, which is its only integer argument. */
+/* Returns the repetition count of a library function, which is its only integer argument. */
 static double count_of(int function, const double *args)
 {
     static const int lanes[] = {['2'] = 2, ['3'] = 3, ['4'] = 4, ['f'] = 1, ['s'] = 1};
