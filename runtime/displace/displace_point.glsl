@@ -21,8 +21,8 @@ uvec4 displaceParts(uint drawn)
     return uvec4(drawn, drawn >> 8, drawn >> 16, drawn >> 24) & 255u;
 }
 
-// Barycentric weights of point number `point` on a triangular grid, whose row i has i + 1 points;
-// their sum is `parts`.
+// Returns the barycentric weights of point number `point` on a triangular grid, whose row i has i +
+// 1 points; their sum is `parts`.
 ivec3 displaceRow(int point, int parts)
 {
     int row = int((sqrt(float(8 * point + 1)) - 1.0) / 2.0);
@@ -70,7 +70,7 @@ DISPLACE_OUT vec2 displaced_texcoord;
 DISPLACE_OUT vec3 displaced_tangentU, displaced_tangentV;
 precise DISPLACE_OUT vec3 displaced_base;
 
-// The rows that determine the displacement of the point: equal for all vertices at the same
+// Returns the rows that determine the displacement of the point: equal for all vertices at the same
 // position.
 uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
 {
@@ -144,8 +144,8 @@ void displacePoint(uint patchNumber, vec3 w)
 }
 
 #ifdef DISPLACE_VOLUME
-// Position over the point at one of a volume's four heights; `there` is false where its interval is
-// empty.
+// Returns the position over the point at one of a volume's four heights; `there` is false where its
+// interval is empty.
 vec3 displaceOver(uint patchNumber, vec3 w, int height, out bool there)
 {
     uvec3 own = displaceCorners(patchNumber), moving = displaceMoving(12u * patchNumber, own, w);

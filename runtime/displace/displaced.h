@@ -41,7 +41,8 @@ typedef struct {
     SceneSight sight;
 } DisplacedView;
 
-/* The driver supports the method: OpenGL 4.5, with storage buffers in the method's stages. */
+/* Returns whether the driver supports the method: OpenGL 4.5, with storage buffers in the
+ * method's stages. */
 bool displaced_there(const GlContext *gl, Word method);
 /* Makes programs and buffers for a scene mesh with patches; of the mesh only its arrays exist so
  * far. False: failed, see the context's error; *made is empty. */
@@ -50,9 +51,9 @@ bool displaced_make(Store *store, const Scene *scene, const MatcOptions *compile
 /* Writes the triangles for a view, unless they are up to date. False: failed, see the context's
  * error. */
 bool displaced_write(Displaced *displaced, const DisplacedView *view, Mesh *mesh);
-/* The method exists, and its triangles depend on the camera. */
+/* Returns whether the method exists, and its triangles depend on the camera. */
 bool displaced_by_view(const Displaced *displaced);
-/* The method exists, and its triangles depend on lights that cast shadows. */
+/* Returns whether the method exists, and its triangles depend on lights that cast shadows. */
 bool displaced_by_lights(const Displaced *displaced);
 /* Reads the last written triangles. False: failed, see the context's error; *made is empty. */
 bool displaced_read(const Displaced *displaced, const Mesh *mesh, Shape *made);

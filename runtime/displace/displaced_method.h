@@ -51,14 +51,14 @@ void displaced_reserve(Displaced *displaced, const Mesh *mesh, int buffer, size_
 bool displaced_indices(Displaced *displaced, Mesh *mesh, const uint32_t *indices, size_t count);
 /* Makes the mesh's rows consecutive triangles without shared vertices. */
 bool displaced_unshared(Displaced *displaced, Mesh *mesh, int triangles);
-/* Begin and end of a sequence of draws whose points are captured, and not rasterized. */
+/* Begin and end a sequence of draws whose points are captured, and not rasterized. */
 void displaced_begin(const Displaced *displaced);
 bool displaced_end(const Displaced *displaced);
 /* Uses the material, and captures triangles of `points` points as rows of the mesh, from row
  * `first` on, until glEndTransformFeedback. */
 void displaced_capture(Displaced *displaced, const Mesh *mesh, size_t first, size_t points);
-/* The driver's geometry programs can read the buffers of displace_point.glsl; outputs stay
- * within the limits that every driver has. */
+/* Returns whether the driver's geometry programs can read the buffers of displace_point.glsl;
+ * outputs stay within the limits that every driver has. */
 bool displaced_geometry_there(const GlContext *gl);
 /* Computes `parts` for the view. If they have changed, sets `anew` and fills the buffer of drawn
  * patches, ordered by the parts of their interiors: first[n] is the first patch of n parts, and

@@ -33,8 +33,8 @@ static bool write_drawn(Displaced *d, int first[SCENE_PATCH_PARTS + 2])
     return fine;
 }
 
-/* True if the written triangles contain the whole view with the required subdivision; triangles
- * outside the view may exist as well. */
+/* Returns true if the written triangles contain the whole view with the required subdivision;
+ * triangles outside the view may exist as well. */
 static bool stands(const Displaced *d, uint8_t (*parts)[3])
 {
     bool same = d->written;

@@ -51,8 +51,8 @@ ExactRay exactRay(vec3 from, vec3 way)
 
 vec3 exactCorner(uint triangle, uint corner) { return exact_corners[triangle * 3u + corner].xyz; }
 
-// A corner relative to the ray's start, sheared so that the ray is the axis z, with 1 at the ray's
-// end.
+// Returns a corner relative to the ray's start, sheared so that the ray is the axis z, with 1 at
+// the ray's end.
 vec3 exactSeen(ExactRay ray, vec3 corner)
 {
     vec3 v = exactTurned(corner - ray.from, ray.axis);
@@ -60,15 +60,15 @@ vec3 exactSeen(ExactRay ray, vec3 corner)
     return vec3(across, ray.shear.z * v.z);
 }
 
-// Signed areas of the ray with the three edges, each opposite to its corner; they add up to the
-// triangle's.
+// Returns the signed areas of the ray with the three edges, each opposite to its corner; they add
+// up to the triangle's.
 vec3 exactAreas(vec3 a, vec3 b, vec3 c)
 {
     precise vec3 areas = vec3(b.x * c.y - b.y * c.x, c.x * a.y - c.y * a.x, a.x * b.y - a.y * b.x);
     return areas;
 }
 
-// True if a point is off a triangle's plane by more than the tolerance.
+// Returns true if a point is off a triangle's plane by more than the tolerance.
 bool exactOff(vec3 point, vec3 a, vec3 b, vec3 c)
 {
     vec3 normal = cross(b - a, c - a), size = abs(normal);
@@ -90,7 +90,7 @@ bool exactMeets(ExactRay ray, uint triangle, bool endless)
     return along > 0.0 && (endless || along < 1.0) && exactOff(ray.from, a, b, c);
 }
 
-// The cell of a light's view that contains a position; -1: outside of the view.
+// Returns the cell of a light's view that contains a position; -1: outside of the view.
 int exactCell(vec3 place, int views, int size, bool placed)
 {
     int face = 0;
@@ -114,7 +114,7 @@ vec3 exactThrough(uint triangle)
     return vec3(exact_corners[at].w, exact_corners[at + 1u].w, exact_corners[at + 2u].w);
 }
 
-// The share of a light that reaches a point; `light` is the number of its header.
+// Returns the share of a light that reaches a point; `light` is the number of its header.
 vec3 exactShare(int light, vec3 point)
 {
     uint head = uint(light) * EXACT_HEAD;
@@ -141,12 +141,12 @@ vec3 exactDirection(vec3 eye) { return eye.x * exact_right.xyz + eye.y * exact_u
 #ifdef EXACT_SEEN
 vec3 exactPoint(vec3 point, vec3 normal, float pixel); // defined in exact_seen.glsl
 #else
-// A transparent surface's point is reconstructed from depth, and lifted to the light's side by the
-// possible error.
+// Returns a transparent surface's point, reconstructed from depth, and lifted to the light's side
+// by the possible error.
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_eye.xyz + exactDirection(point + normal * (pixel / 64.0)); }
 #endif
 
-// Entry point, called by shadow_text.c's functions.
+// Returns the transmitted light (entry point, called by shadow_text.c's functions).
 vec3 exactLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     return exactShare(number, exactPoint(point, side, size));

@@ -16,8 +16,8 @@ static inline ExactShadows *exact_state(const Render *render)
 {
     return shadow_method_state(render, WORD_Shadows_exact);
 }
-/* Some light has exact shadows, and the view shows lighting; and additionally some object has
- * triangles for exact shadows. */
+/* Return whether some light has exact shadows, and the view shows lighting; and additionally,
+ * whether some object has triangles for exact shadows. */
 bool pass_exact_wanted(const Render *render);
 bool pass_exact_needed(const Render *render);
 /* Functions of the row. pass_exact_list() makes the lists; the GPU may still be working on them

@@ -17,7 +17,7 @@ layout(std430, binding = 7) buffer ExactLists {
 
 shared uint group_sums[256], group_begin;
 
-// Inclusive prefix sum over the workgroup's threads.
+// Returns the inclusive prefix sum over the workgroup's threads.
 uint sumUpTo(uint thread, uint own)
 {
     group_sums[thread] = own;

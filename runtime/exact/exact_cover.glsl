@@ -80,7 +80,7 @@ struct Facet {
     ivec4 bounds; // first and last row, first and last column; empty: last < first
 };
 
-// A corner in the light's coordinates.
+// Returns a corner in the light's coordinates.
 dvec3 placeOf(View view, uint triangle, uint corner)
 {
     dvec3 from = dvec3(exact_corners[triangle * 3u + corner].xyz) - (view.placed ? view.from : dvec3(0.0lf));
@@ -103,7 +103,7 @@ dvec3 turned(dvec3 place, View view, int face)
     return dvec3((place.xy + place.z) * (0.5lf * double(view.size)), place.z);
 }
 
-// True if all three signed distances from a plane are negative: the corners are outside.
+// Returns true if all three signed distances from a plane are negative: the corners are outside.
 bool areBeyond(double a, double b, double c) { return max(max(a, b), c) < 0.0lf; }
 
 bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
@@ -116,7 +116,8 @@ bool isAway(dvec3 a, dvec3 b, dvec3 c, double size)
 
 int cellOf(double at, int size) { return int(clamp(floor(at), 0.0lf, double(size - 1))); }
 
-// Rows and columns that the corners span; the whole face if a corner is not in front of the light.
+// Returns the rows and columns that the corners span; the whole face if a corner is not in front of
+// the light.
 ivec4 boundsOf(dvec3 a, dvec3 b, dvec3 c, int size)
 {
     if (min(min(a.z, b.z), c.z) <= 0.0lf) return ivec4(0, size - 1, 0, size - 1);
@@ -159,7 +160,7 @@ void cutRange(dvec3 side, double off, double turn, dvec2 heights, inout dvec2 ra
     else if (rest < 0.0lf) range = dvec2(FAR, -FAR);
 }
 
-// Cells, enlarged by 1/64, that intersect the range left by the three sides.
+// Returns the cells, enlarged by 1/64, that intersect the range left by the three sides.
 ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
 {
     dvec2 range = dvec2(-FAR, FAR);
@@ -169,7 +170,7 @@ ivec2 cellsLeft(Facet facet, double turn, dvec2 heights, int size)
     return ivec2(int(floor(range.x)), int(floor(range.y)));
 }
 
-// First and last cell of a row. If the inside is unknown, both signs are tried.
+// Returns the first and last cell of a row. If the inside is unknown, both signs are tried.
 ivec2 cellsOf(Facet facet, int row, int size)
 {
     dvec2 heights = dvec2(double(row) - SPREAD, double(row + 1) + SPREAD);

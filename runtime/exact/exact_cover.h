@@ -26,7 +26,7 @@ bool exact_cover_open(Store *store, size_t most, ExactCover *made);
  * doubled in width, repeatedly. False: failed, see the context's error. */
 bool exact_cover_make(ExactCover *cover, const Scene *scene, const ExactTriangles *triangles,
                       GLuint corners);
-/* Number of entries of the longest list. */
+/* Returns the number of entries of the longest list. */
 int exact_cover_longest(const ExactCover *cover);
 /* Deletes the lists, and keeps the programs. */
 void exact_cover_empty(ExactCover *cover);

@@ -33,7 +33,7 @@ static void reach_along(const ExactTriangles *triangles, const ExactBox *box, co
     range[1] = fmax(range[1], middle + half);
 }
 
-/* Row that maps all triangles to -1 ... 1 along an axis, with a margin. */
+/* Sets the row that maps all triangles to -1 ... 1 along an axis, with a margin. */
 static void fit_row(const ExactTriangles *triangles, const double axis[3], float row[4])
 {
     const double room = 1.001;
@@ -46,7 +46,7 @@ static void fit_row(const ExactTriangles *triangles, const double axis[3], float
     add_row(axis, 1 / half, triangles->count ? -(range[0] + range[1]) / 2 / half : 0, row);
 }
 
-/* From the world's axes to those of the first face of a cube, y, z, x. */
+/* Sets the transform from the world's axes to those of the first face of a cube, y, z, x. */
 static void fit_cube(View *view)
 {
     for (int row = 0; row < 3; row++)
@@ -79,9 +79,9 @@ static View view_of(const ExactTriangles *triangles, const SceneLight *light)
     return view;
 }
 
-/* Number of cells per edge: as many cells as triangles, or up to four times as many, so that a
- * triangle is about as wide as a cell. In a point light's view most triangles may be far away
- * and in few cells, so the number is quadrupled. */
+/* Returns the number of cells per edge: as many cells as triangles, or up to four times as many,
+ * so that a triangle is about as wide as a cell. In a point light's view most triangles may be
+ * far away and in few cells, so the number is quadrupled. */
 static int size_for(const ExactTriangles *triangles, const View *view, int coarser)
 {
     const double wanted = (view->placed ? 4.0 : 1.0) * triangles->count;

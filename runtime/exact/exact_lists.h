@@ -22,7 +22,7 @@ typedef struct {
     size_t cells;    /* of all views: their words follow the headers */
 } ExactLists;
 
-/* The light's shadows are exact. */
+/* Returns whether the light's shadows are exact. */
 bool exact_lists_wanted(const SceneLight *light);
 /* Makes headers with cells widened by 2^coarser. False: out of memory; *made is empty then. */
 bool exact_lists_make(const Scene *scene, const ExactTriangles *triangles, int coarser,

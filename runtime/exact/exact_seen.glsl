@@ -2,8 +2,8 @@
 // is too inexact, since a rasterizer rounds corners to 1/256 of a pixel.
 vec3 exact_point; // of the lit pixel
 
-// Intersection of a ray with a triangle: a weighted mean of the corners, so that the point is on
-// the triangle even at grazing angles.
+// Finds the intersection of a ray with a triangle: a weighted mean of the corners, so that the
+// point is on the triangle even at grazing angles.
 bool exactOn(uint triangle, ExactRay ray, out vec3 point)
 {
     vec3 a = exactCorner(triangle, 0u), b = exactCorner(triangle, 1u), c = exactCorner(triangle, 2u);
@@ -41,7 +41,7 @@ void exactFind(ivec2 pixel, vec3 start, vec3 way, vec3 seen, float near)
 
 vec3 exactPoint(vec3 point, vec3 normal, float pixel) { return exact_point; }
 
-// Entry point, called by shadow_text.c's functions.
+// Finds the surface point at a pixel (entry point, called by shadow_text.c's functions).
 void exactAtPixel(ivec2 pixel, float depth, vec3 point, vec4 ray, vec4 view)
 {
     bool orthographic = view.y > 0.0;

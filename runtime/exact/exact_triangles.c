@@ -31,7 +31,7 @@ static void shapes_close(Shapes *shapes)
     free(shapes->made);
 }
 
-/* Shape of an object; NULL: out of memory. */
+/* Returns the shape of an object; NULL: out of memory. */
 static const Shape *shape_of(Shapes *shapes, int number)
 {
     const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
@@ -143,7 +143,7 @@ bool exact_triangles_move(const Scene *scene, const Cache *cache, const int rang
     return done;
 }
 
-/* Transmittance of a component; 0 or 1 if shadows are alpha-tested. */
+/* Returns the transmittance of a component; 0 or 1 if shadows are alpha-tested. */
 static float share_of(const Scene *scene, const CachePlace *place, int lane)
 {
     const float *t = place->even;

@@ -30,7 +30,7 @@ typedef struct {
  * fourth components are the triangle's transmittance: red, green, blue. */
 typedef float ExactCorners[3][4];
 
-/* The place's object has triangles for exact shadows. */
+/* Returns whether the place's object has triangles for exact shadows. */
 bool exact_triangles_have(const CachePlace *place);
 /* Measures all objects. False: out of memory, or more triangles than an int can count; *made is
  * empty then. */
@@ -38,8 +38,8 @@ bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles
 /* Measures objects range[0] to range[1] - 1 again after they moved. False: out of memory. */
 bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
                           ExactTriangles *triangles);
-/* Corners of objects range[0] to range[1] - 1, beginning with the first one's. False: out of
- * memory. */
+/* Writes the corners of objects range[0] to range[1] - 1, beginning with the first one's. False:
+ * out of memory. */
 bool exact_triangles_corners(const Scene *scene, const Cache *cache,
                              const ExactTriangles *triangles, const int range[2],
                              ExactCorners *corners);

@@ -50,8 +50,8 @@ static bool measure(Render *render)
                    (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
-/* Number of each object's first triangle, by the cache's places. Without instancing, the place
- * is a uniform. */
+/* Writes the number of each object's first triangle, by the cache's places. Without instancing,
+ * the place is a uniform. */
 static bool write_firsts(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -100,7 +100,7 @@ bool pass_exact_needed(const Render *render)
     return casts && pass_exact_wanted(render);
 }
 
-/* The programs are kept for the next scene. */
+/* Compiles the programs unless an earlier scene has left them. */
 static bool open_cover(Render *render)
 {
     const size_t most = transparency_most_bytes(render) / sizeof(GLuint);
@@ -139,7 +139,8 @@ bool pass_exact_change(Render *render, unsigned what)
     return !there || !lights || pass_exact_list(render);
 }
 
-/* First and last plus one of the triangles' objects that moved. None: range[0] >= range[1]. */
+/* Finds the range of the triangles' objects that moved: first, and last plus one. None moved:
+ * range[0] >= range[1]. */
 static void find_range(const ExactTriangles *triangles, const int objects[2], int range[2])
 {
     range[0] = triangles->object_count;
@@ -152,7 +153,7 @@ static void find_range(const ExactTriangles *triangles, const int objects[2], in
         }
 }
 
-/* True if the cache's order has changed, as when an object becomes mirrored. */
+/* Returns true if the cache's order has changed, as when an object becomes mirrored. */
 static bool is_reordered(const Render *render)
 {
     bool is = false;

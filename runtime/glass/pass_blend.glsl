@@ -13,16 +13,16 @@ uint nodeAt(uint number)
     return lists_pixels + (number - 1u) * LISTS_STRIDE;
 }
 
-// A fragment of a list: its depth, as bits, which are ordered like depths; its node; its number. 0:
-// end of the list.
+// Returns a fragment of a list: its depth, as bits, which are ordered like depths; its node; its
+// number. 0: end of the list.
 uvec3 fragmentAt(uint number)
 {
     uint node = number == 0u ? 0u : nodeAt(number);
     return uvec3(number == 0u ? 0u : lists_words[node + 1u], node, number);
 }
 
-// True if a is in front of b. At equal depth the contents decide, so that the result does not
-// depend on the order of insertion, which a GPU is free to choose; if these are equal too, both
+// Returns true if a is in front of b. At equal depth the contents decide, so that the result does
+// not depend on the order of insertion, which a GPU is free to choose; if these are equal too, both
 // orders give the same picture.
 bool isBefore(uvec3 a, uvec3 b)
 {
@@ -33,8 +33,8 @@ bool isBefore(uvec3 a, uvec3 b)
     return a.x != b.x ? a.x > b.x : a.y < b.y;
 }
 
-// Surfaces are drawn from the farthest on (cache_view.c), and the last inserted fragment is the
-// first of its list: so most lists are sorted already.
+// Returns true if a list is sorted. Surfaces are drawn from the farthest on (cache_view.c), and the
+// last inserted fragment is the first of its list: so most lists are sorted already.
 bool isSorted(uint list)
 {
     bool sorted = true;
@@ -91,8 +91,8 @@ uint mergedRuns(uint list, out uint runs)
     return first;
 }
 
-// Merge sort: each round halves the number of runs. In any order, n fragments take n log2 n steps
-// and no memory. Terminates also in helper invocations, whose writes are discarded.
+// Sorts a list by merge sort: each round halves the number of runs. In any order, n fragments take
+// n log2 n steps and no memory. Terminates also in helper invocations, whose writes are discarded.
 // Worked example: depths 9 5 7 8 2, runs 9 5, 7, 8 2; then 9 7 5, 8 2; then 9 8 7 5 2.
 uint sortedList(uint list)
 {

@@ -94,7 +94,7 @@ static bool make_room(Render *render)
     return make_buffer(render, count);
 }
 
-/* If even the heads of the lists exceed the limit, fails without counting. */
+/* Counts fragments; fails without counting if even the heads of the lists exceed the limit. */
 static bool pass_lists_count(Render *render, FrameCount step)
 {
     if (step == FRAME_COUNT_wanted || step == FRAME_COUNT_again)

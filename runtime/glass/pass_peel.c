@@ -14,7 +14,7 @@ static bool pass_peel_needed(const Render *render)
 
 static const GLuint nothing[4] = {~0u, ~0u, ~0u, ~0u};
 
-/* The layer's G-buffer, followed by the keys. */
+/* Makes the layer's G-buffer, followed by the keys. */
 static bool make_layer(Render *render, int number)
 {
     FramebufferTextures textures = {.depth = frame_texture(render, FRAME_TARGET_layer_depth, 0)};
@@ -33,7 +33,7 @@ static bool make_layer(Render *render, int number)
     return framebuffer_make_around(render->gl, &spec, &textures, &render->glass->layers[number]);
 }
 
-/* Maximum number of triangles of an object. */
+/* Returns the max number of triangles of an object. */
 static int most_triangles(const Cache *cache)
 {
     int most = 1;

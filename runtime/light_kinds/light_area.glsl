@@ -47,7 +47,7 @@ Area areaSeen(vec3 corner, vec3 u, vec3 v, bool bothSides)
     return areaMeasured(corner, turned ? u : v, turned ? v : u, (bothSides ? abs(height) : -height) > 1e-6 * length(face));
 }
 
-// The parallelogram transformed by a matrix.
+// Returns the parallelogram transformed by a matrix.
 Area areaInto(Area area, mat3 into) { return areaMeasured(into * area.corner, into * area.u, into * area.v, area.seen); }
 
 // Half spaces, as functions on a parallelogram: they contain (s, t) where h.x + h.y s + h.z t >= 0.
@@ -119,8 +119,8 @@ float areaLogarithm(float q)
     return q < 0.015625 ? 1.0 + q * (0.5 + q * (1.0 / 3.0 + q * 0.25)) : -log(max(1.0 - q, 1e-30)) / q;
 }
 
-// Gaussian quadrature with 3 x 3 points over the whole parallelogram. For a small polygon a sum
-// over arcs would lose the area to cancellation.
+// Integrates by Gaussian quadrature with 3 x 3 points over the whole parallelogram. For a small
+// polygon a sum over arcs would lose the area to cancellation.
 float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[3] = float[3](0.1127016654, 0.5, 0.8872983346);
@@ -138,9 +138,9 @@ float areaPoints(Area area, vec3 normal, vec3 w, float exponent)
     return sum / AREA_PI;
 }
 
-// Angle from 0 to pi of a sine, not below 0, and a cosine, with any common factor; relative error
-// 2e-7, where a driver's arctangent may be less exact. A quarter of the angle is an arctangent of
-// at most 0.42, whose series converges fast.
+// Returns the angle from 0 to pi of a sine, not below 0, and a cosine, with any common factor;
+// relative error 2e-7, where a driver's arctangent may be less exact. A quarter of the angle is an
+// arctangent of at most 0.42, whose series converges fast.
 float areaAngle(float sine, float cosine)
 {
     float t = sine / max(length(vec2(sine, cosine)) + abs(cosine), 1e-37);
@@ -150,8 +150,8 @@ float areaAngle(float sine, float cosine)
     return cosine < 0.0 ? AREA_PI - 4.0 * t * sum : 4.0 * t * sum;
 }
 
-// Integral of the cosine over pi, above the normal's horizon and in another half space: the share
-// of uniform light from all directions.
+// Returns the integral of the cosine over pi, above the normal's horizon and in another half space:
+// the share of uniform light from all directions.
 float areaCosine(Area area, vec3 normal, vec3 other)
 {
     vec3 above = areaHalf(area, normal);
@@ -171,7 +171,7 @@ float areaCosine(Area area, vec3 normal, vec3 other)
     return max(sum, 0.0) / (2.0 * AREA_PI);
 }
 
-// An arc's contribution to the moment; see the top of the file.
+// Returns an arc's contribution to the moment; see the top of the file.
 float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
 {
     const float PLACE[4] = float[4](0.1834346425, 0.5255324099, 0.7966664774, 0.9602898565);
@@ -201,7 +201,8 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     return sum * half_ * r;
 }
 
-// Integral of (w.u)^exponent (normal.u) over pi, in the half space `above` and in that of w.
+// Returns the integral of (w.u)^exponent (normal.u) over pi, in the half space `above` and in that
+// of w.
 float areaLobe(Area area, vec3 above, vec3 normal, vec3 w, float exponent)
 {
     // equals areaCosine() without its code, which compilers take seconds for
@@ -247,7 +248,7 @@ vec3 areaOfSide(Area light, AreaSide side)
     return sum;
 }
 #else
-// A parallelogram light seen from a point.
+// Returns a parallelogram light as seen from a point.
 Area areaAt(int light, vec3 point)
 {
     return areaSeen(lightTexel(light, LIGHT_PLACE).xyz - point, lightTexel(light, LIGHT_AXIS).xyz, lightTexel(light, LIGHT_CONE).xyz,

@@ -4,7 +4,7 @@
 
 #define PI 3.14159265358979323846
 
-/* An arrow that ends at the world's origin, as the light has no position. */
+/* Draws an arrow that ends at the world's origin, as the light has no position. */
 static void light_directional_outline(const SceneLight *light, LightLines *lines)
 {
     enum { BARBS = 4 };

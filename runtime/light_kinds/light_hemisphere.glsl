@@ -15,7 +15,7 @@ vec3 hemisphereMirrored(vec3 w)
     return mix(0.6 * hemisphere_below.xyz, hemisphere_above.xyz, smoothstep(-0.3, 0.5, dot(w, hemisphere_up.xyz)));
 }
 
-// Radiance along a direction whose irradiance is hemisphereMatt.
+// Returns the radiance along a direction; its irradiance is hemisphereMatt.
 vec3 lightAlongHemisphere(vec3 way) { return dot(way, hemisphere_up.xyz) > 0.0 ? hemisphere_above.xyz : hemisphere_below.xyz; }
 #else
 vec3 lightFromHemisphere(Seen seen) { return surfaceHemisphere(seen.m); }

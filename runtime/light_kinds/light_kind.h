@@ -86,28 +86,27 @@ typedef struct {
 enum { LIGHT_KINDS_MAX = 16 };
 extern const LightKind *const light_kind_table[LIGHT_KINDS_MAX + 1];
 
-/* Index of a light's kind in the table, and its row. */
+/* Return the index of a light's kind in the table, and its row. */
 int light_kind_number(SceneKind kind);
 const LightKind *light_kind_of(const SceneLight *light);
 const char *light_kind_name(const LightKind *row);
 static inline LightFrom light_from(const SceneLight *light) { return light_kind_of(light)->from; }
 
-/* The three numbers of a parameter; a scalar parameter has only the first. */
+/* Returns the three numbers of a parameter; a scalar parameter has only the first. */
 const double *light_params_at(const LightParams *params, int param);
 
 /* Cosine of the half angle from which on a cone has the shadow views of a point light: a cube
  * map has finer texels than one wide view. */
 #define LIGHT_KIND_WIDEST 0.5
-/* True for a point light, or a cone at least that wide. */
+/* Returns true for a point light, or a cone at least that wide. */
 bool light_kind_is_wide(const SceneLight *light);
 
-/* The point at a distance from the light, at the angle angles[0] from its direction and
+/* Sets the point at a distance from the light, at the angle angles[0] from its direction and
  * angles[1] around it. */
 void light_kind_around(const SceneLight *light, const double angles[2], double distance,
                        double out[3]);
 
-/* Lights without shadows that the renderer creates itself; the caller sets their other
- * properties. */
+/* Make lights without shadows for the renderer itself; the caller sets their other properties. */
 SceneLight light_directional_new(const double direction[3], const double light[3]);
 SceneLight light_area_new(void);
 SceneLight light_hemisphere_new(const double light[3], const double ground[3]);

@@ -16,8 +16,8 @@ const float SKY_PI = 3.14159265358979;
 
 vec3 skyWorld(vec3 v) { return vec3(dot(sky_world[0].xyz, v), dot(sky_world[1].xyz, v), dot(sky_world[2].xyz, v)); }
 
-// Irradiance over pi, for a surface with this normal. Horner's scheme in x, then in y, with the
-// powers of z accumulated.
+// Returns the irradiance over pi, for a surface with this normal. Horner's scheme in x, then in y,
+// with the powers of z accumulated.
 vec3 skyIrradiance(vec3 normal)
 {
     vec3 n = skyWorld(normal), sum = vec3(0.0);
@@ -35,10 +35,10 @@ vec3 skyIrradiance(vec3 normal)
     return sky_light.xyz * max(sum, 0.0);
 }
 
-// Integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces. Importance
-// sampling: directions are distributed by the power, in a spiral; each represents 1 / SKY_SAMPLES
-// of the power's integral, and reads the mipmap level of the cube map whose texels are as large as
-// the solid angle around it.
+// Returns the integral of the sky times (w.u)^exponent (normal.u) over pi, u in both half spaces.
+// Importance sampling: directions are distributed by the power, in a spiral; each represents 1 /
+// SKY_SAMPLES of the power's integral, and reads the mipmap level of the cube map whose texels are
+// as large as the solid angle around it.
 vec3 skyLobe(vec3 normal, vec3 w, float exponent)
 {
     vec3 n = skyWorld(normal), axis = skyWorld(w), sum = vec3(0.0);

@@ -14,8 +14,8 @@ static bool light_spot_read(const LightParams *params, SceneLight *light, LightF
     return inner <= outer;
 }
 
-/* Linear in the cosine between the angles. A cone with equal angles has the steepest slope that
- * its cosine resolves. */
+/* Sets scale and shift of the cone's factor, which is linear in the cosine between the angles. A
+ * cone with equal angles has the steepest slope that its cosine resolves. */
 static void light_spot_cone(const SceneLight *light, double scale_shift[2])
 {
     const double width = fmax(light->inner_cosine - light->outer_cosine, 1e-6);

@@ -38,7 +38,7 @@ bool shadowIsFirst()
     return glass_part.xy == uvec2(0u);
 }
 
-// True if a light contributes in this tile, by its views.
+// Returns true if a light contributes in this tile, by its views.
 bool shadowIsRead(ivec2 views)
 {
     uint size = uint(SHADOW_SIZE), first = uint(views.x) * size, rows = uint(max(views.y, 0)) * size;
@@ -47,7 +47,7 @@ bool shadowIsRead(ivec2 views)
 #endif
 #endif
 
-// The full share, if no texel is needed.
+// Returns the full share, if no texel is needed.
 SHARE shadowNone()
 {
 #ifdef SHADOW_PARTS
@@ -90,7 +90,7 @@ vec3 shadowOnFace(vec3 place, out int face)
     return vec3(turned.xy, abs(turned.z));
 }
 
-// The inverse conversion.
+// Converts a position on a face back: the inverse conversion.
 vec3 shadowOffFace(vec3 place, int face)
 {
     vec3 turned = vec3(place.xy, face % 2 == 0 ? place.z : -place.z);
@@ -98,7 +98,7 @@ vec3 shadowOffFace(vec3 place, int face)
 }
 
 #ifdef SHADOW_GLASS
-// A texel's list: its first node, the next node, or 0; a node's depth and transmittance.
+// Return a texel list's first node, a node's next node, or 0; a node's depth and transmittance.
 uint shadowNode(uint number) { return number == 0u ? 0u : glass_heads + (number - 1u) * 4u; }
 
 uint shadowList(uvec2 place) { return shadowNode(glass_words[place.y * glass_part.z + place.x]); }
@@ -113,14 +113,15 @@ vec3 shadowLets(uint node)
     return vec3(low & 2097151u, low >> 21 | (high & 1023u) << 11, high >> 10) / 2097151.0;
 }
 
-// Position of a map texel's list in the tile; exceeds the tile's size for texels outside of the
-// tile.
+// Returns the position of a map texel's list in the tile; it exceeds the tile's size for texels
+// outside the tile.
 uvec2 shadowAt(int map, ivec2 texel)
 {
     return uvec2(texel.x, uint(map) * uint(SHADOW_SIZE) + uint(texel.y)) - glass_part.xy;
 }
 
-// Transmittance of all transparent casters nearer to the light: a product, which needs no sorting.
+// Returns the transmittance of all transparent casters nearer to the light: a product, which needs
+// no sorting.
 vec3 shadowThrough(int map, ivec2 texel, float depth)
 {
     vec3 through = vec3(1.0);
@@ -152,11 +153,11 @@ SHARE shadowTexel(int map, ivec2 texel, float depth)
 #endif
 }
 
-// Half the edge of a cube face at distance 1: 1, or more if faces overlap by a border.
+// Returns half the edge of a cube face at distance 1: 1, or more if faces overlap by a border.
 float shadowWide(vec4 how) { return 0.5 * how.y * float(SHADOW_SIZE); }
 
-// A texel outside a face's edge is replaced by the neighboring face's texel that contains its
-// center.
+// Returns the share at a texel outside a face's edge: the texel is replaced by the neighboring
+// face's texel that contains its center.
 SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
 {
     vec2 at = (vec2(2 * texel + 1) / float(SHADOW_SIZE) - 1.0) * shadowWide(how) * place.z;
@@ -166,14 +167,15 @@ SHARE shadowBeyond(int first, int face, vec3 place, ivec2 texel, vec4 how)
     return shadowTexel(first + other, min(found, SHADOW_SIZE - 1), how.x / there.z);
 }
 
-// Overlap, along an axis, of a texel with a square of SHADOW_FILTER texels that begins in texel 0
-// at `part`.
+// Returns the overlap, along an axis, of a texel with a square of SHADOW_FILTER texels that begins
+// in texel 0 at `part`.
 float shadowWeight(int texel, float part)
 {
     return texel == 0 ? 1.0 - part : texel == SHADOW_FILTER ? part : 1.0;
 }
 
-// Percentage-closer filtering: the lit share of a square of SHADOW_FILTER texels around the point.
+// Applies percentage-closer filtering: returns the lit share of a square of SHADOW_FILTER texels
+// around the point.
 SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 {
     int face = 0;
@@ -202,7 +204,7 @@ SHARE shadowFiltered(int first, bool cube, vec3 place, vec4 how)
 SHARE shadowOfView(int method, int first, int count, vec3 point, vec3 normal, float pixel);
 #endif
 
-// Share by one view, or by those of a cube.
+// Returns the share by one view, or by those of a cube.
 SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, VIEW_HOW);
@@ -219,7 +221,7 @@ SHARE shadowViewed(int first, int count, vec3 point, vec3 normal, float pixel)
 
 const float SHADOW_BAND = 0.0625; // blend width at the edge of a cascade, in half widths
 
-// 0 if a cascade lacks texels around a point; grows to 1 across the band.
+// Returns 0 if a cascade lacks texels around a point; the value grows to 1 across the band.
 float shadowInside(int view, vec3 point, vec3 normal, float pixel)
 {
     float lift = SHADOW_LIFT * shadowRow(view, VIEW_HOW).y + pixel / 64.0;
@@ -228,8 +230,8 @@ float shadowInside(int view, vec3 point, vec3 normal, float pixel)
     return clamp((edge - max(place.x, place.y)) / SHADOW_BAND, 0.0, 1.0);
 }
 
-// Cascaded shadow maps: the finest cascade that contains the point, blended into the next one along
-// its edge to hide the seam. The last one contains all casters.
+// Returns the share by cascaded shadow maps: by the finest cascade that contains the point, blended
+// into the next one along its edge to hide the seam. The last one contains all casters.
 SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     SHARE sum = SHARE(0.0);
@@ -242,8 +244,8 @@ SHARE shadowCascaded(int first, int count, vec3 point, vec3 normal, float pixel)
     return sum;
 }
 
-// Share of a light by its maps. `normal` faces the light; `pixel` is a pixel's size at the point.
-// The light has `count` views from `first` on.
+// Returns the share of a light by its maps. `normal` faces the light; `pixel` is a pixel's size at
+// the point. The light has `count` views from `first` on.
 SHARE shadowMapped(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     return shadowRow(first, VIEW_HOW).x <= 0.0 ? shadowCascaded(first, count, point, normal, pixel)
@@ -259,15 +261,16 @@ vec4 shadowPlane(int texel)
     return texelFetch(shadow_planes, ivec2(texel % VIEW_ROW, texel / VIEW_ROW), 0);
 }
 
-// True if the plane separates the point from the light. A point on the plane is not separated.
+// Returns true if the plane separates the point from the light. A point on the plane is not
+// separated.
 bool shadowBetween(vec4 plane, vec4 light, vec3 point)
 {
     float here = dot(plane, vec4(point, 1.0));
     return here * dot(plane, light) < 0.0 && abs(here) > 4e-6 * (length(point) + abs(plane.w));
 }
 
-// Transmittance of all planes: first the opaque ones, then, two texels each, those of constant
-// transmittance.
+// Returns the transmittance of all planes: first the opaque ones, then, two texels each, those of
+// constant transmittance.
 SHARE shadowPlanes(vec4 light, vec3 point)
 {
     SHARE share = SHARE(1.0);
@@ -285,8 +288,8 @@ SHARE shadowPlanes(vec4 light, vec3 point)
 #ifdef SHADOW_SHEETS
 uniform usampler2DArray shadow_sheets;
 
-// Transmittance of planes with varying transparency between a light and a pixel's point:
-// shadow_sheet.c. `layer` is 1 + the light's layer, or 0.
+// Returns the transmittance of planes with varying transparency between a light and a pixel's
+// point: shadow_sheet.c. `layer` is 1 + the light's layer, or 0.
 vec3 shadowSheets(int layer, ivec2 pixel)
 {
     if (layer == 0) return vec3(1.0);
@@ -295,8 +298,8 @@ vec3 shadowSheets(int layer, ivec2 pixel)
 }
 #endif
 
-// Share of a light that reaches a point, by planes and maps. `views` is the light's first view and
-// their number; negative: it casts no shadow.
+// Returns the share of a light that reaches a point, by planes and maps. `views` is the light's
+// first view and their number; negative: it casts no shadow.
 SHARE shadowShare(vec4 light, ivec2 views, vec3 point, vec3 normal, float pixel)
 {
     SHARE share = SHARE(1.0);

@@ -8,19 +8,19 @@
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/render_options.h"
 
-/* Shadows are enabled, and some light of the scene casts them. */
+/* Returns whether shadows are enabled, and some light of the scene casts them. */
 bool shadow_is_cast(const Render *render);
-/* Shadows are enabled, and some area light casts them. */
+/* Returns whether shadows are enabled, and some area light casts them. */
 bool shadow_is_soft(const Render *render);
-/* The method by which transparent surfaces cast shadows. */
+/* Returns the method by which transparent surfaces cast shadows. */
 SetCasts shadow_casts(const Render *render);
 
 /* -- The buffer of transparent fragments (shadow_glass.c) -------------------------------------- */
 
 enum { SHADOW_GLASS_LISTS = 3 /* binding point of the lists' buffer */ };
-/* Some caster has colored shadows. */
+/* Returns whether some caster has colored shadows. */
 bool shadow_glass_needed(const Render *render);
-/* All texels of the maps, with 0 fragments. */
+/* Returns the part with all texels of the maps, with 0 fragments. */
 ShadowPart shadow_glass_whole(const Render *render);
 /* Bytes of a part's lists. */
 size_t shadow_glass_bytes(const ShadowPart *part);
@@ -28,7 +28,7 @@ bool shadow_glass_make(Render *render, size_t bytes);
 /* Clears a part's lists before they are drawn. A buffer too small for the heads only counts. */
 void shadow_glass_begin(const Render *render, const ShadowPart *part);
 void shadow_glass_end(const Render *render);
-/* Number of the fragments drawn since then, listed or not. */
+/* Reports the number of fragments drawn since the begin, listed or not. */
 bool shadow_glass_count(Render *render, GLuint *count);
 void shadow_glass_delete(Render *render);
 
@@ -49,18 +49,18 @@ bool shadow_parts_make(Render *render);
 /* Counts fragments and allocates the lists, in one piece also draws them. False: they exceed the
  * memory limit; if tiled, even those of a single texel. */
 bool shadow_parts_count(Render *render);
-/* The lists exceed the memory limit in one piece, so tiles should be tried. */
+/* Returns whether the lists exceed the memory limit in one piece, so that tiles should be tried. */
 bool shadow_parts_fall_back(const Render *render);
-/* Number of tiles. */
+/* Returns the number of tiles. */
 int shadow_parts_number(const Render *render);
 /* Draws the lists of one of several tiles. */
 void shadow_parts_load(Render *render, int part);
 
 /* -- Infinite planes of varying transparency (shadow_sheet.c) ---------------------------------- */
 
-/* The light has a layer of the planes' transmittance. */
+/* Returns whether the light has a layer of the planes' transmittance. */
 bool shadow_sheet_reads(const SceneLight *light);
-/* Some plane of varying transparency casts shadows. */
+/* Returns whether some plane of varying transparency casts shadows. */
 bool shadow_sheet_needed(const Render *render);
 /* Reports an error if the chosen transparency method cannot be combined with such planes. */
 bool shadow_sheet_check(const Render *render);
@@ -81,7 +81,7 @@ void shadow_sheet_delete(Render *render);
 
 /* -- Views, tables and the lighting ------------------------------------------------------------ */
 
-/* The equation of an infinite plane in eye space, from its matrix: the unit normal, and the
+/* Sets the equation of an infinite plane in eye space, from its matrix: the unit normal, and the
  * offset that makes points of the plane 0. */
 void shadow_plane(const Render *render, const SceneMatrix *m, float texel[4]);
 /* Computes the shadow views of lights, before any pass is made. */
@@ -103,9 +103,9 @@ typedef struct {
     const char *pieces[SHADOW_TEXT_PIECES];
 } ShadowText;
 void shadow_text(const Render *render, bool nearest, ShadowText *made);
-/* Infinite planes cast shadows. */
+/* Returns whether infinite planes cast shadows. */
 bool shadow_has_planes(const Render *render);
-/* Number of planes with constant transparency. */
+/* Returns the number of planes with constant transparency. */
 int shadow_count_panes(const Render *render);
 /* Makes the textures that lighting reads, of views and planes. */
 bool shadow_make_tables(Render *render);

@@ -6,7 +6,8 @@
 #include "runtime/shadow/soft_views.h"
 #include <math.h>
 
-/* Clip space from world space, with depth from 0 to 1, or from -1 to 1 (twice that minus w). */
+/* Sets the matrix from world space to clip space, with depth from 0 to 1, or from -1 to 1 (twice
+ * that minus w). */
 static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 {
     static const double one[4] = {0, 0, 0, 1};
@@ -25,7 +26,7 @@ static void clip_of(const ShadowView *view, bool zero_to_one, double m[16])
 
 enum { STEPS_PUSHED = -2 }; /* depth offset units */
 
-/* Slope-scaled bias of a map in texels. shadow.glsl gives its size and reason. */
+/* Returns the slope-scaled bias of a map in texels. shadow.glsl gives its size and reason. */
 static float slopes_of(const Render *render)
 {
     return -(float)(render->scene->shadow_filter + 1) - 1.0f / 64;

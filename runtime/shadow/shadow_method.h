@@ -109,18 +109,18 @@ struct ShadowMethod {
  * resources. */
 bool shadow_methods_open(Render *render, const ShadowMethod *const *methods);
 void shadow_methods_close(Render *render);
-/* The state of a keyword's row. */
+/* Returns the state of a keyword's row. */
 void *shadow_method_state(const Render *render, Word word);
-/* The row that a light's keyword selects; NULL: the light casts no shadows. */
+/* Returns the row that a light's keyword selects; NULL: the light casts no shadows. */
 const ShadowMethod *shadow_method_of(const ShadowMethod *const *methods, const SceneLight *light);
 /* Returns the rows of techniques, followed by NULL. */
 static inline const ShadowMethod *const *shadow_methods_of(const Render *render)
 {
     return render->shadows->methods.rows;
 }
-/* Number of lights with the keyword; 0 if shadows are off. */
+/* Returns the number of lights with the keyword; 0 if shadows are off. */
 int shadow_method_lights(const Render *render, Word word);
-/* 1 + the index of a keyword's row in the list: its number in GLSL. */
+/* Returns 1 + the index of a keyword's row in the list: its number in GLSL. */
 int shadow_method_number(const Render *render, Word word);
 
 /* Combined needs of all lights that cast shadows: any of them, or (`even`) all of them. */
@@ -128,15 +128,16 @@ typedef struct {
     bool triangles, beside, cuts, even;
 } ShadowNeeds;
 ShadowNeeds shadow_methods_need(const Render *render);
-/* The first row that wants the target `seen`, or NULL; and whether it needs it now. */
+/* Return the first row that wants the target `seen`, or NULL; and whether it needs the target
+ * now. */
 const ShadowMethod *shadow_method_seen(const Render *render);
 bool shadow_method_sees(const Render *render);
 void shadow_method_seen_bind(const Render *render);
 /* Returns whether the view shows the picture or its lighting. */
 bool shadow_shows_light(const Render *render);
-/* The driver supports one more target in addition to those of the G-buffer. */
+/* Returns whether the driver supports one more target in addition to those of the G-buffer. */
 bool shadow_seen_fits(const Render *render);
-/* The format of a target by the first row that defines it; NULL: none does. */
+/* Returns the format of a target by the first row that defines it; NULL: none does. */
 const char *shadow_methods_target(const Render *render, FrameTarget target);
 bool shadow_methods_make(Render *render);
 /* Finds a debug view by its name; NULL: unknown to all rows. */

@@ -21,7 +21,7 @@ enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 
 static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
 
-/* An area light has many points, and no layer. */
+/* Returns whether the light has a layer: an area light has many points, and no layer. */
 bool shadow_sheet_reads(const SceneLight *light)
 {
     return scene_light_casts(light) && light_from(light) != LIGHT_FROM_extent;

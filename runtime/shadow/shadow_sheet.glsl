@@ -27,7 +27,7 @@ vec3 sheetSeen(ivec2 pixel, float depth)
     return sheet_view.y > 0.0 ? vec3(ray.xy, (depth - 1.0) * sheet_view.x) : ray * (sheet_view.x / depth);
 }
 
-// True if the plane separates the point from the light, like shadowBetween(); `met` is the
+// Returns true if the plane separates the point from the light, like shadowBetween(); `met` is the
 // intersection.
 bool sheetBetween(vec3 point, out vec3 met)
 {

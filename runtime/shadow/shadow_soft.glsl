@@ -58,8 +58,8 @@ vec2 softPart(ivec2 point) { return clamp(vec2(point) / float(SOFT_CELLS), SOFT_
 
 vec3 softPlace(Soft s, vec2 part) { return vec3(part.x * s.along_u + part.y * s.along_v, 0.0); }
 
-// Weight of a position on the light for a diffuse surface, up to a factor of the light and the
-// point.
+// Returns the weight of a position on the light for a diffuse surface, up to a factor of the light
+// and the point.
 float softWeight(Soft s, vec3 place)
 {
     vec3 way = place - s.point;
@@ -70,7 +70,8 @@ float softWeight(Soft s, vec3 place)
 #ifdef SHADOW_MAPS
 const int SOFT_QUARTER = SHADOW_SIZE / 4;
 
-// Texel in the direction `way` from a map's point, and the distance along the cube face's axis.
+// Returns the texel in the direction `way` from a map's point, and the distance along the cube
+// face's axis.
 ivec2 softTexel(vec3 way, out float away)
 {
     vec2 size = abs(way.xy);
@@ -90,7 +91,7 @@ ivec2 softTexel(vec3 way, out float away)
     return clamp(ivec2(floor((at + 2.0) * float(SOFT_QUARTER))), low, high);
 }
 
-// Direction to a texel's center, scaled to 1 along its face's axis.
+// Returns the direction to a texel's center, scaled to 1 along its face's axis.
 vec3 softWay(ivec2 texel)
 {
     vec2 at = (vec2(texel) + 0.5) / float(SOFT_QUARTER) - 2.0, size = abs(at);
@@ -98,7 +99,7 @@ vec3 softWay(ivec2 texel)
     return size.x > size.y ? vec3(sign(at.x), at.y, 2.0 - size.x) : vec3(at.x, sign(at.y), 2.0 - size.y);
 }
 
-// True if an occluder at the distance `away` in a map is in front of the surface.
+// Returns true if an occluder at the distance `away` in a map is in front of the surface.
 bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
 {
     vec3 normal = dot(s.normal, from - s.point) < 0.0 ? -s.normal : s.normal;
@@ -106,8 +107,8 @@ bool softStands(Soft s, vec3 from, vec3 ray, float away, float limit)
     return away < limit && dot(normal, from + ray * away - s.point) > over;
 }
 
-// Share of light that arrives along a ray from a point, considering occluders nearer than `limit`
-// of the ray; `along`: fraction of the ray at which an occluder is, or 0.
+// Returns the share of light that arrives along a ray from a point, considering occluders nearer
+// than `limit` of the ray; `along`: fraction of the ray at which an occluder is, or 0.
 SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 {
     float away;
@@ -134,7 +135,7 @@ SHARE softWayShare(Soft s, ivec2 point, vec3 way, float limit, out float along)
 }
 #endif
 
-// Transmittance of infinite planes, from a position on the light.
+// Returns the transmittance of infinite planes, from a position on the light.
 SHARE softPlanes(Soft s, vec2 part)
 {
 #ifdef SHADOW_PLANES
@@ -178,8 +179,8 @@ struct SoftPoints {
     int asked, dims, darks; // numbers of points that are not behind the surface
 };
 
-// Share of a point's light that arrives; `along`: fraction of the ray at which the occluder is, or
-// 0 if unknown.
+// Returns the share of a point's light that arrives; `along`: fraction of the ray at which the
+// occluder is, or 0 if unknown.
 SHARE softPointShare(Soft s, ivec2 point, out float along)
 {
     vec2 part = softPart(point);
@@ -211,7 +212,7 @@ SoftPoints softAsk(Soft s)
     return points;
 }
 
-// Numbers of a cell's corners that are partly and fully occluded.
+// Returns the number of a cell's corners that are partly, and that are fully occluded.
 ivec2 softCorners(SoftPoints points, ivec2 cell)
 {
     ivec2 count = ivec2(0);
@@ -222,8 +223,8 @@ ivec2 softCorners(SoftPoints points, ivec2 cell)
     return count;
 }
 
-// Mean position of the occluders of a cell's corners; 1: unknown. The maps are read once more, as
-// few cells need it.
+// Returns the mean position of the occluders of a cell's corners; 1: unknown. The maps are read
+// once more, as few cells need it.
 float softAlong(Soft s, ivec2 cell)
 {
     float sum = 0.0, known = 0.0;
@@ -237,8 +238,8 @@ float softAlong(Soft s, ivec2 cell)
     return known > 0.0 ? clamp(sum / known, 0.01, 1.0) : 1.0;
 }
 
-// Share of a cell's light that arrives. The rays' start points form a low-discrepancy set: no two
-// in a row or a column of cells have the same offset.
+// Returns the share of a cell's light that arrives. The rays' start points form a low-discrepancy
+// set: no two in a row or a column of cells have the same offset.
 SHARE softCell(Soft s, ivec2 cell)
 {
     vec2 shift = (vec2(cell.yx) + 0.5) / float(SOFT_CELLS);
@@ -262,8 +263,8 @@ SHARE softCell(Soft s, ivec2 cell)
     return all > 0.0 ? sum / all : SHARE(1.0);
 }
 
-// Reflected light of an area light, per component for radiance 1: first without occlusion, then
-// minus the occluded part of each cell.
+// Returns the reflected light of an area light, per component for radiance 1: first without
+// occlusion, then minus the occluded part of each cell.
 vec3 softLight(int light, Seen seen)
 {
     vec4 corner = lightTexel(light, LIGHT_PLACE), u = lightTexel(light, LIGHT_AXIS), v = lightTexel(light, LIGHT_CONE);

@@ -27,7 +27,7 @@ static void from_eye(const double *eye_from_world, const double row[4], float ou
     out[3] = (float)last;
 }
 
-/* `layer` is 1 + the layer of its crossings, or 0. */
+/* Writes a view's texels; `layer` is 1 + the layer of its crossings, or 0. */
 static void put_view(const Render *render, const ShadowView *view, int layer, float (*texels)[4])
 {
     const float last[4] = {
@@ -80,7 +80,7 @@ static bool write_views(Render *render)
     return done;
 }
 
-/* True for a plane of constant transparency, whose shadow needs no map. */
+/* Returns true for a plane of constant transparency, whose shadow needs no map. */
 static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
 
 int shadow_count_panes(const Render *render)
@@ -91,7 +91,7 @@ int shadow_count_panes(const Render *render)
     return count;
 }
 
-/* Transmittance of a plane: 0 or 1 if shadows are alpha-tested. */
+/* Writes the transmittance of a plane: 0 or 1 if shadows are alpha-tested. */
 static void put_through(const Render *render, const SetProgram *program, float texel[4])
 {
     const float *t = program->through;
@@ -100,7 +100,7 @@ static void put_through(const Render *render, const SetProgram *program, float t
             !render->scene->shadow_colored ? t[0] + t[1] + t[2] > 1.5f : fminf(fmaxf(t[i], 0), 1);
 }
 
-/* Opaque planes, then those of constant transparency, each followed by its transmittance. */
+/* Writes opaque planes, then those of constant transparency, each followed by its transmittance. */
 static bool write_planes(Render *render)
 {
     const Cache *cache = &render->cache;
@@ -193,8 +193,8 @@ bool shadow_change(Render *render, bool drawn_again)
     return (!maps->table || write_views(render)) && (!maps->planes || write_planes(render));
 }
 
-/* Entry of an area light, after its first edge: 1 + the first of its layers, or 0 if it casts no
- * shadow. */
+/* Writes the entry of an area light, after its first edge: 1 + the first of its layers, or 0 if
+ * it casts no shadow. */
 static void put_extent(const Render *render, int light, float (*texels)[4])
 {
     const ShadowViews *views = &render->shadows->views;

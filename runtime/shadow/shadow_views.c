@@ -46,9 +46,9 @@ static void set_row(const double axis[3], double scale, const double origin[3], 
 
 /* -- point and spot */
 
-/* Near distance of a view: the distance to the nearest object's box, but at least a share of the
- * distance to the farthest. A smaller value would lose depth precision far away; a greater one
- * would lose objects. */
+/* Returns the near distance of a view: the distance to the nearest object's box, but at least a
+ * share of the distance to the farthest. A smaller value would lose depth precision far away; a
+ * greater one would lose objects. */
 static double near_of(const Fit *fit, const double position[3])
 {
     double least = INFINITY, most = 0;
@@ -77,7 +77,8 @@ static double near_of(const Fit *fit, const double position[3])
     return fmax(fmax(along * 0.99, most * nearest), 1e-30);
 }
 
-/* Half the edge of a cube's face at distance 1: more than 1 if faces overlap by a border. */
+/* Returns half the edge of a cube's face at distance 1: more than 1 if faces overlap by a
+ * border. */
 static double face_of(const Fit *fit, const SceneLight *light)
 {
     /* texels of both sides: the border, and half a texel to the center of the next one */
@@ -107,7 +108,7 @@ static void fit_cube(const Fit *fit, const SceneLight *light, ShadowView views[S
     }
 }
 
-/* Margin around the cone for the filter's texels. */
+/* Returns the factor that widens a cone by a margin for the filter's texels. */
 static double widened(const Scene *scene)
 {
     return 1 + 2.0 * (scene->shadow_filter + 2) / scene->shadow_size;
@@ -186,7 +187,7 @@ static void fit_box(const Fit *fit, const SceneLight *light, const double (*show
     view->mirrored = true;
 }
 
-/* The nearest and farthest depth at which the camera can see a shadow caster. */
+/* Finds the nearest and farthest depth at which the camera can see a shadow caster. */
 static void depths_of(const Fit *fit, double depths[2])
 {
     const SceneCamera *camera = &fit->scene->camera;
@@ -203,7 +204,7 @@ static void depths_of(const Fit *fit, double depths[2])
     depths[1] = fmax(depths[1], depths[0] * (1 + 1e-6));
 }
 
-/* A corner of the view frustum's section at a depth, 0 to 3. */
+/* Sets a corner, 0 to 3, of the view frustum's section at a depth. */
 static void corner_of(const Fit *fit, double depth, int number, double corner[3])
 {
     const SceneCamera *camera = &fit->scene->camera;
@@ -216,7 +217,7 @@ static void corner_of(const Fit *fit, double depth, int number, double corner[3]
                     up * camera->up[i];
 }
 
-/* Extent of the frustum between two depths along two axes perpendicular to the light. */
+/* Finds the extent of the frustum between two depths along two axes perpendicular to the light. */
 static void find_shown(const Fit *fit, const SceneLight *light, const double depths[2],
                        double shown[2][2])
 {
@@ -234,9 +235,9 @@ static void find_shown(const Fit *fit, const SceneLight *light, const double dep
     }
 }
 
-/* Four cascades of a visible depth range from 1 to 64 end at 4, 16, 64, and the last contains
- * all objects. For a smaller range the ratio is smaller: from 1 to 8 they end at 2, 4, 8. Points
- * outside all of these use the last one. */
+/* Fits cascades to the visible depth range. Four cascades of a visible depth range from 1 to 64
+ * end at 4, 16, 64, and the last contains all objects. For a smaller range the ratio is smaller:
+ * from 1 to 8 they end at 2, 4, 8. Points outside all of these use the last one. */
 static void fit_cascades(const Fit *fit, const SceneLight *light, ShadowView *views)
 {
     const int seen = fit->scene->shadow_cascades - 1;
@@ -301,7 +302,7 @@ static void fit_light(Fit *fit, int number)
     fit->made->count += fit->made->lights[number].count;
 }
 
-/* Maximum number of views. */
+/* Returns the max number of views. */
 static size_t room_for(const Scene *scene)
 {
     size_t room = 1;

@@ -42,9 +42,9 @@ typedef struct {
  * of techniques, up to NULL. False: out of memory; made is empty then. */
 bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
                        const int size[2], ShadowViews *made);
-/* Number of casters with varying transparency. */
+/* Returns the number of casters with varying transparency. */
 int shadow_views_varying(const Cache *cache);
-/* Half spaces that bound a view's map. */
+/* Returns the half spaces that bound a view's map. */
 CullVolume shadow_views_volume(const ShadowView *view);
 /* Frees and empties; safe on an empty one. */
 void shadow_views_free(ShadowViews *views);

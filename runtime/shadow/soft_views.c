@@ -59,7 +59,7 @@ void soft_views_make(const Scene *scene, const SceneLight *light, int number, do
     }
 }
 
-/* True for left-handed axes, like a map's own if z points away from the light. */
+/* Returns true for left-handed axes, like a map's own if z points away from the light. */
 static bool is_mirrored(const ShadowView *view)
 {
     double across[3];

@@ -19,12 +19,12 @@
 
 enum { SOFT_VIEWS_FACES = 5 /* faces toward z, x, -x, y, -y */ };
 
-/* True for an area light that casts shadows. */
+/* Returns true for an area light that casts shadows. */
 bool soft_views_wanted(const SceneLight *light);
-/* Number of views: one per point; twice that for a light that emits to both sides. */
+/* Returns the number of views: one per point; twice that for a light that emits to both sides. */
 int soft_views_count(const Scene *scene, const SceneLight *light);
-/* World position of a view's point. Points are evenly distributed, row by row along u, from edge
- * to edge except for an inset of 1/256. */
+/* Sets the world position of a view's point. Points are evenly distributed, row by row along u,
+ * from edge to edge except for an inset of 1/256. */
 void soft_views_place(const Scene *scene, const SceneLight *light, int number, double position[3]);
 /* Makes a view whose depth is `near` over the distance along its face. */
 void soft_views_make(const Scene *scene, const SceneLight *light, int number, double near,

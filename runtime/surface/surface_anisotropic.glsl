@@ -137,7 +137,7 @@ void grazingLines(float p, float rest, out vec4 lines[6])
                 p * (vec4(9.08247, -6.70663, 13.406, 4.9278))))));
 }
 
-// The angle is relative to the frame of anisotropyStored().
+// Makes the anisotropy from its slot; the angle is relative to the frame of anisotropyStored().
 Anisotropy anisotropyOf(vec2 slot, vec3 normal, float rough)
 {
     Anisotropy m;
@@ -173,7 +173,8 @@ Row rowOf(vec4 lines[6], vec4 g)
     return Row(vec4(dot(lines[0], g), dot(lines[1], g), dot(lines[2], g), dot(lines[3], g)), vec2(dot(lines[4], g), dot(lines[5], g)));
 }
 
-// Like albedo(): within 0.011 and 0.006 of the integrals for cosines from 0.03 on.
+// Returns what albedo() does, along a direction: within 0.011 and 0.006 of the integrals for
+// cosines from 0.03 on.
 vec2 albedoAlong(float cosine, float g, Anisotropy m)
 {
     vec4 powers = vec4(1.0, g, g * g, g * g * g);
@@ -183,23 +184,23 @@ vec2 albedoAlong(float cosine, float g, Anisotropy m)
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
-// The mean over azimuths: at two azimuths whose values v.x^2 - v.y^2 are Gauss points of the
-// distribution.
+// Returns the mean albedo over azimuths: at two azimuths whose values v.x^2 - v.y^2 are Gauss
+// points of the distribution.
 vec2 albedoAround(float cosine, Anisotropy m)
 {
     float off = 0.70710678 * m.ratio * (1.0 - cosine * cosine);
     return 0.5 * (albedoAlong(cosine, sqrt(1.0 + off), m) + albedoAlong(cosine, sqrt(1.0 - off), m));
 }
 
-// cosine (1 + 2 Lambda) of Smith's masking for a direction with that cosine.
+// Returns cosine (1 + 2 Lambda) of Smith's masking for a direction with that cosine.
 float maskedAlong(Anisotropy m, vec3 v, float cosine)
 {
     vec2 wide = m.widths * vec2(dot(v, m.along), dot(v, m.across));
     return sqrt(cosine * cosine + dot(wide, wide));
 }
 
-// Like facets(): the light's direction l, the half vector, and the light's cosine; `eye`: the eye's
-// cosine and its maskedAlong().
+// Evaluates the microfacet lobe like facets(): the light's direction l, the half vector, and the
+// light's cosine; `eye`: the eye's cosine and its maskedAlong().
 float facetsAlong(Anisotropy m, vec3 normal, vec3 l, vec3 h, float cosine, vec2 eye)
 {
     vec2 across = vec2(dot(h, m.along), dot(h, m.across)) / m.widths;

@@ -82,7 +82,7 @@ vec2 albedo(float cosine, Gloss g)
     return vec2(loss, (1.0 - loss) * q * q * q * q * q);
 }
 
-// Directional albedo of the dielectric, with multiple scattering.
+// Returns the directional albedo of the dielectric, with multiple scattering.
 TONE reflectedOf(vec2 albedo, float reflectance, TONE again)
 {
     return mix(albedo.y, 1.0 - albedo.x, reflectance) + albedo.x * again;
@@ -102,8 +102,8 @@ struct Grain {
     TONE high, tilt, low, all; // all: single-scattering albedo for light from all directions
 };
 
-// From the transmittance along the normal, at cosine 1/4, and in the mean: the means of x and x^5
-// are 1/3 and 1/21.
+// Makes a Grain from the transmittance along the normal, at cosine 1/4, and in the mean: the means
+// of x and x^5 are 1/3 and 1/21.
 Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
 {
     Grain g;
@@ -118,8 +118,8 @@ Grain grainOf(float rough, TONE along, TONE aside, TONE mean)
     return g;
 }
 
-// Share of a direction's light that single scattering loses: 1 - the integral, within 0.001
-// (tests/fits/diffuse.c prints the polynomials).
+// Returns the share of a direction's light that single scattering loses: 1 - the integral, within
+// 0.001 (tests/fits/diffuse.c prints the polynomials).
 TONE grainLost(Grain g, float cosine)
 {
     float x = 1.0 - cosine, even = x * (0.0513992761 + x * (0.522664541 + x * (-0.380763677 + x * 0.0949094912)));
@@ -128,10 +128,10 @@ TONE grainLost(Grain g, float cosine)
     return max(1.0 - g.once * (1.0 + g.rough * (g.high * even - g.tilt * tilted - g.low * grazing)), TONE(0.0));
 }
 
-// Color of the light scattered repeatedly within, over the mean single-scattering loss.
+// Returns the color of the light scattered repeatedly within, over the mean single-scattering loss.
 vec3 grainAgain(Grain g, vec3 color) { return color * color * g.all / ((1.0 - color * (1.0 - g.all)) * (1.0 - g.all)); }
 
-// Reflection from l toward v, relative to that of a Lambertian base of color 1.
+// Returns the reflection from l toward v, relative to that of a Lambertian base of color 1.
 vec3 grained(Grain g, vec3 color, vec3 again, float between, vec2 cosines, TONE lost)
 {
     float s = between - cosines.x * cosines.y, t = s > 0.0 ? max(cosines.x, cosines.y) : 1.0;
@@ -144,10 +144,11 @@ struct Film {
     float weight, path, ior;
 };
 
-// Response of linear sRGB to light whose intensity varies as cos(2 pi path / wavelength), with the
-// path in micrometers: the color matching functions as sums of Gaussians of the wave number, whose
-// Fourier transforms are Gaussians of the path (the idea of Belcour and Barla 2017). Within 0.06 of
-// sums over wavelengths, 0.02 in root mean square; tests/fits/film.c prints the numbers.
+// Returns the response of linear sRGB to light whose intensity varies as cos(2 pi path /
+// wavelength), with the path in micrometers: the color matching functions as sums of Gaussians of
+// the wave number, whose Fourier transforms are Gaussians of the path (the idea of Belcour and
+// Barla 2017). Within 0.06 of sums over wavelengths, 0.02 in root mean square; tests/fits/film.c
+// prints the numbers.
 vec3 filmResponse(float path)
 {
     vec4 bells = exp(-path * path * vec4(0.273996, 0.440534, 0.0788179, 0.247647)) * cos(path * vec4(10.4149, 11.0117, 9.48353, 13.9191));
@@ -155,19 +156,19 @@ vec3 filmResponse(float path)
                 dot(bells, vec4(0.0874771, -0.257019, 0.00607568, 1.16348)));
 }
 
-// Reflectance of one polarization, from the reflection amplitudes a and b of both sides of the
-// film: 1 - (1 - a^2) (1 - b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as a series over the number
-// of internal reflections, up to three.
+// Returns the reflectance of one polarization, from the reflection amplitudes a and b of both sides
+// of the film: 1 - (1 - a^2) (1 - b^2) / (1 + q^2 + 2 q cos(phase)), q = a b, as a series over the
+// number of internal reflections, up to three.
 vec3 filmSum(float a, vec3 b, vec3 once, vec3 twice, vec3 thrice)
 {
     vec3 q = a * b;
     return 1.0 - (1.0 - a * a) * (1.0 - b * b) / max(1.0 - q * q, 1e-6) * (1.0 + 2.0 * q * (q * (twice - q * thrice) - once));
 }
 
-// Reflectance of a film on a base at an angle. The base is given by its reflectance at normal
-// incidence without a film, and treated as a dielectric with that reflectance; the phase shift of
-// metals is left out. Worked example, path 0 and index 1: there is no film, and the base follows
-// Fresnel's formulas.
+// Returns the reflectance of a film on a base at an angle. The base is given by its reflectance at
+// normal incidence without a film, and treated as a dielectric with that reflectance; the phase
+// shift of metals is left out. Worked example, path 0 and index 1: there is no film, and the base
+// follows Fresnel's formulas.
 vec3 filmReflected(Film film, float cosine, vec3 base)
 {
     float sine2 = 1.0 - cosine * cosine, inner2 = 1.0 - sine2 / (film.ior * film.ior), n = film.ior;
@@ -191,7 +192,7 @@ vec2 filmAngles(float cosine, float alpha)
     return clamp(mean + spread * vec2(-1.0, 1.15), 0.0, 1.0);
 }
 
-// Mean reflectance of a film over the microfacets that mirror the light.
+// Returns the mean reflectance of a film over the microfacets that mirror the light.
 vec3 filmAround(Film film, float cosine, float alpha, vec3 base)
 {
     vec2 angles = filmAngles(cosine, alpha);
@@ -210,7 +211,7 @@ Film filmOf(Surface s)
     return film;
 }
 
-// Like reflectedOf(), with a film; `at` is the cosine and the width.
+// Returns the directional albedo like reflectedOf(), with a film; `at` is the cosine and the width.
 vec3 filmedOf(Film film, vec2 albedo, vec2 at, float reflectance, vec3 again)
 {
     vec3 plain = reflectedOf(albedo, reflectance, again);
@@ -219,7 +220,7 @@ vec3 filmedOf(Film film, vec2 albedo, vec2 at, float reflectance, vec3 again)
 }
 #endif
 
-// Share of the surface that is cut out. Transmission by the dielectric does not count.
+// Returns the share of the surface that is cut out. Transmission by the dielectric does not count.
 float holesOf(Surface s)
 {
     float holes = 0.0;
@@ -232,11 +233,11 @@ float holesOf(Surface s)
     return clamp(holes, 0.0, 1.0);
 }
 
-// cosine (1 + 2 Lambda) of Smith's masking, by the direction's cosine.
+// Returns cosine (1 + 2 Lambda) of Smith's masking, by the direction's cosine.
 float maskedOf(float alpha, float cosine) { return sqrt(alpha * alpha + (1.0 - alpha * alpha) * cosine * cosine); }
 
-// GGX with Smith's height-correlated masking and a Fresnel term of 1, divided by 4 times the eye's
-// cosine; h is the half vector, and `eye` the eye's cosine and its maskedOf().
+// Returns GGX's lobe with Smith's height-correlated masking and a Fresnel term of 1, divided by 4
+// times the eye's cosine; h is the half vector, and `eye` the eye's cosine and its maskedOf().
 float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 {
     float alpha2 = alpha * alpha, high = dot(normal, h);
@@ -247,14 +248,14 @@ float facets(float alpha, vec3 normal, vec3 h, float cosine, vec2 eye)
 }
 
 #ifdef LIT_LAYERS
-// Transmittance of a layer for light reflected below it, from its transmittance for each direction
-// and its mean: reciprocal in light and eye. For a mirror both directions have the same
-// transmittance, which counts once; for diffuse reflection it is the product of both over the mean.
-// A rough mirror is in between, by evenOf(); its missing energy is spread, see below(). For the
-// eye, x is its transmittance, and y veiled() of it.
+// Returns the transmittance of a layer for light reflected below it, from its transmittance for
+// each direction and its mean: reciprocal in light and eye. For a mirror both directions have the
+// same transmittance, which counts once; for diffuse reflection it is the product of both over the
+// mean. A rough mirror is in between, by evenOf(); its missing energy is spread, see below(). For
+// the eye, x is its transmittance, and y veiled() of it.
 float veil(float through, vec2 eye, float mean, float even) { return through * eye.x * inversesqrt(max(mix(through, mean, even) * eye.y, 1e-8)); }
 
-// Share of diffuse behavior, by roughness and angle: grazing light is spread most.
+// Returns the share of diffuse behavior, by roughness and angle: grazing light is spread most.
 float evenOf(float rough, float cosine) { return 0.86 * smoothstep(0.05, 0.35 + 0.9 * sqrt(cosine), rough); }
 
 vec2 veiled(float through, float mean, float rough, float cosine) { return vec2(through, mix(through, mean, evenOf(rough, cosine))); }
@@ -283,7 +284,7 @@ Coat coatOf(Surface s)
     return coat;
 }
 
-// The coat's normal; the surface's if the coat has none of its own.
+// Returns the coat's normal; the surface's if the coat has none of its own.
 vec3 coatNormalOf(Surface s, vec3 normal)
 {
 #ifdef LIT_COAT_NORMAL
@@ -293,8 +294,8 @@ vec3 coatNormalOf(Surface s, vec3 normal)
 #endif
 }
 
-// Share of light that a white rough mirror loses below a coat: `share` is that coat's loss relative
-// to a smooth one's.
+// Returns the share of light that a white rough mirror loses below a coat: `share` is that coat's
+// loss relative to a smooth one's.
 Row coatSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -309,7 +310,8 @@ Row coatSpread(float rough, float share)
 #endif
 
 #ifdef LIT_FUZZ
-// Bounded from below, since narrower fibers of the lobe would reflect more than arrives.
+// Returns fuzz's roughness, bounded from below, since narrower fibers of the lobe would reflect
+// more than arrives.
 float fuzzRoughOf(Surface s)
 {
 #ifdef SURFACE_HAS_fuzzRoughness
@@ -319,8 +321,8 @@ float fuzzRoughOf(Surface s)
 #endif
 }
 
-// Directional albedo of fuzz of weight 1: a polynomial, fitted to integrals of its lobe within
-// 0.005 for cosines from 0.04 on.
+// Returns the directional albedo of fuzz of weight 1: a polynomial, fitted to integrals of its lobe
+// within 0.005 for cosines from 0.04 on.
 float fuzzAlbedo(float cosine, float rough)
 {
     vec4 r = vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -331,15 +333,15 @@ float fuzzAlbedo(float cosine, float rough)
         x * dot(r, vec4(1.08179061, -3.5441627, 4.07626323, -1.60441801)))), 0.0, 1.0);
 }
 
-// Upright fibers: a lobe in the sine of the half angle (Estevez and Kulla 2017), with the masking
-// of Neubelt and Pettineo.
+// Returns the lobe of upright fibers, in the sine of the half angle (Estevez and Kulla 2017), with
+// the masking of Neubelt and Pettineo.
 float fibres(float rough, float high, float cosine, float eye)
 {
     float power = 0.5 / rough;
     return 0.5 * cosine * (1.0 + power) * pow(max(1.0 - high * high, 1e-6), power) / (2.0 * (cosine + eye - cosine * eye));
 }
 
-// Like coatSpread(), below fuzz.
+// Returns the lost share like coatSpread(), below fuzz.
 Row fuzzSpread(float rough, float share)
 {
     vec4 p = share * vec4(1.0, rough, rough * rough, rough * rough * rough);
@@ -354,12 +356,13 @@ Row fuzzSpread(float rough, float share)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// Linearly transformed cosines (LTC; Heitz, Dupuy, Hill and Neubelt 2016): a matrix that maps
-// directions l so that GGX's lobe becomes the density max(z, 0) / pi. For parallelograms within 0.1
-// of the lobe's total, 0.02 in root mean square, for roughnesses from 0.1 and angles to 84 degrees
-// (test_principled.c); Phong's lobe has 0.2 and 0.06. The part of the lobe below the horizon is
-// lost. tests/fits/area.c prints the polynomials. X, Y and Z are orthogonal, Z is the lobe's mean
-// direction, and a direction o of that density maps to X (m11 o.x + m13 o.z) + Y m22 o.y + Z o.z.
+// Returns the matrix of linearly transformed cosines (LTC; Heitz, Dupuy, Hill and Neubelt 2016): a
+// matrix that maps directions l so that GGX's lobe becomes the density max(z, 0) / pi. For
+// parallelograms within 0.1 of the lobe's total, 0.02 in root mean square, for roughnesses from 0.1
+// and angles to 84 degrees (test_principled.c); Phong's lobe has 0.2 and 0.06. The part of the lobe
+// below the horizon is lost. tests/fits/area.c prints the polynomials. X, Y and Z are orthogonal, Z
+// is the lobe's mean direction, and a direction o of that density maps to X (m11 o.x + m13 o.z) + Y
+// m22 o.y + Z o.z.
 //   Worked example, roughness 1 along the normal: m11 = m22 = 1.1, m13 = 0: directions are spread
 //   by 1.1.
 mat3 areaFacets(float rough, vec3 normal, vec3 eye)

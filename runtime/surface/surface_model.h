@@ -55,7 +55,7 @@ typedef struct {
 } SurfaceModel;
 
 extern const SurfaceModel surface_model_phong, surface_model_principled;
-/* The model of the surfaces in a layout; a model with both if the layout has several and
+/* Returns the model of the surfaces in a layout; a model with both if the layout has several and
  * `models`, bits 1 << Model, too. Phong without a layout. */
 const SurfaceModel *surface_model_of(const LayoutRow *layout, unsigned models);
 /* Defines SURFACE_LACKS_<lobe> for each lobe that no material has, by bits as above and

@@ -62,7 +62,7 @@ vec3 surfaceGloss(Lit m) { return m.specular; }
 vec3 surfaceMirror(Lit m) { return m.reflected; }
 float surfaceExponent(Lit m) { return m.shininess; }
 
-// Light that is transmitted straight has no cosine factor.
+// Returns the reflected light. Light that is transmitted straight has no cosine factor.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -100,8 +100,8 @@ vec3 surfaceHemisphere(Lit m)
 #endif
 
 #ifdef LIGHT_HAS_AREAS
-// Transmitted light belongs to the other side: one power of the lobe is the cosine that the
-// integral includes.
+// Returns the number of sides. Transmitted light belongs to the other side: one power of the lobe
+// is the cosine that the integral includes.
 int surfaceAreaSides(Lit m) { return surfaceLetsThrough(m) ? 2 : 1; }
 AreaSide surfaceAreaSide(Lit m, int i)
 {

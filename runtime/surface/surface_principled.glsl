@@ -71,7 +71,8 @@ struct Lit {
 #endif
 };
 
-// albedo() of the base for a direction with this cosine, and over all directions with that cosine.
+// Returns albedo() of the base for a direction with this cosine, and over all directions with that
+// cosine.
 vec2 baseAlbedo(Lit m, vec3 v, float cosine)
 {
 #ifdef LIT_ANISOTROPY
@@ -90,7 +91,7 @@ vec2 baseAround(Lit m, float cosine)
 #endif
 }
 
-// Directional albedo of the dielectric, from albedo() and the cosine.
+// Returns the directional albedo of the dielectric, from albedo() and the cosine.
 TONE baseReflected(Lit m, vec2 albedo, float cosine)
 {
 #ifdef LIT_FILM
@@ -106,7 +107,8 @@ float fuzzThrough(Lit m, float cosine) { return 1.0 - m.fuzz * fuzzAlbedo(cosine
 #endif
 
 #ifdef LIT_COAT
-// Directional albedo of the coat; light that it reflects more than once goes to the layer below.
+// Returns the directional albedo of the coat; light that it reflects more than once goes to the
+// layer below.
 float coatAlbedo(vec2 albedo, float reflectance) { return mix(albedo.y, 1.0 - albedo.x, reflectance); }
 
 float coatThrough(Lit m, float cosine) { return 1.0 - m.coat * coatAlbedo(albedo(cosine, m.coatFacets), m.coatReflectance); }
@@ -154,7 +156,7 @@ void litFuzz(Surface s, inout Lit m)
 #endif
 
 #ifdef LIT_LAYERS
-// Cosine of a direction against the coat's normal, from its cosine against the base's.
+// Returns the cosine of a direction against the coat's normal, from its cosine against the base's.
 float coatCosineOf(Lit m, vec3 v, float cosine)
 {
 #ifdef LIT_COAT_NORMAL
@@ -164,11 +166,11 @@ float coatCosineOf(Lit m, vec3 v, float cosine)
 #endif
 }
 
-// Transmittance of the layers for a direction, by its cosines against the base and the coat: x, y
-// of coat and fuzz; z of both; w the additional loss of a white rough mirror below, since light
-// enters and leaves by different directions, which the product of veil() neglects. The loss is
-// spread like multiple scattering. Per layer it is a polynomial in the base's roughness and the
-// square root of the cosine, fitted to integrals within 0.011 of all light; a small additional
+// Returns the transmittance of the layers for a direction, by its cosines against the base and the
+// coat: x, y of coat and fuzz; z of both; w the additional loss of a white rough mirror below,
+// since light enters and leaves by different directions, which the product of veil() neglects. The
+// loss is spread like multiple scattering. Per layer it is a polynomial in the base's roughness and
+// the square root of the cosine, fitted to integrals within 0.011 of all light; a small additional
 // share, `stray`, keeps it above 0.
 vec4 below(Lit m, float cosine, float ofCoat, float loss)
 {
@@ -188,17 +190,18 @@ vec4 below(Lit m, float cosine, float ofCoat, float loss)
     return found;
 }
 
-// Multiple-scattering loss of a white mirror, and of one that reflects as the dielectric does, by
-// its directional reflectance; greatest from directions where layers transmit least, so that a
-// rough mirror loses up to 2.75 times as much.
+// Returns the multiple-scattering loss of a white mirror, and of one that reflects as the
+// dielectric does, by its directional reflectance; greatest from directions where layers transmit
+// least, so that a rough mirror loses up to 2.75 times as much.
 vec2 strayed(Lit m, float stray, vec2 own)
 {
     return stray * vec2(1.0, m.strayMore * mix(own.y / max(1.0 - own.x, 1e-3), 1.0, m.reflectance));
 }
 #endif
 
-// Means over all directions by Gaussian quadrature in the square root of the cosine: `mean` of 1
-// and of albedo(); `left` of the same times the layers' transmittance; `meanStray` of strayed().
+// Computes means over all directions by Gaussian quadrature in the square root of the cosine:
+// `mean` of 1 and of albedo(); `left` of the same times the layers' transmittance; `meanStray` of
+// strayed().
 void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 {
     const vec3 PLACE = vec3(0.0337652429, 0.1693953068, 0.380690407), WEIGHT = vec3(0.0856622462, 0.1803807865, 0.2339569673);
@@ -242,7 +245,7 @@ void litMeans(inout Lit m, out vec3 mean, out vec3 left, out vec2 meanStray)
 }
 
 #ifdef LIT_GRAIN
-// Share of light from directions with that cosine that reaches the base.
+// Returns the share of light from directions with that cosine that reaches the base.
 TONE comesToBase(Lit m, float cosine)
 {
     vec2 own = baseAround(m, cosine);
@@ -253,7 +256,7 @@ TONE comesToBase(Lit m, float cosine)
 #endif
 }
 
-// Reflection of uniform light, relative to that of a Lambertian base.
+// Returns the reflection of uniform light, relative to that of a Lambertian base.
 vec3 litGrain(Surface s, TONE meanBase, inout Lit m)
 {
     m.grain = grainOf(clamp(s.diffuseRoughness, 0.0, 1.0), comesToBase(m, 1.0), comesToBase(m, 0.25), meanBase);

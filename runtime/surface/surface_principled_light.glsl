@@ -2,7 +2,7 @@
 // area lights. Follows surface_principled.glsl, which makes a Lit of a Surface.
 vec3 surfaceOwn(Lit m) { return m.emissive; }
 
-// Specular reflection of uniform light, including the coat's.
+// Returns the specular reflection of uniform light, including the coat's.
 vec3 glossAround(Lit m)
 {
 #ifdef LIT_COAT
@@ -12,7 +12,7 @@ vec3 glossAround(Lit m)
 #endif
 }
 
-// Diffuse transmission of uniform light from behind.
+// Returns the diffuse transmission of uniform light from behind.
 vec3 evenFromBehind(Lit m)
 {
 #ifdef LIT_BEHIND
@@ -25,8 +25,8 @@ vec3 evenFromBehind(Lit m)
 vec3 surfaceAmbient(Lit m, vec3 ambient) { return (m.even + evenFromBehind(m) + glossAround(m)) * ambient; }
 vec3 surfaceEven(Lit m) { return m.even; }
 
-// Without its tint the dielectric reflects nothing specularly, and without its share metal reflects
-// nothing.
+// Returns the surface without gloss: without its tint the dielectric reflects nothing specularly,
+// and without its share metal reflects nothing.
 Lit surfaceMatt(Lit m)
 {
     m.base *= 1.0 - m.metal;
@@ -48,8 +48,8 @@ Lit surfaceMatt(Lit m)
 }
 
 #ifdef LIT_BEHIND
-// Diffuse transmission: light that enters on the other side, with the same transmittance as on this
-// side, and is scattered within.
+// Returns the diffuse transmission: light that enters on the other side, with the same
+// transmittance as on this side, and is scattered within.
 vec3 fromBehind(Lit m, vec3 l, float cosine)
 {
     vec2 own = baseAlbedo(m, l, cosine);
@@ -64,8 +64,8 @@ vec3 fromBehind(Lit m, vec3 l, float cosine)
 }
 #endif
 
-// Values that do not depend on l are in m. A lobe of weight 0 is skipped, which a GPU does if all
-// threads of a group agree.
+// Returns the reflected light from direction l. Values that do not depend on l are in m. A lobe of
+// weight 0 is skipped, which a GPU does if all threads of a group agree.
 vec3 surfaceLobe(Lit m, vec3 l)
 {
     float cosine = dot(m.normal, l);
@@ -149,8 +149,8 @@ SkyFacets skyFacetsEven(vec3 normal, float alpha)
     return SkyFacets(mat3(aside, cross(normal, aside), normal), vec2(alpha));
 }
 
-// Mean of the sky weighted by the microfacets' reflection, with reflectance `low` at normal
-// incidence and `high` at grazing angles; 1 for a white sky. Importance sampling: microfacet
+// Returns the mean of the sky weighted by the microfacets' reflection, with reflectance `low` at
+// normal incidence and `high` at grazing angles; 1 for a white sky. Importance sampling: microfacet
 // normals are drawn by their visible area (Heitz 2018; by spherical caps: Dupuy and Benyoub 2023),
 // in a spiral. Each sample is weighted by masking, and reads the mipmap level of the cube map whose
 // texels are as large as the sample's solid angle.
@@ -182,7 +182,8 @@ vec3 skySent(SkyFacets f, vec3 toEye, vec3 low, vec3 high)
     return sky_light.xyz * sum / all;
 }
 
-// Multiple scattering between microfacets, and gloss spread by layers, count as diffuse.
+// Returns the reflected sky. Multiple scattering between microfacets, and gloss spread by layers,
+// count as diffuse.
 vec3 surfaceSky(Lit m)
 {
     vec3 sum = (m.even + m.glossAgain) * skyIrradiance(m.normal), once = m.gloss - m.glossAgain;
@@ -228,7 +229,8 @@ int surfaceAreaSides(Lit m)
     return sides;
 }
 
-// Sides: diffuse, the base's specular, the coat's, transmission from behind.
+// Returns side i for area lights: diffuse, the base's specular, the coat's, transmission from
+// behind.
 AreaSide surfaceAreaSide(Lit m, int i)
 {
 #ifdef LIT_BEHIND

@@ -209,8 +209,8 @@ static bool same_ends(const SceneBisectionTriangle *x, const SceneBisectionTrian
            (x->vertex[0] == y->vertex[1] && x->vertex[1] == y->vertex[0]);
 }
 
-/* The vertex at the midpoint of the first edge of the ring's i-th triangle; `middle` has those
- * of earlier ones, which are reused for equal ends. UINT32_MAX: out of memory. */
+/* Returns the vertex at the midpoint of the first edge of the ring's i-th triangle; `middle` has
+ * those of earlier ones, which are reused for equal ends. UINT32_MAX: out of memory. */
 static uint32_t middle_vertex(SceneBisection *b, size_t i, uint32_t place,
                               const uint32_t middle[ALIKE])
 {

@@ -56,10 +56,10 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle);
 /* Converts to a shape whose places were moved to `to`; nearby triangles are adjacent in memory,
  * for vertex caches. False: out of memory; *made is empty. */
 bool scene_bisection_shape(const SceneBisection *b, const double (*to)[3], Shape *made);
-/* Twice the signed area of a triangle within its base, in parts squared; the sign is the
+/* Returns twice the signed area of a triangle within its base, in parts squared; the sign is the
  * winding. */
 double scene_bisection_turn(const int a[3], const int b[3], const int c[3]);
-/* Area of the triangle in object space. */
+/* Returns the area of the triangle in object space. */
 double scene_bisection_area(const SceneBisection *b, uint32_t triangle);
 /* Frees all memory; also valid for a zeroed struct. */
 void scene_bisection_end(SceneBisection *b);

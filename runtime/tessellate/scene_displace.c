@@ -23,8 +23,9 @@ typedef struct {
     int mesh_count;
 } Maker;
 
-/* Key of a displaced shape: the object's own shape, the material, and the matrix: either its
- * scales to a millionth, which are invariant under rotations and translations, or all of it. */
+/* Returns the key of a displaced shape: the object's own shape, the material, and the matrix:
+ * either its scales to a millionth, which are invariant under rotations and translations, or all
+ * of it. */
 static Key key_of(const Scene *scene, const SceneObject *object, const SceneBase *base)
 {
     const SceneDisplacer *by = scene->displacer;
@@ -114,8 +115,8 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
                                         "takes too many operations, or more memory than there is");
 }
 
-/* A free mesh slot: each displaced object may have two meshes, the old one until the new one is
- * made. */
+/* Returns a free mesh slot: each displaced object may have two meshes, the old one until the new
+ * one is made. */
 static int vacant_mesh(SceneDisplacer *by)
 {
     while (by->users[by->vacant])

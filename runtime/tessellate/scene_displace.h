@@ -20,20 +20,20 @@ typedef enum {
     SCENE_DISPLACED_anew,
     SCENE_DISPLACED_failed
 } SceneDisplaced;
-/* `count` objects from `first` on have other matrices. */
+/* Updates meshes after `count` objects from `first` on have got other matrices. */
 SceneDisplaced scene_displace_moved(Scene *scene, int first, int count);
 /* Updates meshes after a param of a material has got another value. */
 SceneDisplaced scene_displace_param(Scene *scene, int material, const char *name,
                                     const double *lanes, int count);
-/* All meshes are tessellated by another method of the list Displacing. */
+/* Tessellates all meshes by another method of the list Displacing. */
 SceneDisplaced scene_displace_by(Scene *scene, Word method);
-/* View-dependent detail (scene_detail.h) is updated for another picture size. */
+/* Updates view-dependent detail (scene_detail.h) for another picture size. */
 SceneDisplaced scene_displace_resized(Scene *scene, int width, int height);
 /* Replaces patches by evenly divided meshes, for a renderer that cannot displace patches or
  * needs their triangles; later changes do so, too. False: failed, see scene_displace_fault(). */
 bool scene_displace_patches(const Scene *scene);
 /* Exchanges a material's set param values with its document's defaults, until the next call. */
 void scene_displace_params(const Scene *scene, int material);
-/* The reason of the last failure, and its material. */
+/* Returns the reason of the last failure, and its material. */
 const char *scene_displace_fault(const Scene *scene, const SceneMaterial **material);
 #endif

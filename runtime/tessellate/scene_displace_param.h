@@ -3,7 +3,7 @@
 #define MATC_SCENE_DISPLACE_PARAM_H
 #include "runtime/scene/scene_displacer.h"
 
-/* Hash of a material's param values. */
+/* Returns the hash of a material's param values. */
 Key scene_displacer_param_key(const SceneDisplacer *by, int material);
 /* Returns whether the material's displacement reads the param. */
 bool scene_displacer_reads(const Scene *scene, int material, const char *name, int count);

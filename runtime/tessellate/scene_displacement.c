@@ -114,7 +114,7 @@ static double pixels_at(void *user, const double at[3])
     return sqrt(size) * scene_seen_pixels(mover->how->seen, world);
 }
 
-/* Length in world space. */
+/* Returns the length of a displacement in world space. */
 static double length_of(void *user, const double by[3])
 {
     const double *m = ((const Mover *)user)->how->world_from_local.m;
@@ -124,7 +124,8 @@ static double length_of(void *user, const double by[3])
     return sqrt(vec3_dot(world, world));
 }
 
-/* New positions of all places; `at` is the place of each vertex. From malloc; NULL: failed. */
+/* Returns the new positions of all places; `at` is the place of each vertex. From malloc; NULL:
+ * failed. */
 static double (*moved_places(Mover *mover, const Shape *shape, const int *first, int *at))[3]
 {
     ShapeVertex *joined = calloc((size_t)shape->vertex_count + 1, sizeof *joined);
@@ -204,8 +205,8 @@ static bool divide(const SceneDisplacing *how, const Shape *from, SceneMesh *mes
     return scene_refine(from, &refining, made);
 }
 
-/* Extent along an axis of object space of a motion of length `bound` in world space: from a row
- * of the inverse. */
+/* Sets the extent along each axis of object space of a motion of length `bound` in world space:
+ * from the rows of the inverse. */
 static void set_reach(const SceneMatrix *inverse, double bound, double reach[3])
 {
     for (int i = 0; i < 3; i++)
@@ -227,13 +228,13 @@ double scene_displaced_bound(const MatcDocument *document, int material, const M
 
 enum { MOST_STEPS = 12, FEEDBACK_MOST = 1 << 24 /* limit of displaced_feedback.c */ };
 
-/* Number of triangles if all are near enough to be divided. */
+/* Returns the number of triangles if all are near enough to be divided. */
 static int64_t feedback_triangles(const ScenePatches *patches)
 {
     return (int64_t)patches->count << 2 * patches->dividing.steps;
 }
 
-/* Bound of the bulge of any point. */
+/* Returns a bound of the bulge of any point: the longest edge. */
 static double longest_edge(const ScenePatches *patches)
 {
     double longest = 0;
@@ -247,8 +248,8 @@ static double longest_edge(const ScenePatches *patches)
     return longest;
 }
 
-/* The least power of two that is at least `parts`, and at least 2, since ray-marched patches are
- * halved repeatedly. */
+/* Returns the least power of two that is at least `parts`, and at least 2, since ray-marched
+ * patches are halved repeatedly. */
 static int power_of_two(int parts)
 {
     int power = 2;

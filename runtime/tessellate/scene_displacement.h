@@ -21,21 +21,21 @@ typedef struct {
     bool processor;        /* the renderer cannot displace */
 } SceneDisplacing;
 
-/* A vertex as matc_move() takes it, transformed to world space by the object's matrix and its
- * inverse; `origin` is the origin of the matrix's coordinates. */
+/* Returns a vertex as matc_move() takes it, transformed to world space by the object's matrix
+ * and its inverse; `origin` is the origin of the matrix's coordinates. */
 MatcPoint scene_displaced_point(const ShapeVertex *vertex, const SceneMatrix *m,
                                 const SceneMatrix *inverse, const double origin[3]);
-/* Maximum displacement by a material, in world units; infinite: unknown. */
+/* Returns the maximum displacement by a material, in world units; infinite: unknown. */
 double scene_displaced_bound(const MatcDocument *document, int material,
                              const MatcOptions *options);
 /* Makes moved triangles; or, for a method on the GPU, patches, provided that the height has a
  * bound, since bounding volumes need one. False: out of memory, or a value takes too many
  * operations; *made is empty. */
 bool scene_displaced_mesh(const SceneDisplacing *how, const Shape *from, SceneMesh *made);
-/* The method runs on the GPU; `pixels` is the tolerated error, 0: none. */
+/* Returns whether the method runs on the GPU; `pixels` is the tolerated error, 0: none. */
 bool scene_displaced_by_driver(Word method, double pixels);
-/* The method ray-marches over evenly divided triangles. */
+/* Returns whether the method ray-marches over evenly divided triangles. */
 bool scene_displaced_traced(Word method);
-/* Maximum number of triangles that the mesh has or is divided into. */
+/* Returns the max number of triangles that the mesh has or is divided into. */
 int64_t scene_displaced_triangles(const SceneMesh *mesh);
 #endif

@@ -41,7 +41,7 @@ static void unit(float v[3])
         v[i] = (float)(v[i] / size);
 }
 
-/* The vertex with these barycentric weights. */
+/* Returns the vertex with these barycentric weights. */
 static ShapeVertex between(const ShapeVertex *const corner[3], const int weight[3], int n)
 {
     int order[3] = {0, 1, 2}, sorted[3];
@@ -92,7 +92,8 @@ static uint32_t number_of(Found *f, const ShapeVertex *vertex)
     return (uint32_t)f->shape->vertex_count++;
 }
 
-/* Row i of a triangle has i + 1 vertices, starting at corner 0. */
+/* Returns the index of vertex i in a row of a triangle. Row i has i + 1 vertices, starting at
+ * corner 0. */
 static int place_in_rows(int row, int i) { return row * (row + 1) / 2 + i; }
 
 uint32_t *scene_divide_rows(const uint32_t *rows, int n, uint32_t *next)

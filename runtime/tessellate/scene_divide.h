@@ -7,8 +7,8 @@
  * normals have unit length, all else is interpolated. Vertices on an edge are identical for both
  * of its triangles. False: out of memory, *made is empty. */
 bool scene_divide(const Shape *shape, int n, Shape *made);
-/* The point of a triangle with these barycentric weights, which add up to n, as in a division by
- * scene_divide(). On an edge it is the same for both triangles. */
+/* Returns the point of a triangle with these barycentric weights, which add up to n, as in a
+ * division by scene_divide(). On an edge it is the same for both triangles. */
 ShapeVertex scene_divide_point(const Shape *shape, int triangle, const int weights[3], int n);
 /* Writes the indices of n^2 triangles whose vertices are in rows: one at corner 0, two in the
  * next row, up to n + 1 from corner 1 to corner 2. Returns the end of the written indices. */

@@ -24,6 +24,6 @@ typedef struct {
 void scene_fine_choose(Scene *scene, Arena *arena);
 /* Updates view-dependent detail for another picture size. */
 void scene_fine_look(Scene *scene, int width, int height);
-/* Level of detail of an object; `before` is the object before displacement. */
+/* Returns the level of detail of an object; `before` is the object before displacement. */
 SceneFineness scene_fine_of(const Scene *scene, const SceneObject *before);
 #endif

@@ -15,7 +15,7 @@ typedef struct {
     size_t count, room;
 } SceneRanks;
 
-/* False: out of memory. */
+/* Inserts a rank, or replaces the triangle's. False: out of memory. */
 bool scene_ranks_put(SceneRanks *ranks, SceneRank rank);
 /* Removes the largest; the queue must not be empty. */
 SceneRank scene_ranks_take(SceneRanks *ranks);

@@ -154,7 +154,7 @@ static double error_of(const Refiner *r, uint32_t triangle)
     return small ? 0 : scaled / count * scene_bisection_area(&r->b, triangle) * scales / count;
 }
 
-/* The area before displacement, in squared units of the scale. */
+/* Returns the area before displacement, in squared units of the scale. */
 static double scaled_area(const Refiner *r, uint32_t triangle)
 {
     const SceneBisectionTriangle *t = &r->b.triangles[triangle];
@@ -185,7 +185,7 @@ static SceneMiss miss_of(const Refiner *r, uint32_t triangle)
     return miss;
 }
 
-/* Half a unit in the last place of the largest coordinate, squared. */
+/* Returns half a unit in the last place of the largest coordinate, squared. */
 static double least_square(const Shape *shape)
 {
     double most = 0;
@@ -284,7 +284,7 @@ static void share_samples(void *user, uint32_t triangle, uint32_t made)
 
 /* -- points */
 
-/* The vertex whose displacement moves a place. */
+/* Returns the vertex whose displacement moves a place. */
 static ShapeVertex place_vertex(const SceneBisection *b, size_t place)
 {
     ShapeVertex vertex = b->vertices[b->places[place].first];
@@ -334,7 +334,8 @@ static bool move_samples(Refiner *r, ShapeVertex *at, double (*to)[3])
 
 /* -- rounds */
 
-/* Initial number of samples per triangle: in total half the number of requested triangles. */
+/* Returns the initial number of samples per triangle: in total half the number of requested
+ * triangles. */
 static int first_samples(const Refiner *r)
 {
     const size_t share = (size_t)r->how->triangles / 2 / r->b.count;
@@ -393,7 +394,7 @@ static bool refine_to(Refiner *r, size_t triangles, bool by_area)
     return fine;
 }
 
-/* Length of a place's displacement. */
+/* Returns the length of a place's displacement. */
 static double length_of(const Refiner *r, size_t place)
 {
     const float *from = r->b.vertices[r->b.places[place].first].position;

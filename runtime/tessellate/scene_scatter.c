@@ -27,9 +27,9 @@ static double part(uint64_t *state)
     return (double)(scene_scatter_next(state) >> 11) / 9007199254740992.0;
 }
 
-/* A rotation that maps z to the normal n, after Duff and others (2017). With g = 1 or -1, the
- * sign of n's z, a = -1 / (g + nz) and b = nx ny a, x and y map to (1 + g nx nx a, g b, -g nx)
- * and (b, g + ny ny a, -ny).
+/* Returns a rotation that maps z to the normal n, after Duff and others (2017). With g = 1 or
+ * -1, the sign of n's z, a = -1 / (g + nz) and b = nx ny a, x and y map to (1 + g nx nx a, g b,
+ * -g nx) and (b, g + ny ny a, -ny).
  *
  *     n = (0, 0, 1): x and y stay; n = (1, 0, 0): g = 1, a = -1, b = 0, so x maps to (0, 0, -1),
  *     and y stays */
@@ -46,7 +46,7 @@ void scene_scatter_numbers(uint64_t state, double numbers[3])
         numbers[i] = part(&state);
 }
 
-/* A copy's position, and its rotation there before the copy's own. */
+/* Returns a copy's position, and its rotation there before the copy's own. */
 static SceneMatrix stand(const SceneScatter *scatter, uint64_t *state)
 {
     SceneMatrix result = scene_matrix_identity();

@@ -15,7 +15,7 @@ static void put(float to[3], double x, double y, double z)
     to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
 }
 
-/* A preview shape with half extents 1, scaled. Its normals stay valid: a sphere is scaled
+/* Builds a preview shape with half extents 1, scaled. Its normals stay valid: a sphere is scaled
  * uniformly, a box and a parallelogram are flat. */
 static bool scaled(ShapeKind kind, const int steps[2], const double by[3], Shape *made)
 {
@@ -60,11 +60,11 @@ typedef struct {
     int steps;                /* segments of a circle */
 } Round;
 
-/* P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to top; the normal tilts by the slope of
- * the side. Its length is r / foot: then it is linear in P, and right also within a triangle
- * that ends in a tip. With normals of length 1 each triangle of a cone would have at its tip the
- * normal of one of its edges, half a step off: 0.9 degrees. At the tip itself the normal is
- * short, but not 0. */
+/* Writes a row of vertices of the side: P = (r cos a, r sin a, h t), a = 2 pi s, r from foot to
+ * top; the normal tilts by the slope of the side. Its length is r / foot: then it is linear in
+ * P, and right also within a triangle that ends in a tip. With normals of length 1 each triangle
+ * of a cone would have at its tip the normal of one of its edges, half a step off: 0.9 degrees.
+ * At the tip itself the normal is short, but not 0. */
 static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
 {
     const double r = o->foot + (o->top - o->foot) * t, fall = o->foot - o->top;
@@ -81,8 +81,8 @@ static ShapeVertex *side_row(const Round *o, double t, ShapeVertex *next)
     return next;
 }
 
-/* A disc: its center, then its rim; u and v are those of the square around it, flipped at the
- * foot. */
+/* Writes the vertices of a disc: its center, then its rim; u and v are those of the square
+ * around it, flipped at the foot. */
 static ShapeVertex *lid(const Round *o, bool up, ShapeVertex *next)
 {
     const double r = up ? o->top : o->foot, z = up ? o->height : 0, facing = up ? 1 : -1;
@@ -113,7 +113,8 @@ static uint32_t *add_lid(uint32_t *next, uint32_t middle, uint32_t steps, bool u
     return next;
 }
 
-/* A cone has an additional row at its tip, where the side still has a normal in each direction. */
+/* Builds a cylinder or cone. A cone has an additional row at its tip, where the side still has a
+ * normal in each direction. */
 static bool solid_round(const Round *o, Shape *made)
 {
     const uint32_t steps = (uint32_t)o->steps;

@@ -6,8 +6,9 @@
 /* Makes the triangles of an object, in its own space; none for a Plane, and none for a Mesh,
  * which has its own. False: out of memory. */
 bool scene_solid(const SceneObject *object, Shape *made);
-/* Key of an object's triangles: equal keys mean equal triangles, also for meshes from files. */
+/* Returns the key of an object's triangles: equal keys mean equal triangles, also for meshes
+ * from files. */
 Key scene_solid_key(const SceneObject *object);
-/* Number of an object's triangles, without making them. */
+/* Returns the number of an object's triangles, without making them. */
 int scene_solid_triangles(const SceneObject *object);
 #endif

@@ -41,7 +41,7 @@ static void corners_of(const SceneSurfacePart *patch, int triangle, double corne
         transformed(&patch->matrix, corner(patch, triangle, k)->position, corners[k]);
 }
 
-/* Twice the area, as a vector along the normal of the front. */
+/* Sets twice the area, as a vector along the normal of the front. */
 static void span_of(double corners[3][3], double span[3])
 {
     double u[3], v[3];
@@ -114,7 +114,7 @@ double scene_surface_area(const SceneSurface *surface)
     return surface->count ? surface->sums[surface->count - 1] : 0;
 }
 
-/* The first triangle whose prefix sum exceeds that share of the area. */
+/* Returns the first triangle whose prefix sum exceeds that share of the area. */
 static int pick(const SceneSurface *surface, double share)
 {
     const double wanted = share * scene_surface_area(surface);
@@ -170,7 +170,7 @@ void scene_surface_point(const SceneSurface *surface, const double numbers[3], d
     vec3_normalize(normal);
 }
 
-/* A vertex consists of floats only. */
+/* Interpolates a triangle's vertices; a vertex consists of floats only. */
 static ShapeVertex mix(const SceneSurfacePart *patch, int triangle, const double shares[3])
 {
     ShapeVertex mixed;
@@ -225,7 +225,7 @@ bool scene_surface_join(SceneSurface *surface)
     return fine;
 }
 
-/* A corner's position, and the normalized sum of all normals there. */
+/* Sets a corner's position, and the normalized sum of all normals there. */
 static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, double normal[3],
                           double at[3])
 {
@@ -238,8 +238,8 @@ static void joined_corner(const SceneSurfacePart *patch, int triangle, int k, do
     vec3_normalize(normal);
 }
 
-/* Displacement that rounds a point. Let n be the mean of the corners' normals: push (1 - |n|)
- * along n, plus bulge times the mean vector to the tangent planes at the corners. */
+/* Sets the displacement that rounds a point. Let n be the mean of the corners' normals: push (1
+ * - |n|) along n, plus bulge times the mean vector to the tangent planes at the corners. */
 static void rounded(double normals[3][3], double at[3][3], const double shares[3],
                     const SceneDividing *by, double to[3])
 {

@@ -33,7 +33,7 @@ bool scene_surface_make(const Scene *scene, const SceneObject *objects, int coun
                         SceneSurface *made);
 void scene_surface_free(SceneSurface *surface);
 double scene_surface_area(const SceneSurface *surface);
-/* The point for three numbers in [0, 1), and the unit normal there, interpolated from the
+/* Sets the point for three numbers in [0, 1), and the unit normal there, interpolated from the
  * corners. The surface must have an area. */
 void scene_surface_point(const SceneSurface *surface, const double numbers[3], double point[3],
                          double normal[3]);
@@ -45,8 +45,8 @@ int scene_surface_around(const SceneSurface *surface, const double numbers[3],
                          ShapeVertex around[SCENE_SURFACE_AROUND]);
 /* Computes the normals for rounding hard-edged meshes. False: out of memory. */
 bool scene_surface_join(SceneSurface *surface);
-/* Displacement of each of these points by `push` and `bulge`, as displace_point.glsl rounds a
- * hard-edged mesh, in its object's space. Requires scene_surface_join(). */
+/* Sets the displacement of each of these points by `push` and `bulge`, as displace_point.glsl
+ * rounds a hard-edged mesh, in its object's space. Requires scene_surface_join(). */
 void scene_surface_rounded(const SceneSurface *surface, const double numbers[3],
                            const SceneDividing *by, double to[SCENE_SURFACE_AROUND][3]);
 #endif

@@ -58,8 +58,8 @@ static double distance(const double a[3], const double b[3])
                 (a[2] - b[2]) * (a[2] - b[2]));
 }
 
-/* Thinnest of three thicknesses, each at its thickest place: both intervals, and the gap between
- * them. */
+/* Returns the smallest of three thicknesses, each at its thickest place: both intervals, and the
+ * gap between them. */
 static double thickness_of(const SceneColumn *columns, int count)
 {
     double most[3] = {0}, least = INFINITY;
@@ -147,7 +147,7 @@ static bool put_unit(const double v[3], double side, float to[3])
     return size > 0;
 }
 
-/* The grid's vertex at a node's place, with the attributes of the node's triangle. */
+/* Returns the grid's vertex at a node's place, with the attributes of the node's triangle. */
 static ShapeVertex base_of(const Making *m, const SceneNode *node, const SceneSpot *s)
 {
     const ShapeVertex *v = m->grid.vertices;
@@ -157,7 +157,8 @@ static ShapeVertex base_of(const Making *m, const SceneNode *node, const SceneSp
                : v[node->a];
 }
 
-/* Columns around it: forward and backward along two sides of its triangle, 1/128 of each. */
+/* Sets the columns around a node: forward and backward along two sides of its triangle, 1/128 of
+ * each. */
 static void set_around(const Making *m, const SceneNode *node, const ShapeVertex *base,
                        SceneColumn around[OFFSETS])
 {
@@ -180,9 +181,9 @@ static void set_around(const Making *m, const SceneNode *node, const ShapeVertex
     }
 }
 
-/* Slope of f from behind to ahead. If one of the ends is outside the rim of the solid, where
- * heights meet and f is flat, it is twice the slope of the inner half; but not at a cliff, where
- * f is not 0. */
+/* Returns the slope of f from behind to ahead. If one of the ends is outside the rim of the
+ * solid, where heights meet and f is flat, it is twice the slope of the inner half; but not at a
+ * cliff, where f is not 0. */
 static double slope_of(const SceneColumn ends[2], const SceneSpot *s, unsigned pairs)
 {
     const double ahead = scene_volume_field(&ends[0], pairs, s->height),
@@ -193,7 +194,7 @@ static double slope_of(const SceneColumn ends[2], const SceneSpot *s, unsigned p
     return ahead > behind ? 2 * (ahead - s->field) : 2 * (s->field - behind);
 }
 
-/* -grad f, from columns around a point and over it. */
+/* Writes the normal -grad f, from columns around a point and over it. */
 static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, double step,
                        float normal[3])
 {
@@ -225,7 +226,7 @@ static void put_normal(const SceneColumn around[OFFSETS], const SceneSpot *s, do
     put_unit(sum, whole > 0 ? -1 : 1, normal);
 }
 
-/* Normal of the wall over an edge, perpendicular to the edge and to its column. */
+/* Writes the normal of the wall over an edge, perpendicular to the edge and to its column. */
 static void put_wall_normal(const Making *m, const SceneNode *node, const SceneColumn *over,
                             float normal[3])
 {

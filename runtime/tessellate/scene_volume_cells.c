@@ -61,7 +61,7 @@ static uint32_t add_node(Walk *w, SceneNode node)
     return (uint32_t)made->node_count++;
 }
 
-/* Node of a prism's edge, shared by all prisms with that edge. */
+/* Returns the node of a prism's edge, shared by all prisms with that edge. */
 static uint32_t shared_node(Walk *w, SceneNode node)
 {
     const uint32_t low = node.a < node.b ? node.a : node.b,

@@ -67,7 +67,8 @@ unsigned scene_volume_pairs(const SceneColumn *columns, int count)
     return pairs;
 }
 
-/* Positive between both heights, and nowhere if they are in reverse order. */
+/* Returns a field that is positive between both heights, and nowhere if they are in reverse
+ * order. */
 static double between(double from, double to, double z)
 {
     const double above = z - from, below = to - z;
@@ -81,7 +82,7 @@ double scene_volume_field(const SceneColumn *c, unsigned pairs, double z)
                 pairs & 2 ? between(h[2], h[3], z) : -INFINITY);
 }
 
-/* End of the solid interval that contains one end of a step, but not the other. */
+/* Returns the end of the solid interval that contains one end of a step, but not the other. */
 static double end_within(const SceneColumn *c, double solid, bool above)
 {
     double end = solid;
@@ -151,15 +152,16 @@ static void begin(Looking *l, uint32_t node)
     l->searches[l->count++] = search;
 }
 
-/* Zero of the secant between both ends; the midpoint if the secant has no zero there. */
+/* Returns the zero of the secant between both ends; the midpoint if the secant has no zero
+ * there. */
 static double by_line(const Search *s)
 {
     const double part = s->f_low / (s->f_low - s->f_high);
     return s->low + (s->high - s->low) * (part >= 0 && part <= 1 ? part : .5);
 }
 
-/* ITP: the secant's zero, moved towards the midpoint so far that bisection would not be much
- * faster. */
+/* Returns the next place to evaluate by the ITP method: the secant's zero, moved towards the
+ * midpoint so far that bisection would not be much faster. */
 static double next_to_ask(const Search *s)
 {
     const double width = s->high - s->low, middle = (s->low + s->high) / 2, line = by_line(s);
@@ -169,7 +171,7 @@ static double next_to_ask(const Search *s)
     return fabs(moved - middle) <= room ? moved : middle - toward * room;
 }
 
-/* The end of the searches on one edge. */
+/* Returns the end of the searches on one edge. */
 static size_t edge_end(const Looking *l, size_t first)
 {
     const SceneSpot *s = &l->spots[l->searches[first].node];

@@ -12,12 +12,12 @@ typedef struct {
     double field;      /* f there: 0 on a surface, other values at a cliff */
 } SceneSpot;
 
-/* Positive inside the enabled pairs (bits), 0 on the surface: max((z - h0) (h1 - z), (z - h2)
- * (h3 - z)); an empty pair has heights as well. */
+/* Returns the field f: positive inside the enabled pairs (bits), 0 on the surface: max((z - h0)
+ * (h1 - z), (z - h2) (h3 - z)); an empty pair has heights as well. */
 double scene_volume_field(const SceneColumn *column, unsigned pairs, double z);
-/* Bits of the pairs that are nonempty in any of the columns. */
+/* Returns the bits of the pairs that are nonempty in any of the columns. */
 unsigned scene_volume_pairs(const SceneColumn *columns, int count);
-/* a (1 - t) + b t, for all attributes of a vertex. */
+/* Returns a (1 - t) + b t, for all attributes of a vertex. */
 ShapeVertex scene_volume_mixed(const ShapeVertex *a, const ShapeVertex *b, double t);
 /* Finds a position for each node; `order` gets the numbers of all nodes, grouped by edge, from
  * below. False: as for SceneSolid. */

@@ -95,8 +95,8 @@ const uint BISECT_SPLITS = BISECT_THREADS;
 // bisected; it is in the next round's list of merges. The flags persist from view to view.
 const uint FLAG_LESS = 1u, FLAG_CHOSEN = 2u, FLAG_WANTED = 4u, FLAG_ASKED = 8u;
 
-// Memory barrier: writes before it are visible before writes after it, to all threads, or to those
-// of the only workgroup, which is faster.
+// Makes writes before the call visible before writes after it, to all threads, or to those of the
+// only workgroup, which is faster.
 void bisectFence()
 {
 #ifdef BISECT_FEW
@@ -107,7 +107,7 @@ void bisectFence()
 #endif
 }
 
-// A thread's task, from the workgroup's tasks.
+// Returns a thread's task, from the workgroup's tasks.
 uint bisectTask(uint group)
 {
 #ifdef BISECT_FEW // neighboring tasks go to different warps: divergent threads run in turn
@@ -223,7 +223,7 @@ void bisectInsert(uvec2 id, uint slot)
     }
 }
 
-// Slot of a leaf; BISECT_NONE: missing.
+// Returns the slot of a leaf; BISECT_NONE: missing.
 uint bisectFind(uint base, uint number)
 {
     uvec2 id = bisectId(base, number);
@@ -236,8 +236,8 @@ uint bisectFind(uint base, uint number)
     }
 }
 
-// Slots of both children of a triangle. Both first entries are read at once to hide latency; the
-// search continues only where they are other leaves.
+// Returns the slots of both children of a triangle. Both first entries are read at once to hide
+// latency; the search continues only where they are other leaves.
 uvec2 bisectFindChildren(uint base, uint number)
 {
     uvec2 first = bisectId(base, 2u * number), second = bisectId(base, 2u * number + 1u);
@@ -304,13 +304,13 @@ uint bisectEdge(Corners t)
     return 3u;
 }
 
-// Corner of edge k of a base that is the earlier place.
+// Returns the corner of edge k of a base that is the earlier place.
 uint bisectEarlier(uint base, uint k)
 {
     return (k + 1u + (bisect_bases[BISECT_BASE * base] >> (2u + k) & 1u)) % 3u;
 }
 
-// 1 unless the edge is the one that is bisected first.
+// Returns 1 unless the edge is the one that is bisected first.
 int bisectLater(uint base, uint k)
 {
     return (bisectFirst(base) + 2u) % 3u == k ? 0 : 1;
@@ -327,7 +327,7 @@ Ring bisectRing(uint base, uint number, Corners t)
     return Ring(first, bisect_bases[start + 1u] - first, depth - bisectLater(base, k), ivec3(0), t.a[earlier] + t.b[earlier]);
 }
 
-// Member i of the ring, at the depth at which the ring's edge is its edge a b.
+// Finds member i of the ring, at the depth at which the ring's edge is its edge a b.
 void bisectMember(Ring ring, uint i, inout uint base, out uint number)
 {
     ivec3 at = ring.beyond;

@@ -17,8 +17,8 @@ void bisectNextWaiting(int step)
     bisectWait();
 }
 
-// Merges, or makes the children of bisected leaves. Both share one call of bisectAnswers(), since a
-// driver's compiler takes up to seconds for each.
+// Merges leaves, or makes the children of bisected leaves. Both share one call of bisectAnswers(),
+// since a driver's compiler takes up to seconds for each call.
 void bisectChange(bool merging, uint group)
 {
     uint asked = merging ? bisect_head[CHOSEN] : bisectDivide(group);

@@ -19,8 +19,8 @@ void bisectTake(uvec2 children)
     bisect_work[bisectWord(LIST_WANTED + 1u, i)] = children.y;
 }
 
-// Leaves that cannot merge leave the list. They are tried again only when another triangle of their
-// ring has become a leaf.
+// Chooses pairs of leaves to merge. Leaves that cannot merge leave the list. They are tried again
+// only when another triangle of their ring has become a leaf.
 void bisectMergeChoose(uint group)
 {
     uint i = bisectTask(group), swapped = bisect_head[SWAPPED];

@@ -58,7 +58,7 @@ void bisectNext(int step)
 }
 
 #ifndef BISECT_FEW
-// Number of workgroups that have tasks.
+// Returns the number of workgroups that have tasks.
 uint bisectGroups()
 {
 #if BISECT_STEP == 0

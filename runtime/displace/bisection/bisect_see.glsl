@@ -68,7 +68,7 @@ vec3 bisectOffset(uint bytes)
     return (vec3(uvec3(bytes, bytes >> 8, bytes >> 16) & 255u) / 127.5 - 1.0) * bisect_reach;
 }
 
-// The whole box is outside the plane.
+// Returns a positive number if the whole box is outside the plane.
 float bisectBeyond(vec4 side, vec3 middle, vec3 extent)
 {
     return -(dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent));
@@ -112,9 +112,9 @@ BisectLight bisectLight(uint i)
     return BisectLight(bisectHeadFloats(LIGHT + 4u * i), uintBitsToFloat(uvec3(bisect_work[words], bisect_work[words + 1u], bisect_work[words + 2u])));
 }
 
-// Distance that rays through the box travel until they have left the bounds of shadow receivers: a
-// length for parallel rays, else a multiple of the distance from the light. The light's near side
-// gives the maximum.
+// Returns the distance that rays through the box travel until they have left the bounds of shadow
+// receivers: a length for parallel rays, else a multiple of the distance from the light. The
+// light's near side gives the maximum.
 float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
 {
     vec4 light = from.at;
@@ -131,8 +131,8 @@ float bisectLightReach(BisectLight from, vec3 middle, vec3 extent)
     return max(reach, light.w);
 }
 
-// The box and all receivers of its shadow are outside the plane. The point of the light that is
-// farthest outside casts the shadow farthest inside.
+// Returns a positive number if the box and all receivers of its shadow are outside the plane. The
+// point of the light that is farthest outside casts the shadow farthest inside.
 float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, vec3 extent)
 {
     float most = dot(side.xyz, middle) + side.w + dot(abs(side.xyz), extent), from = dot(side, light.at) - dot(abs(side.xyz), light.extent);
@@ -140,22 +140,24 @@ float bisectCastsBeyond(vec4 side, BisectLight light, float reach, vec3 middle, 
 }
 
 // The light as a point on the line from the eye to it: at the eye its extent is 0, and grows
-// linearly along the line. Vector from that point to the nearest point of the box around 0.
+// linearly along the line. Returns the vector from that point to the nearest point of the box
+// around 0.
 vec3 bisectGap(vec3 at, vec3 extent)
 {
     return at - clamp(at, -extent, extent);
 }
 
-// Half the derivative of the squared gap along the line.
+// Returns half the derivative of the squared gap along the line.
 float bisectGapSlope(vec3 from, vec3 way, vec3 extent, vec3 grows, float at)
 {
     vec3 gap = bisectGap(from + at * way, extent + at * grows);
     return dot(gap, way) - dot(abs(gap), grows);
 }
 
-// Distance of the box from the segment between the eye and the light, up to parameter `last`. The
-// squared distance along the line is piecewise quadratic, with breaks where the line passes a side
-// of the box, so its derivative is piecewise linear. The sides move with the light's extent.
+// Returns the distance of the box from the segment between the eye and the light, up to parameter
+// `last`. The squared distance along the line is piecewise quadratic, with breaks where the line
+// passes a side of the box, so its derivative is piecewise linear. The sides move with the light's
+// extent.
 float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
 {
     vec3 from = bisect_eye.xyz - middle, way = light.at.xyz - bisect_eye.xyz * light.at.w, grows = light.extent;
@@ -180,11 +182,12 @@ float bisectLightFar(BisectLight light, float last, vec3 middle, vec3 extent)
     return length(bisectGap(from + nearest * way, extent + nearest * grows));
 }
 
-// The triangle is too coarse for its shadow by one of the lights, if it would be up to the distance
-// `far`. A deviation e at p, perpendicular to the light's ray, becomes t e in the shadow, where the
-// ray has traveled from l to l + t (p - l), and appears with the size t e / |l + t (p - l) - eye|.
-// That is e / |p - (l + (eye - l) / t)|, the distance to a point between light and eye, wherever
-// the shadow falls. The greatest t of a shadow bounds how near that point is to the light.
+// Returns a positive number if the triangle is too coarse for its shadow by one of the lights;
+// `far`: distance up to which the triangle itself is too coarse. A deviation e at p, perpendicular
+// to the light's ray, becomes t e in the shadow, where the ray has traveled from l to l + t (p -
+// l), and appears with the size t e / |l + t (p - l) - eye|. That is e / |p - (l + (eye - l) / t)|,
+// the distance to a point between light and eye, wherever the shadow falls. The greatest t of a
+// shadow bounds how near that point is to the light.
 float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 extent)
 {
     float wants = -BISECT_SURE;
@@ -204,10 +207,11 @@ float bisectShadowWants(BisectBase at, Corners t, float far, vec3 middle, vec3 e
 }
 #endif
 
-// The triangle's deviation is too large, as seen from the nearest point of a box around its points.
-// A child's box is inside its parent's, and its deviation is at most the parent's, so a triangle
-// that need not be bisected has no descendants that need to be. Outside the frustum, and from
-// behind, its distance counts eightfold, since mirrors may show it; a visible shadow counts fully.
+// Returns a positive number if the triangle's deviation is too large, as seen from the nearest
+// point of a box around its points. A child's box is inside its parent's, and its deviation is at
+// most the parent's, so a triangle that need not be bisected has no descendants that need to be.
+// Outside the frustum, and from behind, its distance counts eightfold, since mirrors may show it; a
+// visible shadow counts fully.
 float bisectWants(BisectBase at, uint base, uint number, Corners t, uint code)
 {
     int depth = findMSB(number);

@@ -3,7 +3,7 @@
 // a deviation is the maximum over a triangle's descendants at this depth, or its own if deeper
 uniform int bisect_even;
 
-// A displaced point of the base, in world space.
+// Returns a displaced point of the base, in world space.
 vec3 bisectMoved(uint base, vec3 weights)
 {
     displacePoint(base, weights);
@@ -19,16 +19,16 @@ vec3 bisectWeights(ivec3 weights)
 // of its grandchildren.
 const vec3 bisect_asked[4] = vec3[4](vec3(2.0, 1.0, 3.0) / 6.0, vec3(4.0, 1.0, 1.0) / 6.0, vec3(1.0, 2.0, 3.0) / 6.0, vec3(1.0, 4.0, 1.0) / 6.0);
 
-// Levels below the triangle at which its parts are evaluated, of which the worst counts; 0 if it is
-// bisected in any case.
+// Returns the number of levels below the triangle at which its parts are evaluated, of which the
+// worst counts; 0 if it is bisected in any case.
 int bisectDeeper(uint number)
 {
     int depth = findMSB(number);
     return depth < bisect_coarse ? 0 : max(bisect_even - depth, 0);
 }
 
-// Corners of a part, in the triangle's barycentric coordinates; parts are numbered like triangles
-// in the tree, from 1 << deeper on.
+// Returns the corners of a part, in the triangle's barycentric coordinates; parts are numbered like
+// triangles in the tree, from 1 << deeper on.
 mat3 bisectPartOf(uint part, int deeper)
 {
     vec3 a = vec3(1.0, 0.0, 0.0), b = vec3(0.0, 1.0, 0.0), c = vec3(0.0, 0.0, 1.0);
@@ -47,8 +47,8 @@ mat3 bisectWeightsOf(Corners t)
     return mat3(bisectWeights(t.a), bisectWeights(t.b), bisectWeights(t.c));
 }
 
-// Squared distance of a displaced point from the plane of a triangle with corners `p`; of a
-// degenerate triangle from its point with the coordinates `at`.
+// Returns the squared distance of a displaced point from the plane of a triangle with corners `p`;
+// of a degenerate triangle from its point with the coordinates `at`.
 float bisectSquare(vec3 moved, vec3 at, mat3 p)
 {
     vec3 across = cross(p[1] - p[0], p[2] - p[0]), off = moved - p * at;
@@ -56,9 +56,9 @@ float bisectSquare(vec3 moved, vec3 at, mat3 p)
     return away * away;
 }
 
-// A triangle's deviation, from the mean square of its worst part. Near a discontinuity of the
-// surface a plane as steep as the jump is close to it: the triangle deviates by at most its own
-// width.
+// Returns the code of a triangle's deviation, from the mean square of its worst part. Near a
+// discontinuity of the surface a plane as steep as the jump is close to it: the triangle deviates
+// by at most its own width.
 uint bisectError(uint number, float square)
 {
     return findMSB(number) < bisect_coarse ? BISECT_ALWAYS : bisectCode(sqrt(square));
@@ -102,8 +102,8 @@ vec3 bisectMoves(uint base, vec3 weights)
     return moved - (matc_worldFromLocal * vec4(displaced_base, 1.0)).xyz;
 }
 
-// Range of the displacement over a triangle and its corners; or the union of both children's
-// ranges.
+// Finds the range of the displacement over a triangle and its corners; or the union of both
+// children's ranges.
 void bisectFindRange(uint base, uint number)
 {
     uint at = bisectRangeOf(base, number), children = bisectRangeOf(base, 2u * number);
@@ -200,7 +200,7 @@ void bisectPrepare(uint local, uint slot)
         splits[local].corners[k] = bisectWorld(bisectRow(slot, k));
 }
 
-// (a, b, c) becomes (c, a, m) and (b, c, m): one column of the rows of all corners but m.
+// Copies a column of the rows of all corners but m: (a, b, c) becomes (c, a, m) and (b, c, m).
 void bisectCopyRows(uint local, uint k)
 {
     uint first = bisectRow(splits[local].slot, 0u) + k, second = bisectRow(splits[local].place, 0u) + k;
@@ -272,14 +272,14 @@ void bisectSplitChild(uint local, uint child)
 #endif
 
 #ifdef BISECT_WIDE
-// Barrier for the threads of a workgroup.
+// Waits for all threads of a workgroup (barrier).
 void bisectTurn()
 {
     bisectFence();
     barrier();
 }
 
-// Binary search for the leaf to which a task belongs.
+// Finds the leaf to which a task belongs, by binary search.
 uint bisectOf(uint task, uint count)
 {
     uint low = 0u, high = count;
@@ -293,9 +293,9 @@ uint bisectOf(uint task, uint count)
     return low;
 }
 
-// All evaluated points are tasks of one list, whichever leaf they belong to: midpoints first, then,
-// from a multiple of four on, the points of the children. So the height's code occurs only once in
-// the program.
+// Displaces all evaluated points. They are tasks of one list, whichever leaf they belong to:
+// midpoints first, then, from a multiple of four on, the points of the children. So the height's
+// code occurs only once in the program.
 void bisectDisplace(uint count)
 {
     uint asked = count + 3u & ~3u, tasks = asked + split_first[count];
@@ -350,7 +350,7 @@ void bisectSplit(uint group)
 }
 #endif
 #else
-// Each thread bisects a leaf of its own: if threads run sequentially, distributing the points gains
+// Bisects leaves, one per thread: if threads run sequentially, distributing the points gains
 // nothing, and barriers would cost time.
 void bisectSplit(uint group)
 {

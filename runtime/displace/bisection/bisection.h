@@ -72,19 +72,19 @@ bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
 size_t bisection_work_bytes(const Bisection *b, size_t places);
 /* Bytes of the buffer of leaves. */
 size_t bisection_leaf_bytes(size_t places);
-/* The light casts shadows that bisection takes into account. */
+/* Returns whether the light casts shadows that bisection takes into account. */
 bool bisection_casts(const SceneLight *light);
 /* Sets a uniform in all stages. */
 void bisection_set(Displaced *displaced, const char *name, int lanes, const float *values);
 void bisection_set_number(Displaced *displaced, const char *name, double number);
 /* Sets the uniforms of the view. */
 void bisection_view_set(Displaced *displaced, const DisplacedView *view, const Mesh *mesh);
-/* The lights that cast shadows, up to the capacity of the state block. */
+/* Returns the lights that cast shadows, up to the capacity of the state block. */
 BisectionLights bisection_view_lights(const DisplacedView *view);
 /* Adds the camera's movement since its last view, as bisect_see.glsl measures it, and sets its
  * rounding error. Any other change forces an evaluation of all leaves. */
 void bisection_view_move(Displaced *displaced, const DisplacedView *view,
                          const BisectionLights *lights);
-/* Bits of a base's number. */
+/* Returns the number of bits of a base's number. */
 int bisection_base_bits(const ScenePatches *patches);
 #endif

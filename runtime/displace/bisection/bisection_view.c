@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Unit normals of the four sides of the view frustum, and of its near plane. */
+/* Sets the unit normals of the four sides of the view frustum, and of its near plane. */
 static void find_sides(const SceneCamera *camera, const int size[2], double normals[5][3])
 {
     const double shorter = size[0] < size[1] ? size[0] : size[1];
@@ -53,7 +53,7 @@ void bisection_view_set(Displaced *d, const DisplacedView *view, const Mesh *mes
     bisection_set_number(d, "bisect_closed", mesh->body != SHAPE_BODY_none ? 3 : 0);
 }
 
-/* The extent is a bounding box of the area light's parallelogram. */
+/* Sets a light's position, and as its extent a bounding box of the area light's parallelogram. */
 static void set_light(const SceneLight *light, float at[4], float extent[3])
 {
     const bool far = light_from(light) == LIGHT_FROM_afar;
@@ -95,8 +95,8 @@ static double distance(const double a[3], const double b[3])
     return sqrt(square);
 }
 
-/* Upper bound of the distance from the eye to all queried points: points of the mesh, and
- * lights. */
+/* Returns an upper bound of the distance from the eye to all queried points: points of the mesh,
+ * and lights. */
 static double farthest(const Bisection *b, const double eye[3])
 {
     double far = 1, corner[3];

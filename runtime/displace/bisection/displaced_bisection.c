@@ -37,8 +37,9 @@ static void bind(const Displaced *d, const Mesh *mesh)
     gl->BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, b->buffers[BISECTION_WORK]);
 }
 
-/* Barrier between stages: the next stage reads what this one wrote, counts included. A barrier
- * for indirect commands takes a GPU longer than a stage, and is used on software renderers only. */
+/* Issues a barrier between stages: the next stage reads what this one wrote, counts included. A
+ * barrier for indirect commands takes a GPU longer than a stage, and is used on software
+ * renderers only. */
 static void finish(const GlContext *gl)
 {
     gl->MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (gl->hardware ? 0 : GL_COMMAND_BARRIER_BIT));
@@ -65,8 +66,8 @@ static void dispatch_counted(const Displaced *d, Material *stage, int groups)
     finish(gl);
 }
 
-/* The state block is transferred through a separate buffer, since a driver may move a buffer
- * that the CPU reads or writes to CPU memory. */
+/* Copies the state block through a separate buffer, since a driver may move a buffer that the
+ * CPU reads or writes to CPU memory. */
 static void copy_head(const Displaced *d, GLuint from, GLuint to)
 {
     const GlContext *gl = displaced_context(d);
@@ -172,7 +173,7 @@ static void look(const Displaced *d, GLuint high)
     dispatch_counted(d, &b->stages[BISECTION_LOOK], BISECTION_GROUPS);
 }
 
-/* After merging has freed many slots, moves leaves from the end into free slots. */
+/* Moves leaves from the end into free slots, after merging has freed many slots. */
 static void pack(Displaced *d)
 {
     enum { SHARE = 32 }; /* maximum share of free slots: 1 / 32 */

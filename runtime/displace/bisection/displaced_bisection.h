@@ -19,7 +19,7 @@ typedef struct {
     double pixels; /* tolerated deviation in pixels that the triangles allowed */
 } DisplacedBisectionCost;
 DisplacedBisectionCost displaced_bisection_cost(const Displaced *displaced);
-/* The current leaves as base << 32 | number, unordered: `*count` of them, from malloc; NULL:
- * failed, see the context's error. */
+/* Returns the current leaves as base << 32 | number, unordered: `*count` of them, from malloc;
+ * NULL: failed, see the context's error. */
 uint64_t *displaced_bisection_leaves(const Displaced *displaced, int *count);
 #endif

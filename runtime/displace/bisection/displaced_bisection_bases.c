@@ -50,7 +50,7 @@ static bool is_longer(const Maker *m, const uint32_t x[2], const uint32_t y[2])
                                             : m->first[x[1]] < m->first[y[1]];
 }
 
-/* The corner at which the longest edge begins. */
+/* Returns the corner at which the longest edge begins. */
 static uint32_t first_corner(const Maker *m, int patch)
 {
     const ScenePatch *at = &m->patches->at[patch];

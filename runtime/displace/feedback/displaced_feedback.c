@@ -73,8 +73,8 @@ static double area_of(const ScenePatches *patches, int patch)
     return square / 4; /* squared area */
 }
 
-/* True if areas differ by more than 1 %, the squares by 2 %: then neighbors are divided at
- * different distances, even if both are final. */
+/* Returns true if areas differ by more than 1 %, the squares by 2 %: then neighbors are divided
+ * at different distances, even if both are final. */
 static bool uneven(const ScenePatches *patches)
 {
     const double first = area_of(patches, 0), part = .02;

@@ -40,7 +40,7 @@ void setPart(int part)
     displace_corners = ivec3[3](first, first + way * ivec3(-1, 1, 0), first + way * ivec3(-1, 0, 1));
 }
 
-// Corner k of small triangle t; row i has 2 i + 1 triangles.
+// Returns corner k of small triangle t; row i has 2 i + 1 triangles.
 ivec3 corner(int t, int k)
 {
     int i = 0;
@@ -52,8 +52,8 @@ ivec3 corner(int t, int k)
     return inRows(i + int(k == 2), j + int(k > 0));
 }
 
-// Number of points of skirts: two for each edge of a band, whose outside is to the right of its
-// direction.
+// Returns the number of points of skirts: two for each edge of a band, whose outside is to the
+// right of its direction.
 int skirtPoints()
 {
     return displace_skirts == SKIRTS_OUTLINE ? 6 * (displace_rowCount + 1)

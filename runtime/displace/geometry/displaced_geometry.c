@@ -16,7 +16,7 @@ bool displaced_geometry_there(const GlContext *gl)
     return buffers >= DISPLACED_BUFFERS;
 }
 
-/* Maximum number of points that a geometry program may emit per input, with all captured
+/* Returns the max number of points that a geometry program may emit per input, with all captured
  * components. */
 static int displaced_geometry_points(const GlContext *gl)
 {
@@ -48,7 +48,7 @@ static size_t triangles_of(int n, Word skirts)
                                          : all;
 }
 
-/* The greatest number of rows that divides n and fits into `points`. */
+/* Returns the greatest number of rows that divides n and fits into `points`. */
 static int rows_of(int n, Word skirts, int points)
 {
     int rows = n;

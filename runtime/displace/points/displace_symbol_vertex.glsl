@@ -12,7 +12,8 @@ ivec3 corner(int row, int i)
     return ivec3(displace_parts - row, row - i, i);
 }
 
-// Row i has 2 i + 1 triangles, which alternately point to the previous row and to the next.
+// Returns the weights of a vertex. Row i has 2 i + 1 triangles, which alternately point to the
+// previous row and to the next.
 vec3 spread(int vertex)
 {
     int triangle = vertex / 3, row = int(sqrt(float(triangle)));

@@ -59,13 +59,13 @@ static void set_eye(Displaced *d, const DisplacedView *view)
     material_set(&d->material, &(MaterialValue){"displace_eye", 3, eye});
 }
 
-/* The grid's points, or three for each of its triangles. */
+/* Returns the number of points: the grid's, or three for each of its triangles. */
 static int points_of(const Displaced *d, int n)
 {
     return d->patches->dividing.spread > 0 ? 3 * n * n : (n + 1) * (n + 2) / 2;
 }
 
-/* Triangles of the symbols of a patch. */
+/* Returns the number of triangles of a patch's symbols. */
 static int triangles_of(const Displaced *d, int n)
 {
     return points_of(d, n) * symbols[symbol_of(d)].triangles * (d->volume ? HEIGHTS : 1);

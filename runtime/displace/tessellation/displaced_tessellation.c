@@ -40,7 +40,8 @@ static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS +
     }
 }
 
-/* Number of generated triangles, of which as many are written as fit into the buffer. */
+/* Tessellates the patches. Returns the number of generated triangles, of which as many are
+ * written as fit into the buffer. */
 static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], const Mesh *mesh)
 {
     const GlContext *gl = displaced_context(d);
@@ -59,7 +60,8 @@ static int tessellate(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], cons
     return displaced_end(d) ? (int)made : -1;
 }
 
-/* A tessellator makes about 3 / 2 n^2 triangles of a patch: rings of 3 n, 3 (n - 2), ... quads. */
+/* Writes the tessellated mesh. A tessellator makes about 3 / 2 n^2 triangles of a patch: rings
+ * of 3 n, 3 (n - 2), ... quads. */
 static bool write_tessellated(Displaced *d, const int first[SCENE_PATCH_PARTS + 2], Mesh *mesh)
 {
     int room, made = 1; /* at least 1: a buffer cannot be empty */

@@ -49,8 +49,8 @@ static void set_numbers(DisplacedTrace *trace, const char *name, int number)
         material_set_number(materials[i], name, (float)number);
 }
 
-/* Index buffer of the hulls: per patch both ends and three sides of a prism; for parallax the
- * base triangle. */
+/* Makes the index buffer of the hulls: per patch both ends and three sides of a prism; for
+ * parallax the base triangle. */
 static bool make_hulls(GlContext *gl, DisplacedTrace *trace, int patches)
 {
     static const uint32_t prism[CORNERS * HULL_TRIANGLES] = {0, 2, 1, 3, 4, 5, 0, 1, 4, 0, 4, 3,

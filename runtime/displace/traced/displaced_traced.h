@@ -21,7 +21,7 @@ typedef struct {
     GLuint nodes;
 } DisplacedTrace;
 
-/* NULL: not ray-marched. */
+/* Returns the state of ray marching; NULL: the mesh is not ray-marched. */
 DisplacedTrace *displaced_traced(const Displaced *displaced);
 /* Binds the inputs of the program and of trace_patch.glsl: rows and patches of the base,
  * triangles of the grid, nodes. */

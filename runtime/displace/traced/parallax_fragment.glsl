@@ -6,8 +6,8 @@
 //  At 60 degrees from the normal, a height of 0.1 either way: the ray runs over 0.35 of the plane,
 //  of a patch with an edge of 1 in 32 parts in 12 steps.
 
-// Signed height of the ray's point above the surface; the ray crosses the surface where the sign
-// changes.
+// Returns the signed height of the ray's point above the surface; the ray crosses the surface where
+// the sign changes.
 float parallaxOver(int number, TraceSpace space, vec3 at)
 {
     displaceAt(uint(number), vec3(1.0 - at.x, at.x - at.y, at.y), false);

@@ -18,8 +18,8 @@ struct TraceHit {
     TracePart part;
 };
 
-// The pixel's ray. With perspective t runs from -1, the eye, to 0. Hits in front of the near plane
-// are ignored.
+// Returns the pixel's ray. With perspective t runs from -1, the eye, to 0. Hits in front of the
+// near plane are ignored.
 TraceRay traceRay()
 {
     TraceRay ray;
@@ -38,7 +38,8 @@ struct TraceNear {
     TraceHit hit;
 };
 
-// Parameters at which the ray enters and leaves the node; enter > leave: it misses.
+// Returns the parameters at which the ray enters and leaves the node; enter > leave: the ray
+// misses.
 vec2 traceThrough(int number, TracePart part, vec4 from, vec4 inverse)
 {
     int node = 2 * traceNode(number, part);
@@ -98,7 +99,7 @@ TracePart tracePart(int code)
     return TracePart(code >> 24, ivec2(code >> 10, code) & 1023, (code >> 20 & 1) == 1);
 }
 
-// The nearest intersection with the grid; hit.t is 1 for a miss.
+// Returns the nearest intersection with the grid; hit.t is 1 for a miss.
 TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear near)
 {
     near = TraceNear(0.25, TraceHit(1.0, vec2(0.0), TracePart(0, ivec2(0), false)));
@@ -138,7 +139,7 @@ TraceHit traceGrid(int number, TraceSpace space, TraceRay ray, out TraceNear nea
     return hit;
 }
 
-// Derivatives of the surface by a and b, from its triangle at that part.
+// Sets the derivatives of the surface by a and b, from its triangle at that part.
 void traceSlopes(int number, TracePart part, out vec3 byA, out vec3 byB)
 {
     ivec2 corners[3];
@@ -192,8 +193,8 @@ float traceSurface(int number, TraceRay ray, inout TraceHit hit)
     return sqrt(least);
 }
 
-// True if the surface is hit next to a triangle that the ray misses: outside the grid's silhouette,
-// where the surface bulges.
+// Returns true if the surface is hit next to a triangle that the ray misses: outside the grid's
+// silhouette, where the surface bulges.
 bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
 {
     vec3 byA, byB;
@@ -201,7 +202,7 @@ bool traceBeside(int number, TraceRay ray, TraceHit hit, float off)
     return off < 1e-3 * (length(byA) + length(byB)) / float(trace_parts) && hit.t >= ray.begin && hit.t <= 0.0;
 }
 
-// Polygon offset, which has no effect if the program writes depth.
+// Returns the polygon offset, which has no effect if the program writes depth.
 float traceOffset(int number, TracePart part, vec4 clip)
 {
     vec3 byA, byB;

@@ -13,12 +13,11 @@ flat in mat4 trace_clipFromLocal;
 flat in uint trace_place;
 layout(location = 0) out uvec4 trace_seen;
 
-// The point of the pixel's exact ray that is nearest to trace_leaves. A GPU's rasterizer moves
-// corners by up to 1/256 of a pixel, and with them the interpolated values. The point is projected
-// to the line where two planes through the pixel's center intersect, one of constant x and one of
-// constant y.
-//  The center is x = 0.5 and y = 0; clip space is object space, w = 1: the point (0.501, 0.001, 7)
-//  becomes (0.5, 0, 7).
+// Returns the point of the pixel's exact ray that is nearest to trace_leaves. A GPU's rasterizer
+// moves corners by up to 1/256 of a pixel, and with them the interpolated values. The point is
+// projected to the line where two planes through the pixel's center intersect, one of constant x
+// and one of constant y. The center is x = 0.5 and y = 0; clip space is object space, w = 1: the
+// point (0.501, 0.001, 7) becomes (0.5, 0, 7).
 vec3 traceLeaves()
 {
     vec2 pixel = gl_FragCoord.xy * trace_pixel + trace_corner;
@@ -31,7 +30,8 @@ vec3 traceLeaves()
     return trace_leaves - ((off.x * yy - off.y * xy) * x.xyz + (off.y * xx - off.x * xy) * y.xyz) / size;
 }
 
-// From the eye to the point where the ray leaves; for parallel rays the direction.
+// Returns the vector from the eye to the point where the ray leaves the hull; for parallel rays the
+// direction.
 vec3 traceWay(vec3 leaves) { return trace_eye.w > 0.0 ? leaves - trace_eye.xyz : -trace_eye.xyz; }
 
 // Writes the hit of the patch. Returns its position in clip space.

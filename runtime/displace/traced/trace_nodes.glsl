@@ -15,8 +15,8 @@ void traceInclude(TraceSpace space, int row, inout vec4 low, inout vec4 high)
     high = max(high, slabs);
 }
 
-// Bound of the surface's distance from the four triangles: half the deviation of the midpoints of
-// the three edges around them. For a parabola it would be a quarter.
+// Returns bounds of the surface's distance from the four triangles: half the deviation of the
+// midpoints of the three edges around them. For a parabola it would be a quarter.
 vec4 traceBulge(int number, TraceSpace space, TracePart part)
 {
     ivec2 corners[3];

@@ -50,7 +50,7 @@ struct TracePart {
     bool between;
 };
 
-// Child 0 to 3 of a triangle, on the next finer level.
+// Returns child 0 to 3 of a triangle, on the next finer level.
 TracePart traceChild(TracePart of, int k)
 {
     TracePart child = TracePart(of.level + 1, 2 * of.at, of.between);
@@ -71,7 +71,8 @@ void traceCorners(TracePart part, out ivec2 corners[3])
     corners[2] = part.at + (part.between ? ivec2(0, 1) : ivec2(1, 1));
 }
 
-// Index of a node in its patch's pyramid: levels before the last, each with 4^level nodes in rows.
+// Returns the index of a node in its patch's pyramid: levels before the last, each with 4^level
+// nodes in rows.
 int traceNode(int number, TracePart part)
 {
     int before = ((1 << 2 * part.level) - 1) / 3, all = (trace_parts * trace_parts - 1) / 3;

@@ -55,7 +55,7 @@ void traceAttributes(TraceCorners corners, vec2 at)
     traceRun();
 }
 
-// Derivatives of the screen position, in clip space, by a and b: columns.
+// Returns the derivatives of the screen position, in clip space, by a and b, as columns.
 mat2 traceScreen(TraceCorners corners, vec2 at)
 {
     const vec2 one = vec2(1.0, 0.0);

@@ -21,8 +21,8 @@ enum { BITS = 8 /* per component of the mask */ };
 
 /* -- programs */
 
-/* Columns of the matrix from the map to homogeneous world space, where w is 1, or 0 at infinity.
- * Its input is x, y, and (1, depth), or for parallel light (depth, 1). */
+/* Sets the columns of the matrix from the map to homogeneous world space, where w is 1, or 0 at
+ * infinity. Its input is x, y, and (1, depth), or for parallel light (depth, 1). */
 static void world_from_place(const ShadowView *view, double m[4][4])
 {
     const double(*rows)[4] = view->rows;
@@ -78,8 +78,9 @@ static bool goes_across(const Render *render, const double along[4])
            fabs(vec3_dot(camera->back, along)) < across * sqrt(vec3_dot(along, along));
 }
 
-/* Direction of parallel light in clip space, from the columns for x, y, z and 1. If it runs
- * across the view, the distant point from the map's center or corners with the greatest |w|. */
+/* Finds the direction of parallel light in clip space, from the columns for x, y, z and 1. If it
+ * runs across the view: the distant point, from the map's center or corners, with the greatest
+ * |w|. */
 static void find_far(const Render *render, double world[4][4], double clip[4][4], float far[4])
 {
     static const double places[5][2] = {{0, 0}, {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -158,7 +159,7 @@ static bool make_view(Render *render, int number)
     return true;
 }
 
-/* Program that adds a light's bit to the mask. */
+/* Makes the program that adds a light's bit to the mask. */
 static bool make_mark(Render *render, int number)
 {
     static const char text[] =

@@ -33,17 +33,17 @@ static inline FrameVolumes *volume_state(const Render *render)
 {
     return shadow_method_state(render, WORD_Shadows_hybrid);
 }
-/* Number of lights with hybrid shadows. */
+/* Returns the number of lights with hybrid shadows. */
 static inline int volume_lights_count(const Render *render)
 {
     return shadow_method_lights(render, WORD_Shadows_hybrid);
 }
-/* Some light casts hybrid shadows, and some object does. */
+/* Returns whether some light casts hybrid shadows, and some object does. */
 static inline bool volume_lights_cast(const Render *render)
 {
     return render->shadows->views.count > 0 && volume_lights_count(render) > 0;
 }
-/* The view belongs to a light with hybrid shadows. */
+/* Returns whether the view belongs to a light with hybrid shadows. */
 static inline bool volume_has_view(const Render *render, int view)
 {
     return render->shadows->views.views[view].method->word == WORD_Shadows_hybrid;
@@ -72,7 +72,7 @@ void volume_data_delete(Render *render);
 
 /* -- Volumes cut at silhouettes (volume_cells.c) ----------------------------------------------- */
 
-/* The scene has `volume: silhouette`. */
+/* Returns whether the scene has `volume: silhouette`. */
 bool volume_cells_are(const Render *render);
 bool volume_cells_make(Render *render);
 /* Lists the cells of all views, after the maps are drawn. */

@@ -50,7 +50,7 @@ struct VolumeSegment {
 
 ivec2 volumeStep(VolumeSegment s) { return ivec2(1 - s.along, s.along); }
 
-// Position of the crossing on the segment, 0 to 1; negative: none.
+// Returns the position of the crossing on the segment, 0 to 1; negative: no crossing.
 float volumeCut(ivec2 layers, VolumeSegment s)
 {
     vec2 bytes = texelFetch(VOLUME_CROSSINGS, ivec3(s.first, layers.y), 0).xy;
@@ -58,11 +58,12 @@ float volumeCut(ivec2 layers, VolumeSegment s)
     return byte > 0.0 ? (byte * 255.0 - 1.0) / 254.0 : -1.0;
 }
 
-// Segment i of a cell: those of its upper and left side begin at their second center.
+// Returns segment i of a cell: those of its upper and left side begin at their second center.
 VolumeSegment volumeSegment(ivec2 cell, int i) { return VolumeSegment(cell + ivec2(i == 1, i == 2), i & 1); }
 
-// The surface's depth at a crossing, on one side of it. The nearer side is extended horizontally.
-// The farther side is extrapolated from the next center, unless a silhouette is between them.
+// Returns the surface's depth at a crossing, on one side of it. The nearer side is extended
+// horizontally. The farther side is extrapolated from the next center, unless a silhouette is
+// between them.
 float volumeSide(ivec2 layers, VolumeSegment s, float cut, bool second)
 {
     ivec2 step = volumeStep(s), texel = second ? s.first + step : s.first;
@@ -75,7 +76,7 @@ float volumeSide(ivec2 layers, VolumeSegment s, float cut, bool second)
     return clamp(here + (here - beyond) * (second ? 1.0 - cut : cut), 0.5 * here, there);
 }
 
-// Bits of the segments that are crossed.
+// Returns the bits of the segments that are crossed.
 int volumeCrossed(ivec2 layers, ivec2 cell)
 {
     int crossed = 0;
@@ -92,8 +93,8 @@ vec4 volumeQuad(ivec2 layers, ivec2 cell)
     return quad;
 }
 
-// The first of the two centers that are cut off by four crossings, 0 or 1: the nearer pair, unless
-// the pair is one surface, that is, unless more than half of the segments is on its side.
+// Returns the first of the two centers that are cut off by four crossings, 0 or 1: the nearer pair,
+// unless the pair is one surface, that is, unless more than half of the segments is on its side.
 int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
 {
     int nearer = quad.x + quad.z >= quad.y + quad.w ? 0 : 1;
@@ -106,8 +107,8 @@ int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
     return own > 2.0 ? 1 - nearer : nearer;
 }
 
-// Triangulation of a cell, by its crossed segments: a row of VOLUME_TRIANGLES, and the number of
-// centers by which it is rotated.
+// Returns the triangulation of a cell, by its crossed segments: a row of VOLUME_TRIANGLES, and the
+// number of centers by which it is rotated.
 ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
 {
     vec4 quad = volumeQuad(layers, cell);
@@ -123,7 +124,8 @@ ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
     return ivec2(0);
 }
 
-// A corner of a cell's triangles: its position, in texels from the first center, and its depth.
+// Returns a corner of a cell's triangles: its position, in texels from the first center, and its
+// depth.
 vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 parted, int number)
 {
     int label = (VOLUME_CORNERS[parted.x * 3 * VOLUME_MOST + number] + 3 * parted.y) % 12, i = label / 3;
@@ -138,8 +140,8 @@ vec3 volumeCorner(ivec2 layers, ivec2 cell, ivec2 parted, int number)
 }
 
 #ifdef VOLUME_HAS
-// True if the volume contains the point at this position and depth of a view. For parallel light a
-// surface that reaches infinity runs along the light.
+// Returns true if the volume contains the point at this position and depth of a view. For parallel
+// light a surface that reaches infinity runs along the light.
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel)
 {
     ivec2 cell = ivec2(at), parted = volumeParted(layers, cell, volumeCrossed(layers, cell));

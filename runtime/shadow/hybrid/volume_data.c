@@ -21,8 +21,8 @@ enum {
 
 /* -- indices */
 
-/* Rows of quads: one strip each, two vertices per column, from the upper to the lower one, and a
- * primitive restart. */
+/* Writes the indices of rows of quads: one strip each, two vertices per column, from the upper
+ * to the lower one, and a primitive restart. */
 static GLsizei put_strips(GLuint *indices, GLuint size)
 {
     GLsizei count = 0;
@@ -74,7 +74,8 @@ static bool has_compute(const GlContext *gl)
            gl->BindBufferBase;
 }
 
-/* True if each view has its own indices: the program that writes them has selected diagonals. */
+/* Returns true if each view has its own indices: the program that writes them has selected
+ * diagonals. */
 static bool writes_indices(const Render *render)
 {
     return volume_state(render)->path == WORD_Path_compute && is_perfect(render);
@@ -177,7 +178,7 @@ static bool make_vertices(Render *render)
     return gl_check(gl, "making vertices of shadow volumes");
 }
 
-/* An offset as a pointer, as GL takes it. */
+/* Returns an offset as a pointer, as GL expects. */
 static const void *offset_of(size_t count)
 {
     return (const void *)(uintptr_t)(count * sizeof(GLuint));
@@ -317,7 +318,7 @@ void volume_data_write(Render *render)
 
 /* -- drawing */
 
-/* Index of a view among the hybrid views. */
+/* Returns the index of a view among the hybrid views. */
 static int number_of(const Render *render, int view)
 {
     int number = 0;

@@ -9,7 +9,7 @@ enum { LANE_LIGHTS = 8 /* bits per component of the mask */ };
 
 static bool crossed(const Scene *scene) { return scene->shadow_volume == WORD_Volume_silhouette; }
 
-/* Formats: depth with a stencil, and a mask with a bit for each light. */
+/* Returns the formats of targets: depth with a stencil, and a mask with a bit for each light. */
 static const char *target(const Render *render, FrameTarget target)
 {
     if (target == FRAME_TARGET_depth && volume_lights_cast(render))
@@ -52,7 +52,8 @@ static void draw(Render *render, const CacheSource *source, int view)
 
 /* -- for lighting */
 
-/* Text for transparent surfaces, which look up a volume's cells; opaque surfaces read the mask. */
+/* Returns the text for transparent surfaces, which look up a volume's cells; opaque surfaces
+ * read the mask. */
 static const char *cells_text(const Render *render, bool nearest)
 {
     return volume_cells_are(render) && !nearest
@@ -82,7 +83,7 @@ static void bind(const Render *render, int unit)
         texture_bind(render->gl, frame_texture(render, FRAME_TARGET_mask, 0), unit);
 }
 
-/* A variant for each kind of volume. */
+/* Selects a variant: one for each kind of volume. */
 static bool vary(Scene *scene, Word variant)
 {
     if (!scene_volume_name(variant))

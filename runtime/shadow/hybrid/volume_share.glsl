@@ -3,7 +3,8 @@
 #ifdef SHADOW_MASK
 uniform sampler2D shadow_mask;
 
-// Opaque surfaces: the volumes' faces were counted at the pixel, a bit for each light.
+// Returns the share of light at opaque surfaces: the volumes' faces were counted at the pixel, a
+// bit for each light.
 float volumeShare(int bit, ivec2 views, vec3 point, ivec2 at)
 {
     return float((uint(texelFetch(shadow_mask, at, 0)[bit / 8] * 255.0 + 0.5) >> (bit % 8) & 1u) ^ 1u);
@@ -21,7 +22,8 @@ float volumeHeight(vec3 abc, vec2 part, bool parallel)
 bool volumeCellHas(ivec2 layers, vec2 at, float depth, bool parallel);
 #endif
 
-// True if the volume of a view contains the point; uses the same triangles as the drawn volume.
+// Returns true if the volume of a view contains the point; uses the same triangles as the drawn
+// volume.
 bool volumeHas(int view, vec3 point)
 {
     vec4 how = shadowRow(view, VIEW_HOW);
@@ -47,7 +49,7 @@ bool volumeHas(int view, vec3 point)
 #endif
 }
 
-// Transparent surfaces have no counts in the stencil.
+// Returns the share of light at transparent surfaces, which have no counts in the stencil.
 float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 {
     for (int view = views.x; view < views.x + views.y; view++)
@@ -56,7 +58,7 @@ float volumeShare(int number, ivec2 views, vec3 point, ivec2 at)
 }
 #endif
 
-// Entry point, called by shadow_text.c's functions.
+// Returns the transmitted light (entry point, called by shadow_text.c's functions).
 vec3 volumeLight(int number, ivec2 views, vec3 point, vec3 side, float size, ivec2 pixel)
 {
     shadow_apart = true;

@@ -40,8 +40,8 @@ void volume_shown_place(Render *render)
             place(render, i);
 }
 
-/* Lines hide lines behind them, and so do faces if nothing else is drawn; over the scene faces
- * are translucent. */
+/* Returns the macros of a debug view. Lines hide lines behind them, and so do faces if nothing
+ * else is drawn; over the scene faces are translucent. */
 static const char *define_look(const Render *render)
 {
     const FrameLook *look = render->look;
@@ -86,7 +86,8 @@ bool volume_shown_make(Render *render)
     return fine;
 }
 
-/* Surfaces behind show through a face by a constant share, in any order: depth is not written. */
+/* Sets the blending: surfaces behind show through a face by a constant share, in any order, and
+ * depth is not written. */
 static void begin(const Render *render)
 {
     const GlContext *gl = render->gl;

@@ -8,8 +8,9 @@ in float volume_away; // 1: no corner of the triangle has a depth in the map
 layout(location = 0) out vec4 look_light; // like tools_light: covered share of the light
 layout(location = 1) out vec4 look_shown;
 
-// Cosine between the normal and the direction to the eye. Depth is linear over the picture, in the
-// coordinates that tools_fragment.glsl calls the ray's x and y: its slopes give the normal.
+// Returns the cosine between the normal and the direction to the eye. Depth is linear over the
+// picture, in the coordinates that tools_fragment.glsl calls the ray's x and y: its slopes give the
+// normal.
 float facing()
 {
     vec2 slope = vec2(dFdx(gl_FragCoord.z), dFdy(gl_FragCoord.z)) / (2.0 * look_ray.xy);

@@ -33,8 +33,8 @@ out float volume_away; // 1: the map has no depth there (volume_shown.glsl)
 float volumeDepth(ivec2 texel) { return texelFetch(volume_depths, ivec3(texel, int(volume_map.x)), 0).x; }
 #endif
 
-// A homogeneous point: perspective depth is near / z. A point without depth is as distant as
-// pass_volume.c sets.
+// Returns a homogeneous point: perspective depth is near / z. A point without depth is as distant
+// as pass_volume.c sets.
 vec4 volumePoint(vec2 place, float depth)
 {
 #ifdef VIEWED
@@ -45,7 +45,7 @@ vec4 volumePoint(vec2 place, float depth)
 }
 
 #ifdef CAP
-// Texel k of the border, counterclockwise.
+// Returns texel k of the border, counterclockwise.
 ivec2 volumeBorder(int k)
 {
     int last = int(volume_map.y) - 1, along = k % last, side = k / last % 4;

@@ -42,8 +42,8 @@ static void put_edge(const MeshEdge *from, int face, SilhouetteEdge edge)
     memcpy(edge[3], from->apexes[from->open ? face : 1], sizeof edge[3]);
 }
 
-/* An open edge is stored once for each face. If it has more than two faces, the first and the
- * last one are stored. */
+/* Stores a mesh's edges. An open edge is stored once for each face. If an edge has more than two
+ * faces, the first and the last one are stored. */
 static int put_edges(const EdgeMesh *mesh, SilhouetteEdge *edges)
 {
     int count = 0;

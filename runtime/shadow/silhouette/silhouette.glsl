@@ -20,16 +20,16 @@
 // Two diagonally opposite covered centers are one surface if more than half of the four segments is
 // covered.
 
-// True if a point is in the corner (0, 0) of a cell, before the line from legs.x on one segment to
-// legs.y on the other.
+// Returns true if a point is in the corner (0, 0) of a cell, before the line from legs.x on one
+// segment to legs.y on the other.
 bool silhouetteCuts(vec2 legs, vec2 point)
 {
     return point.x * legs.y + point.y * legs.x < legs.x * legs.y;
 }
 
-// True if the point is covered. `low` and `high` are the covered centers at (0, 0) and (1, 0), and
-// at (0, 1) and (1, 1); `cut` has the crossings of the lower and the upper segment along x, and of
-// the left and the right one along y.
+// Returns true if the point is covered. `low` and `high` are the covered centers at (0, 0) and (1,
+// 0), and at (0, 1) and (1, 1); `cut` has the crossings of the lower and the upper segment along x,
+// and of the left and the right one along y.
 bool silhouetteCovers(bvec2 low, bvec2 high, vec4 cut, vec2 point)
 {
     int count = int(low.x) + int(low.y) + int(high.x) + int(high.y);
@@ -62,9 +62,9 @@ struct SilhouettePlace {
     float texel; // depth difference as long as a texel is wide
 };
 
-// Position of a point in a view; `normal` is its plane's; both are in eye space. In the view's
-// coordinates p = (x, y, z) the plane is n . p = k. For parallel light z is depth; else depth is
-// near / z, which is near / k (n.x x / z + n.y y / z + n.z).
+// Returns the position of a point in a view; `normal` is its plane's; both are in eye space. In the
+// view's coordinates p = (x, y, z) the plane is n . p = k. For parallel light z is depth; else
+// depth is near / z, which is near / k (n.x x / z + n.y y / z + n.z).
 SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
 {
     vec4 rows[3] = vec4[3](shadowRow(view, VIEW_ROWS), shadowRow(view, VIEW_ROWS + 1), shadowRow(view, VIEW_ROWS + 2)), how = shadowRow(view, VIEW_HOW);
@@ -81,8 +81,8 @@ SilhouettePlace silhouettePlace(int view, vec3 point, vec3 normal)
     return SilhouettePlace(((parallel ? p.xy : p.xy / p.z) * 0.5 + 0.5) * float(SHADOW_SIZE) - 0.5, depth, slope, texel);
 }
 
-// 1 for each surrounding center that does not occlude the point, else 0, in textureGather's order:
-// (0, 1), (1, 1), (1, 0), (0, 0) of the cell.
+// Returns 1 for each surrounding center that does not occlude the point, else 0, in textureGather's
+// order: (0, 1), (1, 1), (1, 0), (0, 0) of the cell.
 vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
 {
     vec4 x = vec4(0.0, 1.0, 1.0, 0.0) - part.x, y = vec4(1.0, 1.0, 0.0, 0.0) - part.y;
@@ -95,7 +95,7 @@ vec4 silhouetteFree(SilhouettePlace place, vec2 part, vec4 depths, float pixel)
     return max(vec4(lessThanEqual(off, bias * place.texel)), vec4(equal(depths, vec4(0.0))));
 }
 
-// True if a view's light reaches a point. `pixel` is a pixel's size there, in texels.
+// Returns true if a view's light reaches a point. `pixel` is a pixel's size there, in texels.
 bool silhouetteReaches(int view, vec3 point, vec3 normal, float pixel)
 {
     SilhouettePlace place = silhouettePlace(view, point, normal);
@@ -124,8 +124,8 @@ bool facet_away = false;
 #endif
 
 #ifdef SHADOW_GLASS
-// Transmittance of all transparent casters, filtered over texels that no opaque caster covers;
-// edges are as in a plain map.
+// Returns the transmittance of all transparent casters, filtered over texels that no opaque caster
+// covers; edges are as in a plain map.
 SHARE silhouetteThrough(int view, vec3 point)
 {
     vec4 how = shadowRow(view, VIEW_HOW);
@@ -147,7 +147,7 @@ SHARE silhouetteThrough(int view, vec3 point)
 }
 #endif
 
-// Share by one view, or by those of a cube, which overlap by two texels on each side.
+// Returns the share by one view, or by those of a cube, which overlap by two texels on each side.
 SHARE silhouetteShare(int first, int count, vec3 point, vec3 normal, float pixel)
 {
     vec4 how = shadowRow(first, VIEW_HOW);

@@ -27,11 +27,11 @@ static inline Silhouettes *silhouette_state(const Render *render)
 {
     return shadow_method_state(render, WORD_Shadows_silhouette);
 }
-/* Number of views with crossings. */
+/* Returns the number of views with crossings. */
 int silhouette_layers(const Render *render);
-/* Layer of a view among them. */
+/* Returns the layer of a view among the views with crossings. */
 int silhouette_layer(const Render *render, int view);
-/* False: failed, see the context's error. */
+/* Makes the programs and buffers. False: failed, see the context's error. */
 bool silhouette_make(Render *render);
 /* Finds crossings in all views that need them, after their maps are drawn. */
 void silhouette_find(Render *render);

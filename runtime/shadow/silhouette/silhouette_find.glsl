@@ -44,7 +44,7 @@ const float FLAT = 2e-6; // tolerance for faces seen edge-on
 
 float near, size;
 
-// Position in the view: x, y, depth and 1, times w.
+// Returns the position in the view: x, y, depth and 1, times w.
 vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
 {
     uint at = edge * 12u + corner * 3u;
@@ -53,7 +53,7 @@ vec4 placeOf(uint edge, uint corner, mat4 worldFromLocal)
     return near > 0.0 ? vec4(place.xy, near, place.z) : vec4(place, 1.0);
 }
 
-// Side of an edge on which a point is, as seen from the light: 1, -1; 0: on the edge.
+// Returns the side of an edge on which a point is, as seen from the light: 1, -1; 0: on the edge.
 float sideOf(vec3 from, vec3 edge, vec3 there)
 {
     vec3 way = there - from, across = cross(edge, way);
