@@ -5,7 +5,7 @@
 #include "compiler/lower/cells.h"
 #include <math.h>
 
-enum { MOST_ARGUMENTS = 8 }; /* of a library function */
+enum { MOST_ARGUMENTS = 8 }; /* max arguments of a library function */
 
 /* Returns the mean of the values at all taps. */
 static Ref mean_of(Lower *l, const Ref *values, int count)

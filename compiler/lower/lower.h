@@ -52,7 +52,7 @@ typedef struct {
 /* The cached last result of lower_slot() for a slot. */
 typedef struct {
     const Node *material;
-    int number;    /* of the material's environment */
+    int number;    /* number of the material's environment */
     bool averaged; /* the value depends on a mean over the pixel, as in Memo */
     Ref value;     /* 0: the slot has not been lowered yet */
 } SlotAnswer;

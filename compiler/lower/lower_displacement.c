@@ -229,7 +229,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 {
     Ref none = build_float(l->ir, 0);
     Slopes s = {none, none};
-    Env shape = *env; /* as for the slopes */
+    Env shape = *env; /* environment of a shape, as for the slopes */
     shape.shape = true;
     if (displaced)
         s = moved_of(l, displaced, env).slopes;
@@ -241,7 +241,7 @@ void lower_write_displacement(Lower *l, const Node *displaced, const Env *env)
 /* A vertex before displacement. Its inputs differ from those of fragments, and displacement
  * shares no computation with shading. */
 typedef struct {
-    int number; /* of the environment */
+    int number; /* number of the environment */
     Input p, n, du, dv, u, x;
 } VertexInputs;
 static const VertexInputs displaced_inputs = {ENV_VERTEX,     INPUT_vertexP,  INPUT_vertexN,

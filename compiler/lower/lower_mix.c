@@ -10,7 +10,7 @@ enum { MAX_EXPONENT = 65504 };
  * too. */
 typedef struct SlotMemo {
     Ref value;
-    int number; /* of the environment */
+    int number; /* number of the environment */
 } SlotMemo;
 
 static SlotMemo *remembered(Lower *l, const Node *m, Slot slot)

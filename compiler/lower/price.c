@@ -10,7 +10,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* One of the two lowerings. */
+/* State of one of the two compared lowerings. */
 typedef struct {
     Arena arena;
     Session session;

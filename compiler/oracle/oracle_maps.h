@@ -58,7 +58,7 @@ struct Oracle {
     double behind, ahead; /* the span of difference quotients, in steps; oracle_slope_span() */
     /* check for smooth heights enabled; the check failed */
     bool judges, rough;
-    uint64_t stamp; /* of the last opened environment; 0: invalid */
+    uint64_t stamp; /* stamp of the last opened environment; 0: invalid */
     double work;    /* steps for this point; above LIMIT_WORK all values are 0 */
 };
 

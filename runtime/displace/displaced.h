@@ -10,7 +10,7 @@
 enum { DISPLACED_BUFFERS = 3 };
 
 typedef struct {
-    const ScenePatches *patches; /* of the scene's mesh */
+    const ScenePatches *patches; /* patches of the scene's mesh */
     int mesh;
     bool volume; /* the material replaces the surface by a volume */
     const struct DisplacedMethod *method;
@@ -32,7 +32,7 @@ typedef struct {
 
 /* The view for which triangles are written. */
 typedef struct {
-    const Scene *scene; /* with its camera and lights */
+    const Scene *scene; /* camera and lights are read, too */
     int size[2];        /* width and height of the picture in pixels */
     /* Bounding box of all shadow receivers; low >= high: unbounded. */
     double low[3], high[3];

@@ -19,7 +19,7 @@ enum {
 typedef struct {
     uint32_t *heads; /* headers, one after the other */
     int light_count; /* number of lights with a header, in the order of the scene */
-    size_t cells;    /* of all views: their words follow the headers */
+    size_t cells;    /* cells of all views: their words follow the headers */
 } ExactLists;
 
 /* Returns whether the light's shadows are exact. */

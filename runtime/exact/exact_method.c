@@ -10,7 +10,7 @@ enum {
     FIRSTS_BINDING = 5,
     TRIANGLES_BINDING,
     LISTS_BINDING
-}; /* as in exact_number.glsl and exact.glsl */
+}; /* bindings of exact_number.glsl and exact.glsl */
 
 static void seen_bind(const Render *render)
 {

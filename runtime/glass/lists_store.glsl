@@ -1,6 +1,6 @@
 // End of a transparent material's fragment program for lists: appends the fragment to its pixel's
 // list. transparency.c has the preceding text.
-uniform sampler2D lists_depth; // of opaque surfaces
+uniform sampler2D lists_depth; // depth of opaque surfaces
 
 // The heads of all pixels, 0 or 1 + the number of a node, are followed by the nodes: the next node,
 // the depth, the packed surface.

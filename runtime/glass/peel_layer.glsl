@@ -2,11 +2,11 @@
 // the layer behind, the depth test keeps the farthest. transparency.c has the preceding text. A
 // fragment's key is its depth, as bits, which are ordered like depths, and the number of its
 // triangle: of two at one depth the one drawn later is behind, so that none is lost.
-uniform sampler2D peel_depth;   // of opaque surfaces
+uniform sampler2D peel_depth;   // depth of opaque surfaces
 uniform usampler2D peel_behind; // keys of the layer behind this one
 uniform float peel_stride;      // maximum number of triangles of an object, over 256
 #ifdef PEEL_INSTANCES
-flat in uint peel_object;       // its index in drawing order
+flat in uint peel_object;       // the object's index in drawing order
 #else
 uniform float peel_object;
 #endif

@@ -187,7 +187,7 @@ float areaArc(vec3 a, vec3 step_, vec3 normal, vec3 w, float exponent)
     vec3 beside = cross(m, near);
     float r = min(sqrt(square + 4.0 / (exponent + 1.0)), 1.0);
     float first = atan(dot(beside, a), r * dot(near, a)), last = atan(dot(beside, b), r * dot(near, b));
-    if (last < first - 1.0) last += 2.0 * AREA_PI; // it crosses the branch cut of the angle
+    if (last < first - 1.0) last += 2.0 * AREA_PI; // the arc crosses the branch cut of the angle
     float middle = 0.5 * (first + last), half_ = 0.5 * (last - first), sum = 0.0;
     for (int i = 0; i < 8; i++) {
         float t = middle + (i < 4 ? half_ : -half_) * PLACE[i & 3];
@@ -227,7 +227,7 @@ struct AreaSide {
     vec3 normal, even;        // the side's normal, and its diffuse share
     vec3 gloss, axis, across; // specular lobe: gloss max(axis.l, 0)^exponent across.l
     float exponent;
-    mat3 into; // for a negative exponent: maps the side's normal to z, or a lobe's directions
+    mat3 into; // if the exponent is negative: maps the side's normal to z, or a lobe's directions
 };
 
 AreaSide areaPowers(vec3 normal, vec3 even, vec3 gloss, vec3 axis, vec3 across, float exponent)

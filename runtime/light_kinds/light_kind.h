@@ -16,8 +16,8 @@ typedef struct {
     double light[3];                   /* emitted color: intensity times color */
     double ground[3];                  /* hemispheres: the same from below */
     double inner_cosine, outer_cosine; /* cosines of a spot's cone angles: inner >= outer */
-    double edges[2][3];                /* of an area light */
-    bool both_sides;                   /* of an area light: emits to the back, too */
+    double edges[2][3];                /* edge vectors of an area light */
+    bool both_sides;                   /* an area light also emits to the back */
     const char *name;                  /* NULL: unnamed */
     /* The shadow technique of its light: WORD_Shadows_none, ... */
     Word shadows;

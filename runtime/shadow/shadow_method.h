@@ -85,9 +85,9 @@ struct ShadowMethod {
     /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
     void (*text)(const Render *render, bool nearest, ShadowMethodText *made);
     void (*set)(const Render *render, ScreenPass *pass); /* sets uniforms, after each change */
-    /* sampler name of a texture unit of its own, */
+    /* name of a sampler with its own texture unit */
     const char *sampler;
-    void (*bind)(const Render *render, int unit); /* to which this binds a texture */
+    void (*bind)(const Render *render, int unit); /* binds the sampler's texture to the unit */
 
     void (*put)(Text *out, const Render *render); /* writes lines for --stats */
     void (*put_time)(Text *out, Render *render);

@@ -14,7 +14,7 @@ enum { SHADOW_VIEWS_CUBE = 6 };
 typedef struct ShadowMethod ShadowMethod; /* declared in shadow_method.h */
 
 typedef struct {
-    double rows[3][4]; /* from world space */
+    double rows[3][4]; /* matrix rows, from world space to the view */
     double near;       /* near distance; 0: the light is directional */
     double texel;      /* a texel's longer edge: at z = 1; directional: everywhere */
     const ShadowMethod *method;

@@ -406,7 +406,7 @@ mat3 areaFacets(float rough, vec3 normal, vec3 eye)
               rough * (vec4(63.5235, 103.261, -62.0517, 45.7668) +
               rough * (vec4(-24.1714, -23.8377, 16.1749, -8.02276))))));
     vec3 m = alpha * vec3(p.x, (cosine + alpha) * p.y, p.z); // matrix entries m11, m22, m13
-    float turn = alpha * p.w; // from the mirrored direction upwards
+    float turn = alpha * p.w; // angle from the mirrored direction upwards
     vec3 flat_ = eye - dot(normal, eye) * normal;
     float sine = length(flat_);
     vec3 along = sine > 1e-4 ? flat_ / sine : normalize(abs(normal.z) < 0.7 ? cross(normal, vec3(0.0, 0.0, 1.0)) : cross(normal, vec3(1.0, 0.0, 0.0)));

@@ -44,7 +44,7 @@ struct Lit {
 #endif
 #ifdef LIT_COAT
     vec3 coatTint, coatNormal;
-    float coatCosine; // for the eye
+    float coatCosine; // the eye's cosine against the coat's normal
     Gloss coatFacets;
     float coat, coatShine, coatAlpha, coatReflectance, coatGloss, coatMasked;
     float coatOfEye, coatMean; // transmittance: for the eye, and the mean
@@ -54,7 +54,7 @@ struct Lit {
 #endif
 #ifdef LIT_FUZZ
     vec3 fuzzColor; // includes its weight
-    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // as for the coat
+    float fuzz, fuzzRough, fuzzOfEye, fuzzMean; // the coat's values, for the fuzz
     vec2 fuzzVeil, fuzzCoatVeil;
     Row fuzzSpread;
 #endif

@@ -295,7 +295,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     const size_t first = b->count;
     for (size_t i = 0; i < count; i++)
         divide(b, b->ring[i] / 3, vertices[i]);
-    for (size_t i = count; i--;) { /* from the last, so that no unread element is overwritten */
+    for (size_t i = count; i--;) { /* backward, so that no unread element is overwritten */
         const uint32_t triangle = b->ring[i] / 3;
         b->ring[2 * i + 1] = (uint32_t)(first + i);
         b->ring[2 * i] = triangle;

@@ -88,7 +88,7 @@ static bool make_mesh(Maker *k, const SceneObject *object, const SceneBase *base
                                  .level = scene->displaced_level,
                                  .dividing = scene->dividing,
                                  .triangles = fineness.triangles,
-                                 /* for bisection only */
+                                 /* set for bisection only */
                                  .seen = scene->displaced_pixels > 0 ? &k->by->seen : NULL,
                                  .pixels = scene->displaced_pixels,
                                  .processor = k->by->processor};

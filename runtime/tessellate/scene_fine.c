@@ -16,9 +16,9 @@
 #include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 
-/* of an equilateral triangle with edges of 1: sqrt(3) / 4 */
+/* area of an equilateral triangle with edges of 1: sqrt(3) / 4 */
 static const double triangle_area = 0.43301270189221932;
-static const double sphere_area = 12.566370614359172; /* of a sphere with radius 1 */
+static const double sphere_area = 12.566370614359172; /* area of a sphere with radius 1 */
 static const double widest_share = .5, narrowest_share = 1e-6;
 
 static int64_t triangles_of(const Scene *scene, int i)

@@ -13,7 +13,7 @@ uint64_t scene_scatter_next(uint64_t *state);
 float scene_object_random(int object);
 
 typedef struct {
-    double size[3];              /* of the box around the origin that contains the copies */
+    double size[3];              /* size of the box around the origin that contains the copies */
     double rotation[3];          /* maximum angle in radians about x, y and z, in both directions */
     double least, most;          /* range of the copies' scale */
     const SceneSurface *surface; /* copies are on this surface; NULL: in the box */

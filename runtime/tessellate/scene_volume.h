@@ -10,7 +10,7 @@ typedef bool SceneSolid(void *user, SceneColumn *columns, int count);
 typedef struct {
     SceneSolid *solid;
     void *user;
-    int parts;     /* of an edge of the shape; 0: by `triangles` */
+    int parts;     /* parts of an edge of the shape; 0: chosen by `triangles` */
     int triangles; /* approximate number */
 } SceneVolume;
 

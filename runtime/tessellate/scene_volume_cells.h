@@ -33,7 +33,7 @@ typedef struct {
     SceneNodeKind kind;
     uint32_t a, b;
     int level;
-    int triangle; /* of the grid, below the node */
+    int triangle; /* the grid's triangle below the node */
     /* Boundary edge of that triangle whose wall contains the node; -1: not on a wall. */
     int rim;
 } SceneNode;

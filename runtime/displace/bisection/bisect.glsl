@@ -291,7 +291,7 @@ Corners bisectParent(uint number, Corners t)
 // The `count` triangles at edge a b of a triangle, with or without the triangle itself.
 struct Ring {
     uint first, count; // members; first BISECT_NONE: the edge is inside the base
-    int depth;         // of the triangles with this edge as their edge a b
+    int depth;         // depth of the triangles with this edge as their edge a b
     ivec3 beyond;      // edge inside the base: three times a point of the neighbor
     int weight;        // otherwise: sum of both ends' weights at the earlier place
 };

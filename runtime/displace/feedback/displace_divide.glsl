@@ -78,7 +78,7 @@ void main()
     bool divided = away < displace_detail * area, again = away < 0.25 * displace_detail * area;
     bool early = divided && !again && displace_skirts == SKIRTS_EARLY && displace_last == 0;
     vec2 around[6] = vec2[6](a, 0.5 * (a + b), b, 0.5 * (b + c), c, 0.5 * (c + a));
-    if (early) { // its parts are final: borders are detected by the area of the parts
+    if (early) { // the triangle's parts are final: borders are detected by the area of the parts
         area *= 0.25;
         longest *= 0.5;
     }

@@ -13,7 +13,7 @@ uniform int displace_skirts; // one of SKIRTS_...
 const int SKIRTS_COPY = 1, SKIRTS_OUTLINE = 2, SKIRTS_ALL = 3;
 
 uvec2 displace_patch;
-ivec3 displace_corners[3]; // of the part, in units of the patch's parts
+ivec3 displace_corners[3]; // corners of the part, in units of the patch's parts
 
 // Emits a point with integer weights, whose sum is the number of parts of an edge; `lower`: the
 // point below it.

@@ -2,7 +2,7 @@
 // All of the symbol has the point's texture coordinates, and shades as the point does except for
 // the normal.
 #ifdef DISPLACE_VOLUME
-layout(points, invocations = 4) in; // one per height
+layout(points, invocations = 4) in; // one invocation per height
 #else
 layout(points) in;
 #endif

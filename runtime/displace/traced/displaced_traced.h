@@ -12,11 +12,11 @@ typedef struct {
          * sets its uniforms trace_viewer, trace_pixel and trace_offset. */
         trace;
     Mesh hulls;    /* closed, facing outward; for parallax base triangles */
-    int triangles; /* of a hull: 8, or 1 for parallax */
+    int triangles; /* number of triangles of a hull: 8, or 1 for parallax */
     /* Marches along the tangent plane of a base triangle: parallax_fragment.glsl. Shadow maps
      * use the grid. */
     bool parallax;
-    int parts;             /* of a patch's edge: a power of two */
+    int parts;             /* parts of a patch's edge: a power of two */
     Material levels, hull; /* compute programs of the pyramid, and of the hulls */
     GLuint nodes;
 } DisplacedTrace;

@@ -21,8 +21,8 @@ vec3 traceVector(int row, int part)
 
 struct TraceSpace {
     vec3 corner; // corner 0
-    mat3 local;  // from that space to object space
-    mat3 inner;  // from object space; 0 for a degenerate base triangle
+    mat3 local;  // matrix from the patch's space to object space
+    mat3 inner;  // matrix from object space; 0 for a degenerate base triangle
 };
 
 TraceSpace traceSpace(int number)

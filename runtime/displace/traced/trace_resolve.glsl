@@ -10,7 +10,7 @@ flat in uint trace_place;
 
 struct TraceCorners {
     int rows[3];
-    vec2 at; // of the first row, in parts
+    vec2 at; // position of the first row, in parts
     bool between;
 };
 

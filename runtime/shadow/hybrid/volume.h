@@ -17,7 +17,7 @@ typedef struct {
     Material *shown; /* like sheets, for a debug view; NULL: none */
     int view_count, light_count;
     GLuint array; /* vertex array without attributes, for caps and cells */
-    Word path;    /* of volume_data.c, as the members below; never auto */
+    Word path;    /* path of volume_data.c, like the members below; never auto */
     GLuint *arrays;
     int array_count;          /* 1, or the number of hybrid views */
     GLuint indices, vertices; /* 0: vertices read the depth map */
@@ -26,7 +26,7 @@ typedef struct {
     Framebuffer corners; /* corners of quads, 2 x 2 texels each, before they are copied */
     Material blur;
     GLuint sharp;           /* depths before blurring */
-    GLuint cells, commands; /* of volume_cells.c: buffers of lists of cells, and of draw commands */
+    GLuint cells, commands; /* buffers of volume_cells.c: lists of cells, and draw commands */
 } FrameVolumes;
 
 static inline FrameVolumes *volume_state(const Render *render)

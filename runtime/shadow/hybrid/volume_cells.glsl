@@ -100,7 +100,8 @@ int volumeCutOff(ivec2 layers, ivec2 cell, vec4 quad)
     int nearer = quad.x + quad.z >= quad.y + quad.w ? 0 : 1;
     float even = 0.0; // length of the segments on the side of centers 0 and 2
     for (int i = 0; i < 4; i++) {
-        float cut = volumeCut(layers, volumeSegment(cell, i)); // from centers 0, 1, 3 and 0
+        // position of the crossing, from centers 0, 1, 3 and 0
+        float cut = volumeCut(layers, volumeSegment(cell, i));
         even += (i == 0 || i == 3) ? cut : 1.0 - cut;
     }
     float own = nearer == 0 ? even : 4.0 - even;
@@ -116,7 +117,8 @@ ivec2 volumeParted(ivec2 layers, ivec2 cell, int crossed)
     if (crossed == 15) return ivec2(6, volumeCutOff(layers, cell, quad));
     if (crossed == 5 || crossed == 10) return ivec2(4, crossed == 5 ? 0 : 1);
     for (int turn = 0; turn < 4; turn++) {
-        int turned = (crossed >> turn | crossed << (4 - turn)) & 15; // as if center `turn` were 0
+        // rotates the bits as if center `turn` were 0
+        int turned = (crossed >> turn | crossed << (4 - turn)) & 15;
         if (turned == 1) return ivec2(quad[turn] > quad[(turn + 1) % 4] ? 1 : 2, turn);
         if (turned == 9) return ivec2(3, turn);
         if (turned == 11) return ivec2(5, turn);
