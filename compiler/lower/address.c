@@ -28,7 +28,7 @@ static Ref centred(Ir *ir, const Addressed *picture, Ref uv)
     return build_div(ir, build_add(ir, texel, build_all(ir, TYPE_vec2, 0.5)), picture->size);
 }
 
-/* u + shift folded into [0, 1]. Multiples of 2, the period, are dropped before the shift is
+/* Folds u + shift into [0, 1]. Multiples of 2, the period, are dropped before the shift is
  * added, which would be lost to rounding far from the origin. A sum above 2 comes out below 0,
  * and is clamped to the edge like its mirror image. Shift 0: none. */
 static Ref folded(Ir *ir, Ref u, Ref shift)

@@ -17,7 +17,7 @@ static Ref mean_of(Lower *l, const Ref *values, int count)
     return count > 1 ? build_scale(ir, sum, 1.0 / count) : sum;
 }
 
-/* Calls a function of a position and further arguments. */
+/* Calls a library function of a position and further arguments. */
 static Ref call_at(Lower *l, int function, Ref position, const Ref *args, int count)
 {
     Ref all[MOST_ARGUMENTS] = {position};
@@ -230,11 +230,11 @@ static bool may_read_buffer(const Lower *l, Ref uv)
     return l->job->instances && !is_varying(l->ir, uv);
 }
 
-/* The sampler derives the footprint from the neighboring pixels (texture) if these surely
- * compute the same coordinate without a seam between them. Otherwise the program passes the
- * footprint (textureGrad): in branches, in the functions of filters, where the view ray makes
- * the texture coordinate, and where numbers come from a buffer. GLSL 1.10 lacks textureGrad, so
- * it has no sampler in filter functions, and no buffers. */
+/* Selects the library function. The sampler derives the footprint from the neighboring pixels
+ * (texture) if these surely compute the same coordinate without a seam between them. Otherwise
+ * the program passes the footprint (textureGrad): in branches, in the functions of filters,
+ * where the view ray makes the texture coordinate, and where numbers come from a buffer. GLSL
+ * 1.10 lacks textureGrad, so it has no sampler in filter functions, and no buffers. */
 Function area_picture_function(const Lower *l, Ref uv, bool smooth)
 {
     const bool by_ray = l->job->pass == PASS_sky || l->job->pass == PASS_plane;
@@ -316,9 +316,9 @@ Ref area_picture_near(Lower *l, const Picture *p, Ref point, Ref uv)
     return with_border(l, p, value, (Ref[]){point, wide});
 }
 
-/* Slope of a picture whose sampler does all addressing. With the neighbors' footprint the
- * picture is read outside of every branch, which is faster than passing a footprint within one:
- * on an H100 three reads take 0.2 ns a pixel, with passed footprints 0.8. */
+/* Returns the slope of an image whose sampler does all addressing. With the neighbors' footprint
+ * the picture is read outside of every branch, which is faster than passing a footprint within
+ * one: on an H100 three reads take 0.2 ns a pixel, with passed footprints 0.8. */
 static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
 {
     Ir *ir = l->ir;
@@ -338,7 +338,7 @@ static Ref rise_over(Lower *l, const Picture *p, Ref uv, Ref lane, Ref shown)
     return build_call_of(ir, FN_imageRiseNear, args, count);
 }
 
-/* GLSL 1.10 cannot fetch texels of a texture with mipmaps. */
+/* Returns the change over one texel. GLSL 1.10 cannot fetch texels of a texture with mipmaps. */
 Ref area_picture_rise(Lower *l, const Picture *p, Ref uv, int lane, Ref shown)
 {
     Ir *ir = l->ir;

@@ -26,14 +26,14 @@ Function area_picture_function(const Lower *l, Ref uv, bool smooth);
 Ref area_picture(Lower *l, const Picture *picture, Ref uv);
 /* Returns the value at a point near uv, filtered with uv's footprint: for finite differences. */
 Ref area_picture_near(Lower *l, const Picture *picture, Ref point, Ref uv);
-/* Change of one component over one texel along u and v, a vec2. Magnified pictures use the
- * texels themselves; otherwise `shown`, the differences of area_picture_near(), is returned. 0:
- * use `shown` in any case. */
+/* Returns the change of one component over one texel along u and v, a vec2. Magnified pictures
+ * use the texels themselves; otherwise `shown`, the differences of area_picture_near(), is
+ * returned. 0: use `shown` in any case. */
 Ref area_picture_rise(Lower *l, const Picture *picture, Ref uv, int lane, Ref shown);
 /* Returns 1 / (high - low) of known numbers, computed in double here or when the buffer is
  * filled; 0 if they are equal. */
 Ref area_known_inverse(Lower *l, Ref low, Ref high);
-/* Linear ramp from 0 at `low` to 1 at `high`, as a mean over a box of t; equal bounds make a
- * step. */
+/* Returns a linear ramp from 0 at `low` to 1 at `high`, as a mean over a box of t; equal bounds
+ * make a step. */
 Ref area_ramp(Lower *l, Ref t, Ref edge, Ref low, Ref high);
 #endif

@@ -118,8 +118,8 @@ typedef struct {
     double surely;      /* factor on the remaining budget */
 } Bracket;
 
-/* Number of means to try next: interpolates by their prices, scaled to the measured costs at
- * both ends of the bracket. After MOST_SLOW guesses that left more than half of the range,
+/* Returns the number of means to try next: interpolates by their prices, scaled to the measured
+ * costs at both ends of the bracket. After MOST_SLOW guesses that left more than half of the range,
  * bisects.
  *
  *     without means 200, with all 100 means 2,200, each costs as much, and 220 may be spent: 1

@@ -47,7 +47,7 @@ static Ref source_value(Lower *l, const Piece *piece, const Node *material, cons
                : build_vec_of(l->ir, build_lanes_type(piece->count), lanes, piece->count);
 }
 
-/* Maps a value linearly from the field's range to [0, 1]. */
+/* Maps a value linearly from the field's range to [0, 1], as a texel stores it. */
 static Ref in_range(Lower *l, const FieldRow *field, Ref value)
 {
     Ir *ir = l->ir;

@@ -48,8 +48,8 @@ static Ref guarded_side(Lower *l, const MixedSide *of, Ref value)
     return l->cheap && blend_is_costly(l->ir, value) ? blend_guarded(l, of->shows, value) : value;
 }
 
-/* Phong's exponent as a roughness in (0, 1], in which equal steps look equal: the perceptual
- * roughness of the Beckmann lobe of equal width. */
+/* Converts Phong's exponent to a roughness in (0, 1], in which equal steps look equal: the
+ * perceptual roughness of the Beckmann lobe of equal width. */
 static Ref roughness_of(Ir *ir, Ref exponent)
 {
     Ref alpha = build_div(ir, build_float(ir, 2), build_add(ir, exponent, build_float(ir, 2)));

@@ -174,9 +174,9 @@ static void warn_left_out(Lower *l, const Node *material)
     l->failed |= probe.failed;
 }
 
-/* The layout's case is the same at every level of -O: without simplification it is found on a
- * separate IR. A separate IR is also needed where constants in a buffer hide which slots are
- * absent, and no case holds all slots that may be present. */
+/* Returns the layout's case. The case is the same at every level of -O: without simplification
+ * it is found on a separate IR. A separate IR is also needed where constants in a buffer hide
+ * which slots are absent, and no case holds all slots that may be present. */
 static int find_case(Lower *l, const Node *material, const Env *env)
 {
     const int none = l->job->layout->case_count;

@@ -354,10 +354,11 @@ static Ref exponent_of(Lower *l, const Node *m, const Env *env)
     return build_clamp(ir, exponent, build_float(ir, 0), build_float(ir, greatest));
 }
 
-/* A layout for Phongs multiplies the light by 1 - transparency; a Principled's diffuse color
- * already excludes the light transmitted through the dielectric. The factor that undoes the
- * double loss is (1 - holes) / (1 - transparency); 1 if the dielectric transmits nothing. The
- * test is by value: a test for a folded constant would give another result at -O0. */
+/* Returns the factor that undoes a double loss. A layout for Phongs multiplies the light by 1 -
+ * transparency; a Principled's diffuse color already excludes the light transmitted through the
+ * dielectric. The factor that undoes the double loss is (1 - holes) / (1 - transparency); 1 if
+ * the dielectric transmits nothing. The test is by value: a test for a folded constant would
+ * give another result at -O0. */
 static Ref kept_twice(Lower *l, const Node *m, const Env *env)
 {
     const double least = 1e-3;

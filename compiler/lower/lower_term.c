@@ -316,8 +316,8 @@ Ref lower_whole_power(Lower *l, Ref a, int power)
     return power < 0 ? quotient(l, REFS(ir, build_float(ir, 1), product)) : product;
 }
 
-/* MaterialX's noises in three dimensions, averaged over the pixel like the maps CellNoise and
- * Worley. */
+/* Evaluates MaterialX's noises in three dimensions, averaged over the pixel like the maps
+ * CellNoise and Worley. */
 static Ref cell_noise(Lower *l, Ref p)
 {
     Ref dimensions = build_int(l->ir, 3);

@@ -89,10 +89,10 @@ uvec3 displaceMoving(uint first, uvec3 own, vec3 w)
 
 uniform float displace_push, displace_bulge; // rounding of a hard-edged closed mesh; 0: none
 
-// Mean of the corners' normals, each the normalized sum over its adjacent triangles; and the offset
-// that push and bulge give to the point p. Along an edge both depend on its two ends alone.
-//  A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of sqrt(3)
-//  is 0.73 there and 0 at corners: all points are sqrt(3) from the center.
+// Returns the mean of the corners' normals, each the normalized sum over its adjacent triangles;
+// and the offset that push and bulge give to the point p. Along an edge both depend on its two ends
+// alone. A cube from -1 to 1: in the middle of a face the mean is 1 / sqrt(3) long, so a push of
+// sqrt(3) is 0.73 there and 0 at corners: all points are sqrt(3) from the center.
 vec3 displaceRounded(uint first, vec3 w, vec3 p, out vec3 mean)
 {
     vec3 n[3], toward[3];

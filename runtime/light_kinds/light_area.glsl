@@ -57,8 +57,8 @@ float areaLowest(vec3 h) { return h.x + min(h.y, 0.0) + min(h.z, 0.0); }
 float areaHighest(vec3 h) { return h.x + max(h.y, 0.0) + max(h.z, 0.0); }
 vec2 areaHeights(vec4 line, vec3 h) { return h.x + vec2(dot(h.yz, line.xy), dot(h.yz, line.zw)); }
 
-// Lines from (s, t) to (s, t): an edge; the point where a line crosses the border of a half space;
-// the part of a line inside, or a line of length 0.
+// Return lines from (s, t) to (s, t): an edge; the point where a line crosses the border of a half
+// space; the part of a line inside, or a line of length 0.
 vec4 areaEdge(int i) { return i < 2 ? i < 1 ? vec4(0.0, 0.0, 1.0, 0.0) : vec4(1.0, 0.0, 1.0, 1.0) : i < 3 ? vec4(1.0, 1.0, 0.0, 1.0) : vec4(0.0, 1.0, 0.0, 0.0); }
 vec2 areaCrossing(vec4 line, vec2 heights) { return mix(line.xy, line.zw, heights.x / (heights.x - heights.y)); }
 vec4 areaWithin(vec4 line, vec3 h)

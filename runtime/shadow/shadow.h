@@ -22,7 +22,7 @@ enum { SHADOW_GLASS_LISTS = 3 /* binding point of the lists' buffer */ };
 bool shadow_glass_needed(const Render *render);
 /* Returns the part with all texels of the maps, with 0 fragments. */
 ShadowPart shadow_glass_whole(const Render *render);
-/* Bytes of a part's lists. */
+/* Returns the bytes of a part's lists. */
 size_t shadow_glass_bytes(const ShadowPart *part);
 bool shadow_glass_make(Render *render, size_t bytes);
 /* Clears a part's lists before they are drawn. A buffer too small for the heads only counts. */
@@ -64,7 +64,7 @@ bool shadow_sheet_reads(const SceneLight *light);
 bool shadow_sheet_needed(const Render *render);
 /* Reports an error if the chosen transparency method cannot be combined with such planes. */
 bool shadow_sheet_check(const Render *render);
-/* Bytes per pixel of the layers. */
+/* Returns the bytes per pixel of the layers. */
 int shadow_sheet_bytes(const Render *render);
 /* Appends a line for --stats. */
 void shadow_sheet_put(Text *out, const Render *render);

@@ -101,7 +101,7 @@ static bool find_solid(void *user, SceneColumn *columns, int count)
     return fine;
 }
 
-/* Pixels per unit of object space, along the axis with the greatest scale. */
+/* Returns the pixels per unit of object space, along the axis with the greatest scale. */
 static double pixels_at(void *user, const double at[3])
 {
     const Mover *mover = user;

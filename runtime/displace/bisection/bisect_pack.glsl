@@ -1,5 +1,5 @@
-// Compaction: leaves in slots numbered above the leaf count move to free slots below it. First
-// stage (BISECT_CHOOSE): lists the free slots below.
+// Compacts the leaves: leaves in slots numbered above the leaf count move to free slots below it.
+// First stage (BISECT_CHOOSE): lists the free slots below.
 void main()
 {
     uint i = gl_GlobalInvocationID.x, live = bisect_head[HIGH] - bisect_head[FREE];

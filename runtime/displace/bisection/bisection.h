@@ -68,9 +68,9 @@ bool bisection_make(const DisplacedMaking *making, Displaced *made);
 void bisection_forget(Displaced *displaced);
 /* Resizes the buffers to `room` leaves and their corners in the mesh; existing leaves are kept. */
 bool bisection_room(Displaced *displaced, Mesh *mesh, int room);
-/* Bytes of the buffer of lists for `places` leaves. */
+/* Returns the bytes of the buffer of lists for `places` leaves. */
 size_t bisection_work_bytes(const Bisection *b, size_t places);
-/* Bytes of the buffer of leaves. */
+/* Returns the bytes of the buffer of leaves for `places` leaves. */
 size_t bisection_leaf_bytes(size_t places);
 /* Returns whether the light casts shadows that bisection takes into account. */
 bool bisection_casts(const SceneLight *light);

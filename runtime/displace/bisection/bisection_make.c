@@ -41,8 +41,8 @@ bool bisection_casts(const SceneLight *light)
 
 static const char with_lights[] = "#define BISECT_LIGHTS\n";
 
-/* Programs for a scene without shadow-casting lights omit the loop over lights: llvmpipe pays
- * even for loops that are not entered. */
+/* Defines the lights' macro. Programs for a scene without shadow-casting lights omit the loop
+ * over lights: llvmpipe pays even for loops that are not entered. */
 static const char *lights_of(const Scene *scene)
 {
     bool casts = false;
@@ -200,8 +200,9 @@ size_t bisection_leaf_bytes(size_t places)
            ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
-/* A fresh look adds one table entry per slot, and a view's rounds add one per merge and two per
- * bisection: update() starts a new table when not enough entries are free. */
+/* Ensures capacity for `room` leaves. A fresh look adds one table entry per slot, and a view's
+ * rounds add one per merge and two per bisection: update() starts a new table when not enough
+ * entries are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
     Bisection *b = d->own;

@@ -24,8 +24,8 @@ static bool make(const DisplacedMaking *making, Displaced *made)
 
 static size_t points_of(int n) { return (size_t)(n + 1) * (size_t)(n + 2) / 2; }
 
-/* Mesa's software renderers number the output of a part of a draw with 16 bits, and lose the
- * rest: there, few patches are drawn at a time. */
+/* Draws the patches. Mesa's software renderers number the output of a part of a draw with 16
+ * bits, and lose the rest: there, few patches are drawn at a time. */
 static void draw_patches(const Displaced *d, const int first[SCENE_PATCH_PARTS + 2])
 {
     enum { POINTS = 1 << 15 };

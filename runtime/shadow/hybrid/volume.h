@@ -79,13 +79,13 @@ bool volume_cells_make(Render *render);
 void volume_cells_write(Render *render);
 /* Defines for the vertex program: it draws listed cells, or all. */
 const char *volume_cells_head(bool listed);
-/* Declarations of the samplers that volume_cells.glsl reads. */
+/* Returns GLSL declarations of the samplers that volume_cells.glsl reads. */
 const char *volume_cells_maps(void);
 /* Draws the listed cells of a view; `number` is its index among hybrid views. */
 void volume_cells_draw(const Render *render, int view, int number);
 /* Draws all cells in a fixed order, for a view that blends colors. */
 void volume_cells_draw_all(const Render *render, int view, int number);
-/* Bytes of the lists. */
+/* Returns the bytes of the lists. */
 size_t volume_cells_bytes(const Render *render);
 void volume_cells_delete(Render *render);
 
