@@ -93,7 +93,7 @@ dvec3[3] placesOf(View view, uint triangle)
     return dvec3[3](placeOf(view, triangle, 0u), placeOf(view, triangle, 1u), placeOf(view, triangle, 2u));
 }
 
-// Permutes to the axes of a face: face 2 k looks along axis k, 2 k + 1 against it.
+// Permutes to the axes of a face: face 2 k faces along axis k, 2 k + 1 against it.
 dvec3 turned(dvec3 place, View view, int face)
 {
     if (view.faces > 1) {

@@ -53,10 +53,10 @@ struct ShadowMethod {
      * alpha-tested ones */
     bool apart;
     bool even; /* handles all casters except those of varying transparency, which maps have */
-    /* Text with which opaque surfaces' programs write the target `seen`, for the first row that
-     * wants it. */
+    /* Text with which opaque surfaces' programs write the target `seen`, for the first row with
+     * `seen_wanted`. */
     const SeenText *seen;
-    /* The row wants the target: before, and after, the scene's surfaces are known. */
+    /* Return whether the row uses the target: before, and after, the scene's surfaces are known. */
     bool (*seen_wanted)(const Render *render);
     bool (*seen_needed)(const Render *render);
     void (*seen_bind)(const Render *render); /* binds the inputs of the programs with this text */

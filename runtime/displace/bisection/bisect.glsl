@@ -77,7 +77,7 @@ shared uint bisect_head[BISECT_COUNTS];
 #define bisect_head bisect_work
 #endif
 #ifdef BISECT_WIDE // evaluating more leaves costs a GPU less than a finer choice
-// slots of a tile; tiles per workgroup of the look stage
+// slots of a tile; tiles per workgroup of the stage that evaluates leaves
 const uint BISECT_TILE = BISECT_TILE_MANY, BISECT_LOOK_TILES = 16u;
 #else
 const uint BISECT_TILE = BISECT_TILE_FEW;

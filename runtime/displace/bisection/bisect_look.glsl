@@ -1,5 +1,5 @@
 // Evaluates leaves: each may have to be bisected, or may merge with its sibling into their parent.
-// A fresh look also fills the hash table with all leaves and the free list with free slots;
+// A fresh evaluation also fills the hash table with all leaves and the free list with free slots;
 // otherwise both are valid already.
 void bisectLook(uint slot)
 {

@@ -200,9 +200,9 @@ size_t bisection_leaf_bytes(size_t places)
            ((places + BISECTION_BLOCK - 1) / BISECTION_BLOCK);
 }
 
-/* Ensures capacity for `room` leaves. A fresh look adds one table entry per slot, and a view's
- * rounds add one per merge and two per bisection: update() starts a new table when not enough
- * entries are free. */
+/* Ensures capacity for `room` leaves. A fresh evaluation adds one table entry per slot, and a
+ * view's rounds add one per merge and two per bisection: update() starts a new table when not
+ * enough entries are free. */
 bool bisection_room(Displaced *d, Mesh *mesh, int room)
 {
     Bisection *b = d->own;

@@ -131,8 +131,8 @@ static void run_rounds(Displaced *d, int merging, int splitting)
         run_few(d);
 }
 
-/* Entries of earlier looks are empty by their stamps; after 255 looks the table is cleared,
- * which takes longer than all else of a look. */
+/* Stamps a new evaluation: table entries of earlier ones are empty by their stamps. After 255
+ * evaluations the table is cleared, which takes longer than all else of an evaluation. */
 static void stamp_table(Displaced *d)
 {
     enum { STAMPS = 255 };
@@ -158,8 +158,8 @@ static void begin_anew(Displaced *d, double pixels)
     b->gone = b->entries = 0;
 }
 
-/* Evaluates leaves. On hardware the workgroups of the look stage find the due tiles themselves;
- * otherwise the scan stage does. */
+/* Evaluates leaves. On hardware the stage's workgroups find the due tiles themselves; otherwise
+ * the scan stage does. */
 static void look(const Displaced *d, GLuint high)
 {
     enum { LOOK_TILES = 16 /* per workgroup */ };

@@ -11,8 +11,8 @@ uint32_t *displaced_bisection_bases(const ScenePatches *patches, size_t *count);
 typedef struct {
     int leaves, splits, merges; /* counts of the last view */
     size_t kept,
-        /* Bytes kept from view to view, for used slots and ranges; and bytes of scratch data,
-         * for all slots. */
+        /* Bytes that persist from view to view, for used slots and ranges; and bytes of scratch
+         * data, for all slots. */
         scratch;
     int looks;     /* number of evaluated leaves */
     int looked;    /* leaves evaluated */

@@ -1,5 +1,5 @@
-// The surface of a shadow volume cut at silhouettes. A cell lies between the centers of four
-// texels, from the lower left one around: 0, 1, 2, 3. Where a silhouette crosses the segment
+// The surface of a shadow volume cut at silhouettes. A cell is the square between four
+// texel centers, from the lower left one around: 0, 1, 2, 3. Where a silhouette crosses the segment
 // between two centers (silhouette_find.glsl), the surface is discontinuous, and a wall along the
 // light joins the side nearer to the light to the other one. So the volume ends at the silhouette,
 // where an uncut surface would slope from center to center.
