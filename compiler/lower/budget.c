@@ -48,7 +48,7 @@ typedef struct {
     Arena arena;
     Session session;
     Lower lower;
-    Ir *ir;       /* NULL: failed, or dropped */
+    Ir *ir;       /* NULL: lowering failed, or the IR was dropped */
     MapList seen; /* the maps that may be averaged over the pixel */
     int below;    /* maps below this index are averaged */
     int cost;     /* cost in operations, if `seen` has any map */

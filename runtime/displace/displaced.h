@@ -20,7 +20,7 @@ typedef struct {
     /* parts of each patch's edges as written, from scene_patches_levels() */
     uint8_t (*parts)[3];
     GLuint buffers[DISPLACED_BUFFERS]; /* rows, patches, and drawn patches: displace_point.glsl */
-    GLuint array;                      /* without attributes */
+    GLuint array;                      /* vertex array without attributes */
     /* A draw needs a framebuffer although nothing is rasterized, and a context may have none of
      * its own. */
     GLuint framebuffer, pixel;

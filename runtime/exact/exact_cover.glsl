@@ -40,7 +40,7 @@ layout(std430, binding = 6) readonly buffer ExactTriangles {
 layout(std430, binding = 7) buffer ExactLists {
     uint exact_words[];
 };
-uniform bool exact_lists; // false: count only
+uniform bool exact_lists; // true: writes the lists; false: counts only
 uniform bool exact_rows; // true: a thread handles a block of rows; false: a triangle
 
 struct View {

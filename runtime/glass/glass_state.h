@@ -17,7 +17,7 @@ typedef struct {
 struct FrameGlass {
     ScreenPass blend, peel; /* lighting of lists; of a layer */
     FrameLists lists;
-    Framebuffer layers[2]; /* peeled in turns */
+    Framebuffer layers[2]; /* two layers, peeled alternately */
     int layer_count;
     int peel_units[2]; /* texture units of the opaque surfaces' depth, and of the keys */
 };

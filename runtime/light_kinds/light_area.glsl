@@ -25,7 +25,7 @@ const float AREA_PI = 3.14159265358979;
 struct Area {
     vec3 corner, u, v;
     float width; // twice its longer edge over the distance of its nearest corner
-    bool seen;   // false: back side, or the point is in its plane
+    bool seen;   // false: the point sees the back side, or is in the light's plane
 };
 
 Area areaMeasured(vec3 corner, vec3 u, vec3 v, bool seen)

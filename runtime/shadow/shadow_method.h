@@ -80,7 +80,7 @@ struct ShadowMethod {
     bool (*changed)(Render *render, unsigned what);      /* `what`: a set of FrameChange */
     bool (*moved)(Render *render, int first, int count); /* called after these objects have moved */
     void (*forget)(Render *render);                      /* frees all resources of the scene */
-    void (*close)(Render *render);                       /* frees those of the renderer */
+    void (*close)(Render *render);                       /* frees all resources of the renderer */
 
     /* GLSL for programs that light surfaces; `nearest`: those in the depth buffer. */
     void (*text)(const Render *render, bool nearest, ShadowMethodText *made);

@@ -286,7 +286,7 @@ static bool divide_ring(SceneBisection *b, uint32_t edge)
     } while (next != edge);
     if (!scene_room(&b->triangles, b->count + count, &b->room, sizeof *b->triangles))
         return false;
-    uint32_t *vertices = b->ring + count; /* after the edges */
+    uint32_t *vertices = b->ring + count; /* scratch memory after the ring's edges */
     for (size_t i = 0; i < count; i++) {
         vertices[i] = middle[i % ALIKE] = middle_vertex(b, i, place, middle);
         if (vertices[i] == UINT32_MAX)
@@ -334,7 +334,7 @@ bool scene_bisection_split(SceneBisection *b, uint32_t triangle)
         const uint32_t last = b->waiting[count - 2];
         const size_t before = count;
         if ((uint32_t)b->triangles[last].depth != b->waiting[count - 1])
-            count -= 2; /* it was divided together with another one */
+            count -= 2; /* the triangle was divided together with another one */
         else if ((fine = wait_for_others(b, &count, last)) && count == before)
             fine = divide_ring(b, 3 * last);
     }

@@ -167,7 +167,7 @@ static bool settle(Scene *scene, const Maker *k, bool fine)
         SceneObject *object = &scene->objects[i];
         const bool first = object->kind != SCENE_Mesh || object->mesh < k->by->first;
         if (!fine || (!first && object->mesh == k->next[i])) {
-            leave(scene, k->next[i]); /* was counted twice */
+            leave(scene, k->next[i]); /* the mesh was counted twice */
             continue;
         }
         if (!first)

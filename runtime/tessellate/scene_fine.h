@@ -4,12 +4,12 @@
 #include "compiler/base/arena.h"
 #include "runtime/scene/scene_detail.h"
 
-enum { SCENE_FINE_LEAST = 128 /* triangles of a displaced mesh that is hardly visible */ };
+enum { SCENE_FINE_LEAST = 128 /* min triangles of a displaced mesh, for hardly visible objects */ };
 
 /* Level of detail of a displaced object. */
 typedef struct {
     int triangles; /* approximate number of triangles after division */
-    int steps;     /* steps of the solid that is displaced; 0: its own */
+    int steps;     /* steps of the solid that is displaced; 0: its own steps */
     double
         /* Length of the intervals of the logarithm of size in which copies share a mesh; 0: only
          * equal sizes do. */

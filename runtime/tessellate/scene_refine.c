@@ -79,11 +79,11 @@ static bool scene_refine_fit(const SceneBisection *b, const SceneMiss *misses, d
 
 enum {
     FITS = 2,           /* number of fitting steps */
-    SAMPLES = 4,        /* minimum per triangle */
-    FIRST_SAMPLES = 16, /* maximum per triangle made by area */
+    SAMPLES = 4,        /* min samples per triangle */
+    FIRST_SAMPLES = 16, /* max samples per triangle made by area */
     EVEN_SHARE = 32,    /* share of the triangles that is made by area: 1 / 32 */
     ROUND_SHARE = 8,    /* share of the triangles that a round divides: 1 / 8, */
-    ROUND_LEAST = 32,   /* but at least this number */
+    ROUND_LEAST = 32,   /* but at least this number of triangles */
     BATCH = 4096        /* points moved in one call */
 };
 

@@ -10,7 +10,7 @@
 #include <string.h>
 
 enum {
-    TRIANGLES = 1 << 24, /* maximum */
+    TRIANGLES = 1 << 24, /* max triangles of a buffer */
     /* limit per draw, each triangle becoming at most 16: displaced_tessellation.c */
     SOFTWARE_TRIANGLES = (1 << 15) / 48,
     FINAL = 1,

@@ -9,7 +9,7 @@ const int TRACE_STACK = 24; // three entries for each of max six levels, and one
 
 struct TraceRay {
     vec3 from, along; // t = 0 is the point where the ray leaves the hull
-    float begin;      // least t
+    float begin;      // min t
 };
 
 struct TraceHit {

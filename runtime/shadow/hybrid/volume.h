@@ -13,15 +13,15 @@ enum {
 typedef struct {
     /* Programs by view, for hybrid views; caps for perspective ones. */
     Material *sheets, *caps;
-    Material *marks; /* per hybrid light */
+    Material *marks; /* programs by hybrid light */
     Material *shown; /* like sheets, for a debug view; NULL: none */
     int view_count, light_count;
     GLuint array; /* vertex array without attributes, for caps and cells */
     Word path;    /* path of volume_data.c, like the members below; never auto */
     GLuint *arrays;
-    int array_count;          /* 1, or the number of hybrid views */
+    int array_count;          /* number of arrays: 1, or the number of hybrid views */
     GLuint indices, vertices; /* 0: vertices read the depth map */
-    GLsizei index_count;      /* per view */
+    GLsizei index_count;      /* number of indices per view */
     Material writer;
     Framebuffer corners; /* corners of quads, 2 x 2 texels each, before they are copied */
     Material blur;

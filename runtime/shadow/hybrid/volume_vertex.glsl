@@ -11,7 +11,7 @@ uniform sampler2DArray volume_depths;
 layout(std140) uniform Volume {
     vec4 volume_x, volume_y, volume_z, volume_w; // columns of the matrix from the map to clip space
     vec4 volume_map;                             // layer, size, 1: parallel light, 1: stretched
-    // parallel light: its direction; else x: least depth
+    // parallel light: its direction; else x: min depth
     vec4 volume_far;
 #ifdef CELLS
     // layer of crossings; index among hybrid views; 1: draws crossed cells, 0: the rest

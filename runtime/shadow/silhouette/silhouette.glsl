@@ -59,7 +59,7 @@ struct SilhouettePlace {
     vec2 at;     // position in texels
     float depth; // depth; a greater one is nearer to the light
     vec2 slope;
-    float texel; // depth difference as long as a texel is wide
+    float texel; // depth difference that is as long as a texel is wide
 };
 
 // Returns the position of a point in a view; `normal` is its plane's; both are in eye space. In the

@@ -30,7 +30,8 @@ layout(std430, binding = 1) readonly buffer Places {
 layout(std430, binding = 2) readonly buffer Edges {
     float edge_lanes[];
 };
-layout(std430, binding = 3) buffer Extents { // per texel: of the segment to the right, and upwards
+// per texel: extents of the segment to the right, and upwards
+layout(std430, binding = 3) buffer Extents {
     uint extents[];
 };
 uniform sampler2DArray silhouette_maps;
