@@ -10,7 +10,7 @@
 #include "runtime/frame/frame_targets.h"
 #include "runtime/scene/scene.h"
 
-/* A param of a material that was set. */
+/* A material's parameter that the caller has set. */
 typedef struct {
     int material, count;
     char *name;
@@ -24,7 +24,8 @@ typedef struct {
     bool both_sides;
 } RenderLight;
 
-/* A debug view of the picture: how it draws the scene, and what is made for shadows. */
+/* Drawing style of a debug view: none, filled or as lines; for the scene and for shadow
+ * geometry. */
 typedef enum { FRAME_LOOK_none, FRAME_LOOK_faces, FRAME_LOOK_lines } FrameLookHow;
 
 typedef struct {
@@ -50,26 +51,27 @@ struct Render {
     RenderOptions options;
     const SurfaceModel *surface;
     char surface_lacks[SURFACE_MODEL_DEFINITIONS];
-    const FrameLook *look; /* the view, if it is one of these; or NULL */
+    const FrameLook *look; /* the debug view in use, or NULL */
     const Scene *scene;
-    RenderParam *params; /* that were set since the scene was given */
+    RenderParam *params; /* parameters set since the scene was loaded */
     int param_count;
-    RenderLight *kept_lights; /* as they were when all was made: render_lights.c */
+    RenderLight *kept_lights; /* the lights at the last rebuild: render_lights.c */
     int kept_light_count;
-    int samples;  /* of a pixel, across and down: what follows counts these */
-    int size[2];  /* of the targets: of a tile */
-    int whole[2]; /* of the picture */
-    int at[2];    /* the targets' lower left corner in it */
-    int margin;   /* around a tile, that its edges look at */
+    int samples;  /* per pixel along each axis; the sizes below count samples */
+    int size[2];  /* size of the targets: that of a tile */
+    int whole[2]; /* size of the whole picture */
+    int at[2];    /* lower left corner of the targets in the picture */
+    int margin;   /* guard band around a tile */
     bool compute, zero_to_one;
-    const SeenText *seen_text; /* what programs of surfaces write of triangles; or NULL */
-    bool triangles;            /* something asks for those that are drawn, wherever they are made */
-    bool beside;               /* shadows ask for what is beside the view as for what is in it */
+    const SeenText *seen_text; /* outputs of surface programs that identify triangles; or NULL */
+    /* a pass needs the triangles that are drawn, even tessellated ones */
+    bool triangles;
+    bool beside; /* shadows need objects outside the view, too */
     Transparency transparency;
-    bool parted; /* lists of shadows are drawn in parts: shadow_tables.c */
+    bool parted; /* shadow lists are tiled: shadow_tables.c */
     Set set;
     ViewSpace space;
-    CullVolume volume; /* what is in view */
+    CullVolume volume; /* the view frustum */
     Cache cache;
     Screen screen;
     bool has_screen;
@@ -82,11 +84,11 @@ struct Render {
     FramePositions *positions;
     FramePicture *picture;
     FrameGlass *glass;
-    /* the scene has changed since passes counted: see FrameCount */
+    /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;
     ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */
     int retired_count;
-    Reader reader; /* of a slot that is viewed */
+    Reader reader; /* reads the slot that the view shows */
     bool has_reader;
 };
 
@@ -95,16 +97,16 @@ struct Render {
 void frame_retire(Render *render, ScreenPass *pass);
 /* Deletes all retired passes. */
 void frame_retired_delete(Render *render);
-/* Whether the frame has the target. */
+/* Reports whether the frame has the target. */
 static inline bool frame_has(const Render *render, FrameTarget target)
 {
     return render->targets.plan.there >> target & 1;
 }
-/* Whether the debug view shows what is made for shadows. */
+/* Reports whether the debug view shows shadow geometry. */
 static inline bool frame_look_has_shadows(const Render *render)
 {
     return render->look && render->look->shadows != FRAME_LOOK_none;
 }
-/* Input of the cache. */
+/* Returns the input of the cache. */
 CacheSource frame_source(const Render *render);
 #endif

@@ -1,9 +1,10 @@
-/* Needs go backwards from what is wanted; lives go forwards. */
+/* Needed targets are found backwards from the wanted ones; lifetimes and memory are assigned
+ * forwards. */
 #include "runtime/frame/frame_plan.h"
 #include <string.h>
 
-/* From the last pass to the first: one that writes what is needed behind it runs, and needs what it
- * reads. What it fills nobody needs before. */
+/* Walks from the last pass to the first. A pass that writes a needed target runs, and its inputs
+ * become needed. A target that the pass fills is no longer needed before it. */
 static unsigned find_runs(const FramePlanRequest *r)
 {
     unsigned needed = r->wanted, runs = 0;
@@ -22,8 +23,8 @@ static unsigned touched(const FramePlanPass *pass)
     return pass->reads | pass->fills | pass->changes;
 }
 
-/* The first and last pass that runs and touches a target; what is wanted lives on behind the
- * last. */
+/* Finds the first and the last running pass that touches a target. A wanted target lives past
+ * the last pass. Returns false for an unused target. */
 static bool find_life(const FramePlanRequest *r, unsigned runs, int target, int life[2])
 {
     life[0] = r->pass_count;
@@ -38,13 +39,13 @@ static bool find_life(const FramePlanRequest *r, unsigned runs, int target, int 
     return life[1] >= 0;
 }
 
-/* Holder of a piece of memory, and the last pass that uses it. */
+/* The target that occupies a piece of memory, and the last pass that uses the target there. */
 typedef struct {
     int target, last;
 } Holder;
 
-/* Free for a target that lives from the pass on: before it, or in it, as it takes what it reads
- * there from the pixel that it fills. */
+/* Reports whether a piece of memory is free for a target first written by pass `number`: its
+ * holder is dead by then, or the pass reads the holder only at the pixel that it fills. */
 static bool is_free(const FramePlanPass *pass, int number, int target, const Holder *holder)
 {
     return holder->last < number ||
@@ -52,7 +53,7 @@ static bool is_free(const FramePlanPass *pass, int number, int target, const Hol
             (pass->own & ~pass->changes) >> holder->target & pass->fills >> target & 1);
 }
 
-/* Each texture goes into the first piece of its class that is free by then. */
+/* Puts each texture into the first free piece of its class, or into a new piece. */
 static void place(const FramePlanRequest *r, FramePlan *plan, int target, const int life[2],
                   Holder *holders)
 {

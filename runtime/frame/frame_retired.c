@@ -1,5 +1,5 @@
-/* Screen passes of the previous scene, kept while the next scene is built: the store shares
- * programs of equal text, so those that both scenes use survive. */
+/* Screen passes of the previous scene, kept alive while the next scene is built: the store
+ * shares programs of equal text, so programs that both scenes use are not compiled again. */
 #include "runtime/frame/frame.h"
 
 void frame_retire(Render *render, ScreenPass *pass)

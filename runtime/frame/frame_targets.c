@@ -1,4 +1,4 @@
-/* Names and textures of a frame's targets; drawing to them; and what the cache is made of. */
+/* Names, textures and framebuffers of a frame's targets, and the input of the cache. */
 #include "runtime/frame/frame.h"
 #include <string.h>
 
@@ -22,7 +22,7 @@ static const struct {
              {"RG32UI", 8},   {"RGBA32UI", 16},         {"RGBA16UI", 8}};
 enum { DEPTH_SIZES = 2, SIZE_COUNT = sizeof sizes / sizeof *sizes };
 
-/* The format's row. */
+/* Returns the row of `sizes` for a format. */
 static int size_of(const char *format)
 {
     int i = 0;
@@ -31,8 +31,8 @@ static int size_of(const char *format)
     return i;
 }
 
-/* Class of formats that can alias: those of equal size if the driver has texture views, otherwise
- * equal formats. Depth is a class of its own. */
+/* Returns the class of formats that can share memory: formats of equal size if the driver has
+ * texture views, otherwise equal formats. Each depth format is a class of its own. */
 static int class_of(const Render *render, const char *format)
 {
     const int size = size_of(format);
@@ -44,7 +44,7 @@ static int class_of(const Render *render, const char *format)
     return first;
 }
 
-/* A target smaller than others aliases targets of its own size only. */
+/* Targets of lower resolution, and the final picture, share memory only among themselves. */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target)
 {
     const int apart = render->targets.forms[target].coarse == 1 ? 0
@@ -71,7 +71,7 @@ int frame_edge(const Render *render, FrameTarget target, int axis)
     return (render->size[axis] + coarse - 1) / coarse;
 }
 
-/* A texture of a target before it lies in the piece. */
+/* Reports whether a texture of an earlier target lies in the piece. */
 static bool is_taken(const FramePlan *plan, int target, int piece)
 {
     for (int k = 0; k < target; k++)
@@ -91,7 +91,8 @@ int frame_shared_bytes(const Render *render, FrameTarget target)
     return bytes;
 }
 
-/* Those of a target that is smaller are spread over what a pixel of it stands for. */
+/* Counts a low-resolution target per pixel of the frame: its bytes divided by the pixels that
+ * each texel covers. */
 int frame_plan_bytes(const Render *render)
 {
     int bytes = 0;
@@ -110,7 +111,7 @@ GLuint frame_texture(const Render *render, FrameTarget target, int texture)
     return render->targets.textures[target][texture];
 }
 
-/* The targets of each: colours, then the depth that is with them, or -1. */
+/* Color target of each framebuffer, and its depth target or -1. */
 static const struct {
     FrameTarget color;
     int depth;
@@ -129,7 +130,7 @@ static const struct {
     [FRAME_DRAW_mask] = {FRAME_TARGET_mask, FRAME_TARGET_depth},
     [FRAME_DRAW_shown] = {FRAME_TARGET_shown, -1}};
 
-/* Behind those of a target. */
+/* Appends a target's textures to the color attachments. */
 static void add_colors(const Render *render, FrameTarget target, FramebufferSpec *spec,
                        FramebufferTextures *textures)
 {
@@ -154,7 +155,7 @@ bool frame_make_draw(Render *render, FrameDraw draw)
     FramebufferSpec spec = {frame_edge(render, color, 0), frame_edge(render, color, 1), 0, 0, deep};
     if (!(there >> color & 1) || (deep && !(there >> depth & 1)) ||
         (draw == FRAME_DRAW_seen && !(there >> FRAME_TARGET_seen & 1)))
-        return true; /* nobody draws there */
+        return true; /* no pass draws there */
     add_colors(render, color, &spec, &textures);
     if (draw == FRAME_DRAW_seen)
         add_colors(render, FRAME_TARGET_seen, &spec, &textures);
@@ -172,8 +173,8 @@ static bool casts(const Render *render)
     return render->scene && !render->options.no_shadows && scene_casts(render->scene);
 }
 
-/* The camera alone looks at the scene: indirect light and some shadows ask for what is beside the
- * view. */
+/* Reports whether only the camera reads the scene: indirect light and some shadows also need
+ * objects outside the view. */
 static bool is_alone(const Render *render)
 {
     return render->scene && !scene_indirect_is(render->scene) && !(casts(render) && render->beside);

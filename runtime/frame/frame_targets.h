@@ -1,5 +1,4 @@
-/* The targets of a frame: their names, what is drawn to together, and the memory that they
- * share. */
+/* The targets of a frame: their names, their framebuffers, and the memory that they share. */
 #ifndef MATC_FRAME_FRAME_TARGETS_H
 #define MATC_FRAME_FRAME_TARGETS_H
 #include "runtime/frame/frame_plan.h"
@@ -9,35 +8,36 @@
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
-    FRAME_TARGET_traced,    /* which patch a ray met, and where: a pixel of cache_trace.h */
-    FRAME_TARGET_shadow,    /* maps of their own size: pass_shadow.c has them */
-    FRAME_TARGET_voxels,    /* of their own size, too: pass_voxels.c */
-    FRAME_TARGET_cubes,     /* a view of them */
-    FRAME_TARGET_positions, /* a view of depth as a mesh */
-    FRAME_TARGET_radiance,  /* buffers: pass_radiance.c */
-    FRAME_TARGET_seen,      /* numbers of triangles, or how steep they are */
-    FRAME_TARGET_lists,     /* no texture, but a buffer */
-    FRAME_TARGET_far,       /* the same: what the pass gather sums */
+    /* ray-marched displacement: patch and position of a hit, a pixel of cache_trace.h */
+    FRAME_TARGET_traced,
+    FRAME_TARGET_shadow,    /* shadow maps, of their own sizes: pass_shadow.c owns them */
+    FRAME_TARGET_voxels,    /* voxel grid, of its own size: pass_voxels.c owns it */
+    FRAME_TARGET_cubes,     /* view of the voxels */
+    FRAME_TARGET_positions, /* view of the depth buffer as a mesh */
+    FRAME_TARGET_radiance,  /* radiance cache, in buffers: pass_radiance.c owns them */
+    FRAME_TARGET_seen,      /* triangle ids, or slopes of triangles */
+    FRAME_TARGET_lists,     /* per-pixel linked lists, in a buffer */
+    FRAME_TARGET_far,       /* far-field light in a buffer: sums of the pass gather */
     FRAME_TARGET_light,
-    FRAME_TARGET_rays,    /* the same, of the pixels for which rays go out */
-    FRAME_TARGET_history, /* of its own: pass_history.c */
-    FRAME_TARGET_smooth,  /* smoothed along rows */
-    FRAME_TARGET_open,    /* openness and indirect light */
+    FRAME_TARGET_rays,    /* as `open`, at the resolution of the rays */
+    FRAME_TARGET_history, /* temporal accumulation: pass_history.c owns its textures */
+    FRAME_TARGET_smooth,  /* denoised along rows */
+    FRAME_TARGET_open,    /* ambient occlusion and indirect light */
     FRAME_TARGET_edge,
-    FRAME_TARGET_mask,  /* a bit for each light whose shadows are counted: it is kept off */
-    FRAME_TARGET_layer, /* a G-buffer of transparent fragments */
+    FRAME_TARGET_mask,  /* a bit per light with shadow volumes: set where it is occluded */
+    FRAME_TARGET_layer, /* G-buffer of one layer of transparent fragments */
     FRAME_TARGET_layer_depth,
-    FRAME_TARGET_layer_keys, /* of two layers */
-    FRAME_TARGET_tools,      /* their colours, as they are seen through what is before them */
+    FRAME_TARGET_layer_keys, /* sort keys of two layers */
+    FRAME_TARGET_tools,      /* colors of the tools, dimmed by the surfaces before them */
     FRAME_TARGET_shown,
     FRAME_TARGET_COUNT
 } FrameTarget;
 
-/* Textures that are drawn to together. */
+/* Framebuffers: sets of targets that are drawn to together. */
 typedef enum {
     FRAME_DRAW_surface, /* G-buffer and depth */
-    FRAME_DRAW_seen,    /* the same and what is seen */
-    FRAME_DRAW_traced,  /* what rays meet, and depth */
+    FRAME_DRAW_seen,    /* G-buffer, depth and triangle ids */
+    FRAME_DRAW_traced,  /* ray-marched hits and depth */
     FRAME_DRAW_sky,     /* light and depth */
     FRAME_DRAW_cubes,
     FRAME_DRAW_positions,
@@ -51,16 +51,17 @@ typedef enum {
     FRAME_DRAW_COUNT
 } FrameDraw;
 
-/* A piece of the targets' memory: as the first target that lies in it sees it. */
+/* A piece of memory that targets share: the texture and format of the first target that uses the
+ * piece. */
 typedef struct {
     GLuint texture;
     const char *format;
 } FrameMemory;
 
-/* Textures of a target. */
+/* Formats and resolution of a target's textures. */
 typedef struct {
-    const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL behind the last */
-    /* pixels of the frame along an edge of one of its own */
+    const char *formats[FRAME_PLAN_TEXTURES + 1]; /* "RGBA16F"; NULL ends the list */
+    /* Resolution divisor per axis. */
     int coarse;
 } FrameForm;
 
@@ -68,29 +69,30 @@ typedef struct {
     FrameForm forms[FRAME_TARGET_COUNT];
     FramePlan plan;
     FrameMemory memory[FRAME_PLAN_PIECES];
-    /* of targets: the memory's, or views of these */
+    /* Textures of each target: those of `memory`, or views of them. */
     GLuint textures[FRAME_TARGET_COUNT][FRAMEBUFFER_COLORS];
     Framebuffer draws[FRAME_DRAW_COUNT];
 } FrameTargets;
 
-/* The format of a target's texture, "RGBA16F"; NULL: it has no such texture. */
+/* Returns the format of a target's texture, such as "RGBA16F"; NULL if the target has no texture
+ * of that number. */
 const char *frame_format(const Render *render, FrameTarget target, int texture);
-int frame_bytes(const Render *render, FrameTarget target); /* of a pixel */
-/* of its textures: the picture has no samples */
+int frame_bytes(const Render *render, FrameTarget target); /* per pixel */
+/* Size of the target's textures along an axis, in texels. */
 int frame_edge(const Render *render, FrameTarget target, int axis);
-/* of these, in memory of targets before it */
+/* Bytes per pixel of the target that lie in memory of earlier targets. */
 int frame_shared_bytes(const Render *render, FrameTarget target);
-/* of a pixel, in all of these */
+/* Bytes per pixel of all targets, shared memory counted once. */
 int frame_plan_bytes(const Render *render);
-/* How textures of a target can share memory. */
+/* Returns the target's textures and their memory classes for frame_plan(). */
 FramePlanTarget frame_plan_target(const Render *render, FrameTarget target);
 const char *frame_target_name(FrameTarget target);
 
-/* The texture of a target, and its number among those that are there together. */
+/* Returns texture number `texture` of a target. */
 GLuint frame_texture(const Render *render, FrameTarget target, int texture);
 
-/* Makes what draws to targets that are there. */
+/* Makes a framebuffer of targets that exist; does nothing if one of them is missing. */
 bool frame_make_draw(Render *render, FrameDraw draw);
-/* Draws to these targets from now on, by the picture's coordinates. */
+/* Binds a framebuffer and sets the viewport to the coordinates of the whole picture. */
 void frame_use(const Render *render, const Framebuffer *framebuffer);
 #endif

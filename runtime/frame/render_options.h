@@ -6,59 +6,62 @@
 
 typedef struct Render Render;
 
-/* Antialiasing of edges: coverage blends both sides of outlines, creases and horizons by their
- * shares of a pixel. */
+/* Antialiasing of edges: coverage blends both sides of outlines, creases and horizons by the
+ * share of the pixel that each covers. */
 typedef enum { RENDER_EDGES_none, RENDER_EDGES_coverage } RenderEdges;
 
 enum {
     RENDER_MEMORY = 256 << 20,
-    RENDER_TILE_LEAST = 16, /* rows of a tile, however little memory there may be */
+    RENDER_TILE_LEAST = 16, /* min rows of a tile, however small the memory */
     RENDER_SAMPLES_MOST = 8
 };
 
 typedef struct {
-    /* how programs compute; layout NULL: the smallest that holds the scene's materials; normals are
-     * kept in the eye's space, whatever is chosen. Copied */
+    /* How programs compute. A NULL layout selects the smallest that holds the scene's materials;
+     * normals are always stored in eye space. Copied. */
     const MatcOptions *compile;
-    /* what is read: "shown", the picture (NULL), "light", "depth", or a slot: "normal", ...;
-     * "shadow": nothing is, but maps (render_read_map). The picture with objects as lines:
-     * "wireframe"; with shadow volumes: "volume", "volumeWireframe", "wireframes",
-     * both as lines; these alone: "volumeAlone", "volumeWireframeAlone" */
+    /* The result to read: "shown", the picture (NULL); "light"; "depth"; or a slot such as
+     * "normal". "shadow" draws only shadow maps (render_read_map). "wireframe" is the picture
+     * with objects as lines. Debug views of shadow volumes: "volume" and "volumeWireframe" add
+     * them to the picture; "wireframes" draws both as lines; "volumeAlone" and
+     * "volumeWireframeAlone" omit the objects. */
     const char *view;
-    int width, height; /* of the picture; 0: as the scene says */
-    int samples;       /* n: a pixel is the mean of n x n samples, as a screen sends light; 0: 1 */
-    bool deep;         /* light is kept as floats, and the picture as 16 bits a lane */
-    /* the picture is light: linear, without exposure, tone mapping or an upper limit */
+    int width, height; /* of the picture; 0: the scene's size */
+    int samples;       /* n: a pixel is the mean of n x n samples, taken in linear light; 0: 1 */
+    /* light is stored as 32-bit floats, the picture with 16 bits per component */
+    bool deep;
+    /* The picture is linear radiance, without exposure, tone mapping or an upper limit. */
     bool linear;
-    RenderEdges edges; /* of the picture; coverage takes OpenGL 4.3 */
-    /* bytes that targets may take, 0: RENDER_MEMORY; a picture that takes more is drawn in tiles */
+    RenderEdges edges; /* of the picture; coverage needs OpenGL 4.3 */
+    /* Max bytes of targets; 0: RENDER_MEMORY. A picture that needs more is drawn in tiles. */
     size_t memory;
-    int tile[2];     /* at most so many pixels at once; 0: as many as the memory holds */
-    bool no_shadows; /* no light casts any */
-    /* "lists", "peeling", or "auto" (NULL): lists where there are some, and room for them */
+    int tile[2];     /* max size of a tile in pixels; 0: what fits into `memory` */
+    bool no_shadows; /* disables all shadows */
+    /* "lists" (per-pixel linked lists), "peeling" (depth peeling), or "auto" (NULL): lists if
+     * the driver supports them and their memory suffices. */
     const char *transparency;
-    /* "all": each light is summed at each pixel; "bounded": far ones together, within a bound that
-     * holds for the picture as it is shown with 8 bits, or for light as halves (light_bound.c says
-     * for which tone mappings); "auto" (NULL): that, where lights are many and that is the
-     * picture */
+    /* "all": sums each light at each pixel. "bounded": sums distant lights together, within an
+     * error bound that holds for the picture with 8 bits, or for light as half floats
+     * (light_bound.c lists the tone mappings). "auto" (NULL): "bounded" if the scene has many
+     * lights and the picture is of that kind. */
     const char *lights;
-    /* that lists may take at most; 0: 1 GiB, or what the driver gives a buffer */
+    /* Max bytes of linked lists; 0: 1 GiB, or the driver's limit of a buffer. */
     size_t list_bytes;
-    /* surfaces are drawn as if all were opaque: a view of a slot has the nearest */
+    /* Draws all surfaces as opaque: a view of a slot shows the nearest surface. */
     bool opaque;
-    /* passes over all pixels are fragment programs, also where there is compute */
+    /* Full-screen passes are fragment programs even if compute programs are supported. */
     bool fragment;
-    const SurfaceModel *surface; /* of all materials; NULL: what the layout says */
-    bool unculled;               /* what is out of view is drawn, too: for tests */
+    const SurfaceModel *surface; /* BRDF of all materials; NULL: the layout's */
+    bool unculled;               /* disables frustum culling: for tests */
 } RenderOptions;
 
-/* Parts of the scene that the caller may change in place. No program, picture, mesh or target is
- * made for it. */
+/* Parts of the scene that the caller may change in place, without a rebuild of programs,
+ * textures, meshes or targets. */
 typedef enum {
-    RENDER_CAMERA = 1, /* all of it */
-    /* of their numbers none is fixed. Of another kind, with other shadows, or more or fewer: what
-     * is made of the scene is made anew */
+    RENDER_CAMERA = 1, /* all its properties */
+    /* All numbers of lights. A change of kind, shadow technique or number of lights rebuilds the
+     * scene's resources. */
     RENDER_LIGHTS = 2,
-    RENDER_TIME = 4 /* that materials go by; meshes that are displaced stay as they are */
+    RENDER_TIME = 4 /* the time that materials read; displaced meshes keep their shape */
 } RenderChange;
 #endif

@@ -1,5 +1,5 @@
-/* How surfaces are drawn, for the passes that rasterise: the state of the context; the cache's
- * objects, as the view has them; planes. */
+/* Drawing of surfaces for the rasterizing passes: context state, the cache's objects in the
+ * view's style, and infinite planes. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
 

@@ -4,7 +4,7 @@
 #include "runtime/frame/transparency_draw.h"
 #include <string.h>
 
-/* The most memory of a buffer of fragments: the driver's, or this. */
+/* Max bytes of a buffer of fragments, unless the driver's limit is lower. */
 enum { LISTS_MOST = 1 << 30 };
 
 static bool is_there(const Cache *cache)

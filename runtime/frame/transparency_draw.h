@@ -1,20 +1,22 @@
-/* How what is transparent is drawn: the choice, and what it takes. */
+/* Choice of the technique for transparent surfaces: per-pixel linked lists or depth peeling. */
 #ifndef MATC_FRAME_TRANSPARENCY_DRAW_H
 #define MATC_FRAME_TRANSPARENCY_DRAW_H
 #include "runtime/frame/frame.h"
 
-/* The choice can be met. False: see the context's error. */
+/* Checks that the driver supports the chosen technique. Returns false with a reason in the
+ * context's error. */
 bool transparency_check(GlContext *gl, const RenderOptions *options);
-/* Lists, if nothing else is wanted, and there are some. */
+/* Returns the technique to try first: lists, unless the options ask for peeling or the driver
+ * lacks them. */
 Transparency transparency_first(const Render *render);
 bool transparency_has_lists(const GlContext *gl);
-/* Greatest size of a buffer of fragments. */
+/* Max bytes of a buffer of fragments. */
 size_t transparency_most_bytes(const Render *render);
-/* Something is transparent, and that is how it is drawn. */
+/* Reports whether the scene has transparent surfaces and draws them by the technique `way`. */
 bool transparency_is(const Render *render, Transparency way);
-/* Sets a number of all programs of what is transparent. */
+/* Sets a uniform of all programs of transparent surfaces. */
 void transparency_set(Render *render, const char *name, float number);
-/* The last units that the driver has, for textures of the passes, number 0 and 1. False: a material
- * takes them. */
+/* Returns the driver's last two texture units, for textures of the passes. False if a material
+ * already uses them; see the context's error. */
 bool transparency_units(Render *render, int units[2]);
 #endif
