@@ -1,4 +1,5 @@
-/* The list of methods of indirect light, the choice among them, and the method in words. */
+/* The list of methods of indirect light, the choice among them, and the method's description for
+ * --stats. */
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -6,13 +7,13 @@
 extern const IndirectMethod indirect_hybrid, indirect_voxels, indirect_screen, indirect_march,
     indirect_points;
 
-/* `auto` takes the first that is possible. */
+/* `auto` selects the first possible method. */
 static const IndirectMethod *const methods[] = {
     &indirect_hybrid, &indirect_voxels, &indirect_screen, &indirect_march, &indirect_points,
 };
 enum { METHODS = sizeof methods / sizeof *methods };
 
-/* Works before the cache is made. */
+/* Looks at the scene alone, so that the cache need not exist yet. */
 static bool has_objects(const Scene *scene)
 {
     int i = 0;

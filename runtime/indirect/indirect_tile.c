@@ -1,5 +1,5 @@
-/* How far around a tile indirect light looks at what the picture shows, so that a tile with so much
- * around it has what the whole picture has. */
+/* Guard band of indirect light: how many pixels around a tile its rays and filters read, so that
+ * the tile equals its part of the whole picture. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -7,10 +7,10 @@
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 
-/* Pixels of a margin: beyond that a picture is drawn at once. */
+/* Max guard band in pixels; a picture that needs more is not tiled. */
 enum { MARGIN_MOST = 192, AT_ONCE = -1 };
 
-/* How far rays are followed through the picture, or take light from it, in the world's units. */
+/* Max length of a ray in screen space, or whose hit takes light from the screen; in world units. */
 static double reach_of(const Render *render)
 {
     const unsigned reads = indirect_method(render)->reads;
@@ -20,8 +20,8 @@ static double reach_of(const Render *render)
     return picture ? voxel_grid_radius(render->scene, &render->cache) : 0;
 }
 
-/* The least distance of an object from the eye, along the way in which it looks: of the corners of
- * a box around all. */
+/* Returns the min distance of the scene from the eye along the viewing direction, over the
+ * corners of the voxel grid. */
 static double nearest_of(const Render *render)
 {
     const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
@@ -36,9 +36,9 @@ static double nearest_of(const Render *render)
     return nearest;
 }
 
-/* Greatest length in pixels of a ray of length `reach` from a visible surface: at a distance of d,
- * with s the slope of the ray to the picture's corner, an end is seen up to (1 + s) reach / (d -
- * reach) from the origin. Infinite: the surface may be too near. */
+/* Returns the max length in pixels of a ray of length `reach` from a visible surface. At a
+ * distance of d, with s the slope of the ray to the picture's corner, the ray's end is projected
+ * up to (1 + s) reach / (d - reach) from its origin. Infinite if the surface may be too near. */
 static double pixels_of(const Render *render, double reach)
 {
     const float *ray = render->space.ray;
@@ -51,8 +51,8 @@ static double pixels_of(const Render *render, double reach)
     return nearest > 2 * reach ? (1 + slope) * reach / (nearest - reach) / width : INFINITY;
 }
 
-/* Nothing continues from tile to tile or from frame to frame, or depends on one place of the
- * picture. */
+/* Reports whether the picture has to be drawn at once: a result continues from tile to tile or
+ * from frame to frame, or depends on one point of the picture. */
 static bool is_whole(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
@@ -64,7 +64,7 @@ static bool is_whole(const Render *render)
 
 int indirect_margin(const Render *render)
 {
-    const double off = 2; /* rays begin beside their pixel's middle */
+    const double off = 2; /* rays begin off their pixel's center */
     const double reach = reach_of(render),
                  pixels = is_whole(render) ? INFINITY : pixels_of(render, reach);
     const double margin = ceil(pixels + (reach > 0 ? off : 0)) + pass_smooth_reach(render);

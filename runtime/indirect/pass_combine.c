@@ -1,5 +1,5 @@
-/* The pass combine: over the light that comes from lights with a place, that from all around,
- * dimmed, and indirect light. Its GLSL is pass_combine.glsl, behind lighting.glsl. */
+/* The pass combine: adds ambient light, multiplied by ambient occlusion, and indirect light to
+ * the direct light. Its GLSL is pass_combine.glsl, after lighting.glsl. */
 #include "gen/render_text.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/indirect_methods.h"

@@ -1,6 +1,6 @@
-// The pass combine: what is lit by lights that have a place gets light from all around, as far as
-// its surroundings let it through, and light that comes by way of these. Before it stands
-// lighting.glsl.
+// The pass combine: adds ambient light, multiplied by ambient occlusion, and indirect light to
+// surfaces lit by direct light. With INDIRECT_DIMS direct light is multiplied by ambient occlusion,
+// too. Preceded by lighting.glsl.
 uniform sampler2D light_depth, indirect_open;
 uniform float indirect_gain;
 
@@ -15,5 +15,6 @@ vec3 passOver(ivec2 pixel, out vec3 through)
     through = vec3(seen.w);
 #endif
     vec3 light = seen.w * lightAround(surface) + indirect_gain * surfaceEven(surface.m) * seen.xyz;
-    return max(light, vec3(0.0)); // what is beside openness may be less than 0 (indirect_around.glsl)
+    // the term that indirect_around.glsl adds to ambient occlusion may be negative
+    return max(light, vec3(0.0));
 }

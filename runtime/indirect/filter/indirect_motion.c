@@ -1,6 +1,6 @@
-/* Motion vectors of objects since rays were kept. A scene that keeps rays stores each object's
- * matrix; objects that moved are drawn once more where they are visible, as numbers of their
- * motions. If nothing moves, none of this runs. */
+/* Motion vectors of objects since the last accumulated frame. A scene that accumulates frames
+ * stores each object's matrix; visible objects that moved are drawn once more, as motion ids. If
+ * nothing moves, none of this code runs. */
 #include "runtime/indirect/filter/indirect_motion.h"
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { DEPTH_UNIT = 0 /* where samplers look that nobody told */ };
+enum { DEPTH_UNIT = 0 /* the unit of samplers that are not set */ };
 
 static bool make_number(Render *render, IndirectMotion *motion)
 {
@@ -77,7 +77,8 @@ static bool meet(const VoxelRange *a, const VoxelRange *b)
     return true;
 }
 
-/* Into the first box that it meets, or one of its own; into the last one where there is no room. */
+/* Merges a box into the first box that overlaps it, or appends it; into the last box if the
+ * array is full. */
 static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
 {
     int i = 0;
@@ -94,7 +95,7 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
     }
 }
 
-/* Planes have no end. */
+/* Returns the bounding box of an object in world space; that of a plane is infinite. */
 static VoxelRange range_of(const Render *render, int object, const SceneMatrix *matrix)
 {
     const int place = render->cache.place_of[object];
@@ -117,7 +118,7 @@ static void put_boxes(const VoxelRange *boxes, int count, float (*block)[4])
 
 /* -- motions */
 
-/* Step of a box's center from one matrix to another, rotated into eye space. */
+/* Translation of a box's center from one matrix to another, rotated into eye space. */
 static void put_step(const double eye[16], const CullBox *box, const SceneMatrix *from,
                      const SceneMatrix *to, float step[4])
 {
@@ -131,8 +132,8 @@ static void put_step(const double eye[16], const CullBox *box, const SceneMatrix
         step[k] = (float)(eye[k] * world[0] + eye[4 + k] * world[1] + eye[8 + k] * world[2]);
 }
 
-/* was_eye_from_world * was_world_from_local * local_from_world * world_from_eye. False: nothing
- * leads back to where it was. */
+/* columns = was_eye_from_world * was_world_from_local * local_from_world * world_from_eye.
+ * Returns false if a matrix has no inverse. */
 static bool find_motion(const Render *render, const double was[16], int object, float (*columns)[4])
 {
     SceneMatrix before, eye, local_from_world, world_from_eye;
@@ -163,8 +164,8 @@ static void draw_number(Render *render, int object, int number)
     mesh_draw(render->gl, &render->cache.meshes[place->mesh]);
 }
 
-/* An object that is seen: as the next number, or as the one behind the last, of which no motion is
- * known. */
+/* Draws a visible object's motion id: the next one, or, if its motion cannot be stored, the id
+ * one past the last, which marks an unknown motion. */
 static void number_object(Render *render, const double was[16], int object, float (*block)[4])
 {
     const int next = (int)block[HISTORY_COUNTS][1], place = render->cache.place_of[object];
@@ -189,7 +190,7 @@ static bool has_moved(const Render *render, int object)
                   &render->scene->objects[object].world_from_local, sizeof(SceneMatrix)) != 0;
 }
 
-/* The target; all 0. */
+/* Makes the target of motion ids on first use, and clears it. */
 static bool begin(Render *render, IndirectMotion *motion)
 {
     static const GLuint none[4];
@@ -215,7 +216,7 @@ bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4
         if (!has_moved(render, i))
             continue;
         if (!count && !begin(render, motion)) {
-            boxes[count++] = everywhere; /* where nothing is known, nothing is trusted */
+            boxes[count++] = everywhere; /* without motion ids all history is suspect */
             break;
         }
         const VoxelRange then = range_of(render, i, &motion->kept[i]);

@@ -1,6 +1,6 @@
-// Objects that moved since rays were kept, drawn where they are visible: the number of their motion
-// in the block History, from 1 on. Vertices are shadow_depth.glsl's; a pixel is visible if it has
-// the depth that the surfaces' own programs left, up to rounding.
+// Draws the visible pixels of a moved object: the id of its motion in the block History, from 1 on.
+// The vertex program is shadow_depth.glsl; a fragment is visible if its depth equals that of the
+// surface's own program, up to rounding.
 uniform sampler2D motion_depth;
 uniform float motion_number;
 layout(location = 0) out uint motion_seen;

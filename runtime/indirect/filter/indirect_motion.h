@@ -1,18 +1,19 @@
-/* Motion since rays were kept: previous positions, and the boxes around objects, then and now. */
+/* Motion of objects since the last accumulated frame: previous positions, and bounding boxes of
+ * moved objects before and after. */
 #ifndef MATC_INDIRECT_INDIRECT_MOTION_H
 #define MATC_INDIRECT_INDIRECT_MOTION_H
 #include "runtime/indirect/settings/indirect_state.h"
 #include "gen/history_layout.h"
 #include "runtime/frame/render_options.h"
 
-/* False: memory ran out, or see the context's error. */
+/* Returns false if memory runs out; see the context's error. */
 bool indirect_motion_make(Render *render);
 void indirect_motion_delete(Render *render);
-/* So many objects stand elsewhere. */
+/* Records that `count` objects from `first` on may have moved. */
 void indirect_motion_add(Render *render, int first, int count);
-/* Draws what moved since, and fills counts, boxes, steps and motions of the block History. `was` is
- * the eye space of the history. False: nothing moved. */
+/* Draws the ids of moved objects, and fills counts, boxes, steps and motions of the block
+ * History. `was` is the eye space of the previous frame. Returns false if nothing moved. */
 bool indirect_motion_draw(Render *render, const double was[16], float (*block)[4]);
-/* The rays kept now belong to the objects' current positions. */
+/* Stores the objects' current matrices as those of the accumulated samples. */
 void indirect_motion_end(Render *render);
 #endif

@@ -1,6 +1,6 @@
-/* The pass history: temporal accumulation of the rays' results, in targets of its own, two of each
- * in turns, with rejection of samples of other surfaces. Its GLSL is pass_history.glsl, behind
- * indirect_place.glsl. */
+/* The pass history: temporal accumulation of the rays' results, with rejection of samples of
+ * other surfaces. Its targets are two of each kind, which swap every frame. Its GLSL is
+ * pass_history.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/filter/indirect_motion.h"
@@ -73,8 +73,8 @@ static void put_product(const double a[16], const double b[16], float made[4][4]
         }
 }
 
-/* How far around what moved openness may be another, in the world's units: as far as rays go, and a
- * voxel's diagonal. */
+/* Returns the distance from a moved object, in world units, within which ambient occlusion may
+ * change: the length of a ray plus two voxels. */
 static double reach_of(const Render *render)
 {
     const double voxel =
@@ -84,13 +84,13 @@ static double reach_of(const Render *render)
 
 static unsigned doubts_of(const Render *render)
 {
-    /* what the picture shows is another from each place */
+    /* screen-space hits change with every move of the camera */
     const bool shown = !indirect_reads_radiance(render);
     return render->indirect->history.doubts |
            (shown ? INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness : 0);
 }
 
-/* Returns the elements to write: what moved lies at the end. */
+/* Returns the number of elements to write: data of moved objects is at the end. */
 static int fill_block(Render *render, float (*block)[4])
 {
     static const double one[16] = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
@@ -113,7 +113,7 @@ static int fill_block(Render *render, float (*block)[4])
     return moved ? HISTORY_ALL : HISTORY_COUNTS + 1;
 }
 
-/* One set of rays more. */
+/* Adds one set of rays to the means. */
 static void blend(Render *render)
 {
     IndirectHistory *history = &render->indirect->history;
@@ -140,9 +140,9 @@ static void blend(Render *render)
     indirect_motion_end(render);
 }
 
-/* How far b is off, the mean of twice as many sets of rays as a: the second half's mean is 2 b - a,
- * so b - a is half of what two means differ by that have nothing to do with each other, and that is
- * about what the mean of both is off. */
+/* Estimates the error of the mean b, which has twice as many sets of rays as a. The mean of the
+ * second half alone is 2 b - a, so b - a is half the difference of two independent means, and
+ * that is about the error of their common mean. */
 static double difference(const float *a, const float *b, size_t pixels)
 {
     double sum = 0;
@@ -152,7 +152,8 @@ static double difference(const float *a, const float *b, size_t pixels)
     return sqrt(sum / (double)pixels);
 }
 
-/* Asked when there are 1, 2, 4, ... sets: openness is as exact as is wanted. */
+/* Reports whether ambient occlusion has reached the wanted error. Called after 1, 2, 4, ...
+ * sets. */
 static bool is_exact(Render *render, float *means[2])
 {
     IndirectHistory *history = &render->indirect->history;

@@ -1,19 +1,20 @@
-// The pass history: what rays found, with what they found in frames before, as the mean over both.
-// Where the point of a pixel was seen before says the view of that frame; what is there counts if
-// it is the same surface, by its distance off the tangent plane and by its normal, and as much as
-// it is made of sets of rays. Behind indirect_place.glsl.
+// The pass history: temporal accumulation. Each pixel's point is reprojected into the previous
+// frame. A sample there counts if it shows the same surface, by its distance from the tangent plane
+// and by its normal. It is weighted by the number of its sets of rays. Preceded by
+// indirect_place.glsl.
 //
-// A pixel of an object that moved is looked up where the object's point was, as the picture's
-// numbers of motions say.
+// A pixel of a moved object is looked up where the object's point was, by its motion id.
 //
 // A moving occluder or lamp leaves stale samples on surfaces that did not change themselves.
 // Ambient occlusion can change only where a ray reaches a moved object's bounding box, at its old
 // or new position; there, and where indirect light can change, kept samples are clamped to the
 // neighborhood of the pixel's current rays.
 uniform sampler2D history_rays;   // of this frame
-uniform sampler2D history_values; // kept: the same, as means
-uniform sampler2D history_places; // x: distance from the eye, along its axis; y: sets of rays; zw: the normal
-uniform usampler2D history_moved; // 0, or the number of a motion, from 1 on; more than there are: by one that is not known
+uniform sampler2D history_values; // accumulated means
+// x: distance from the eye along the view axis; y: number of sets; zw: the normal
+uniform sampler2D history_places;
+// 0, or a motion id, from 1 on; an id past the last: the motion is unknown
+uniform usampler2D history_moved;
 layout(std140) uniform History {
 #include "history.layout.def"
 };
@@ -25,8 +26,8 @@ struct HistoryKept {
     float sets;
 };
 
-// A unit vector as two numbers, and back: the octahedron |x| + |y| + |z| = 1, unfolded to a square
-// (Meyer et al. 2010).
+// Encodes a unit vector as two numbers, and decodes them: octahedral mapping, |x| + |y| + |z| = 1
+// unfolded to a square (Meyer et al. 2010).
 vec2 historyPack(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);
@@ -40,8 +41,9 @@ vec3 historyUnpack(vec2 p)
     return normalize(n);
 }
 
-// Kept samples of a point that was there, with that normal, in the previous eye space: interpolated
-// between the pixels nearest to its reprojection. No sets: rejection, the surface differs.
+// Returns the history of a point `was` with normal `turned`, in the previous eye space: bilinear
+// interpolation over the four pixels nearest to its reprojection. Zero sets: rejected, since the
+// surface differs.
 HistoryKept historyAt(vec3 was, vec3 turned)
 {
     HistoryKept kept = HistoryKept(vec4(0.0), 0.0);
@@ -69,9 +71,10 @@ HistoryKept historyAt(vec3 was, vec3 turned)
     return HistoryKept(kept.value / sum, kept.sets / sum);
 }
 
-// Temporal reprojection of a pixel. Incoming light depends on a surface's position and normal more
-// than on which surface it is: for an object that rotates, samples are looked up where its center
-// was, as if it did not rotate, and only if that shows another surface at the very point.
+// Temporal reprojection of a pixel. Incoming light depends more on a surface's position and normal
+// than on the surface. So samples of a moved object are first looked up as if it had only been
+// translated with its center. Its exact motion, with rotation, is tried only if that lookup is
+// rejected.
 HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
 {
     if (history_limits.y == 0.0) return HistoryKept(vec4(0.0), 0.0);
@@ -83,14 +86,14 @@ HistoryKept historyFind(ivec2 at, vec3 point, vec3 normal)
     if (number == 0) return historyAt(was, turned);
     HistoryKept kept = historyAt(was + history_steps[number - 1].xyz, turned);
     if (kept.sets > 0.0) return kept;
-    // Normals go by the matrix of cofactors, which is the inverse's transpose but for a factor.
+    // Normals transform by the cofactor matrix, the inverse transpose up to a factor.
     mat4 motion = HISTORY_MATRIX(history_motions, 4 * number - 4);
     vec3 c0 = motion[0].xyz, c1 = motion[1].xyz, c2 = motion[2].xyz;
     turned = sign(dot(c0, cross(c1, c2))) * normalize(mat3(cross(c1, c2), cross(c2, c0), cross(c0, c1)) * normal);
     return historyAt((motion * vec4(point, 1.0)).xyz, turned);
 }
 
-// A ray of the point may reach what moved.
+// Reports whether a ray from the point may reach a moved object.
 bool historyIsNear(vec3 point)
 {
     vec3 world = (HISTORY_MATRIX(history_world, 0) * vec4(point, 1.0)).xyz;
@@ -101,10 +104,10 @@ bool historyIsNear(vec3 point)
     return false;
 }
 
-// Clamps history by a neighborhood of 4 x 4 pixels that show the tangent plane to within their
-// distance: their mean has an error of a fourth of their deviation if they are independent, and
-// less if they share one net of rays. Kept samples are clamped to within 1.5 of that, and weigh the
-// less the farther they were off.
+// Clamps history to a neighborhood of 4 x 4 pixels that lie on the tangent plane. Their mean has an
+// error of a fourth of their standard deviation if they are independent, and less if they share one
+// low-discrepancy net. Samples are clamped to the mean within 1.5 of that error; their weight falls
+// with the distance by which they were outside.
 void historyLimit(inout HistoryKept kept, ivec2 at, vec3 point, vec3 normal)
 {
     bvec2 doubt = greaterThan(history_doubts.xy, vec2(0.0));

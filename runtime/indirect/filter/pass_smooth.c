@@ -1,6 +1,6 @@
-/* The passes smooth and spread: what rays found, as means over pixels of the same surface: along
- * rows, then along columns, for all pixels of the picture. Their GLSL is pass_smooth.glsl, behind
- * indirect_place.glsl. */
+/* The passes smooth and spread: denoise the rays' results, as means over pixels of the same
+ * surface. Smooth filters along rows; spread filters along columns and upsamples to all pixels
+ * of the picture. Their GLSL is pass_smooth.glsl, after indirect_place.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -8,9 +8,9 @@
 
 enum { SOURCE_UNIT = INDIRECT_FREE_UNIT, FOUND_UNIT };
 
-/* The filter `atrous` goes to and fro between the targets smooth and open, or a part of that, and
- * ends in open where rays go out for all pixels: after an even number of levels; else in smooth,
- * which is then spread. */
+/* The à-trous filter alternates between the targets smooth and open, or a part of open. At full
+ * resolution it takes an even number of levels and ends in open; otherwise it ends in smooth,
+ * which is then upsampled. */
 static bool is_atrous(const Render *render)
 {
     return render->scene->indirect.filter == WORD_Filter_atrous && !indirect_moves(render);
@@ -21,7 +21,8 @@ static bool is_spread(const Render *render)
     return !is_atrous(render) || indirect_coarse(render) > 1;
 }
 
-/* Two levels reach 6 pixels, four 30; of wider ones one reaches 2, three 14. */
+/* Number of à-trous levels. At full resolution two levels reach 6 pixels and four reach 30; at
+ * lower resolution one level reaches 2 pixels and three reach 14. */
 static int atrous_levels(const Render *render)
 {
     const int narrow = 6, odd = indirect_coarse(render) > 1;
@@ -59,7 +60,7 @@ static bool make(Render *render, bool spread, int coarse, ScreenPass *pass)
     return true;
 }
 
-/* The part of a target that wider pixels take. */
+/* Makes a framebuffer of the part of a target that a lower resolution uses. */
 static bool make_part(Render *render, FrameTarget target, int coarse, Framebuffer *made)
 {
     const FramebufferSpec spec = {.width = (render->size[0] + coarse - 1) / coarse,
@@ -89,7 +90,7 @@ static bool pass_spread_make(Render *render)
            (!is_spread(render) || make(render, true, coarse, &render->indirect->spread));
 }
 
-/* Texture with the rays' results. */
+/* Returns the texture with the rays' results, accumulated if frames accumulate. */
 static GLuint found(const Render *render)
 {
     return indirect_keeps(render) && !indirect_moves(render)
@@ -138,8 +139,8 @@ static void spread(Render *render)
             frame_texture(render, FRAME_TARGET_smooth, 0), &render->targets.draws[FRAME_DRAW_open]);
 }
 
-/* Then all three once more for each further bounce: light that surfaces send is then that of lights
- * and of the bounces before. */
+/* Denoises, then repeats all three passes for each further bounce: surfaces then reflect the
+ * light of lamps and of the bounces before. */
 static void pass_spread_draw(Render *render)
 {
     spread(render);
@@ -155,7 +156,8 @@ static void pass_smooth_request(const Render *render, FramePlanPass *row)
     row->reads |= indirect_keeps(render) ? FRAME_BIT(history) : 0;
 }
 
-/* The à-trous denoiser reads the rays for their deviation; a further bounce traces rays itself. */
+/* The à-trous filter reads the rays for their standard deviation; a further bounce traces rays
+ * itself. */
 static void pass_spread_request(const Render *render, FramePlanPass *row)
 {
     if (is_atrous(render))

@@ -1,9 +1,11 @@
-// The passes smooth and spread: means over pixels nearby that show the same surface, first along
-// rows, then along columns; the second also makes pixels of the picture of those that are
-// INDIRECT_COARSE wide. How much a pixel counts: by its place, flat over INDIRECT_FILTER to each
-// side and half at the ends, so that of 2 all 16 shifts of a tile count alike; by how far its point
-// is off the tangent plane, up to two pixels' width for each pixel that it is away; and by its
-// normal.
+// The passes smooth and spread: edge-avoiding means over nearby pixels of the same surface, first
+// along rows, then along columns. The second also upsamples from pixels that are INDIRECT_COARSE
+// wide.
+//
+// A pixel's weight is a product of three factors. By position: constant over INDIRECT_FILTER pixels
+// to each side and half at the ends, so that with a radius of 2 all 16 shifts of a tile have equal
+// weight. By distance from the tangent plane: falls to 0 at one pixel width per pixel of distance.
+// By normal: the fourth power of the cosine.
 uniform sampler2D smooth_source;
 
 struct SmoothPlace {
@@ -24,25 +26,28 @@ float smoothWeight(SmoothPlace from, ivec2 pixel, float away)
     return near * turned * turned;
 }
 
-// Where the picture begins and ends in the source.
+// Bounds of the picture in the source texture.
 ivec2 smoothLow() { return ivec2(indirectLow()) / INDIRECT_COARSE; }
 ivec2 smoothSize() { return (ivec2(indirect_picture.xy) + INDIRECT_COARSE - 1) / INDIRECT_COARSE; }
 
 #ifdef SMOOTH_ATROUS
-// A-trous ("with holes"), of pixels for which rays go out: level i takes 5 x 5 pixels that are 2^i
-// apart, by the B3 spline's weights, 1 4 6 4 1 over 16, so that a few levels of 25 reach as far as
-// one of thousands. From level 1 on a pixel counts the less the more its value differs, in what its
-// noise is: the deviation of what rays found in 3 x 3 pixels of the same surface, of which level 0
-// leaves the root of the sum of its squared weights, 70 / 256, and each further one half. What
-// differs by more is detail, not noise. On level 0 values differ by noise alone, and what is left
-// out for that would make means darker. Light and openness go by themselves.
+// A-trous ("with holes") filter at the resolution of the rays. Level i takes 5 x 5 pixels that are
+// 2^i apart, with the weights of the B3 spline, 1 4 6 4 1 over 16, so that a few levels of 25 taps
+// reach as far as one filter of thousands.
 //
-//     rays that find 0.7, 0.5, 0.6 beside each other: a deviation of 0.08; on level 1 of 0.022: a
-//         pixel that is off by 0.05 counts exp(-0.05 / (SMOOTH_NOISE 0.022)), a half
-uniform sampler2D smooth_rays; // as rays found it
+// From level 1 on a pixel's weight falls with the difference of its value, measured in noise: the
+// standard deviation of the rays' results over 3 x 3 pixels of the same surface. Level 0 reduces
+// that noise by the root of the sum of its squared weights, 70 / 256; each further level halves it.
+// Larger differences are detail, not noise. Level 0 takes no such weight: there values differ by
+// noise alone, and rejecting them would darken the mean. Light and ambient occlusion are weighted
+// separately.
+//
+//     Neighbors of 0.7, 0.5, 0.6: a deviation of 0.08; on level 1 of 0.022. A pixel that differs
+//         by 0.05 has the weight exp(-0.05 / (SMOOTH_NOISE 0.022)), a half.
+uniform sampler2D smooth_rays; // the rays' results, not denoised
 uniform float smooth_level;
 
-const float SMOOTH_NOISE = 3.0; // deviations
+const float SMOOTH_NOISE = 3.0; // in standard deviations
 
 // Mean component of light, and ambient occlusion.
 vec2 smoothLanes(vec4 value) { return vec2(dot(value.xyz, vec3(1.0 / 3.0)), value.w); }

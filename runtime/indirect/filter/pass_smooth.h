@@ -1,9 +1,9 @@
-/* Temporal accumulation, denoiser and upsampling of what rays found. */
+/* Temporal accumulation, denoiser and upsampling of the rays' results. */
 #ifndef MATC_INDIRECT_PASS_SMOOTH_H
 #define MATC_INDIRECT_PASS_SMOOTH_H
 #include "runtime/frame/frame_pass.h"
 
-/* Pixels around one that the denoiser reads. */
+/* Returns the denoiser's radius in pixels of the picture. */
 int pass_smooth_reach(const Render *render);
 /* The rows of the frame graph. */
 extern const FramePass pass_history, pass_smooth, pass_spread;

@@ -1,24 +1,25 @@
-// Hit of a ray by two models of the scene, each where it is best. The picture knows surfaces to the
-// pixel, but only what it shows; voxels know what is hidden and beside it, but nothing finer than
-// themselves, and rays begin a little off. So the picture is asked for the ray's first voxels, and
-// takes part only where its depth is conclusive: a place that lies behind what is shown by no more
-// than indirect_models.y is in it; farther behind, one cannot know. All else voxels decide.
+// Ray hit by two models of the scene. The depth buffer has surfaces exact to the pixel, but only
+// visible ones; voxels also have hidden and off-screen surfaces, but no finer detail, and rays
+// begin a little off the surface. So a ray tests the depth buffer along its first voxels, and
+// accepts a hit only if the depth is conclusive: a point at most indirect_models.y behind the
+// visible surface is inside it; farther behind, the depth buffer cannot tell. Voxels decide the
+// rest.
 //
-// A hit of the picture sends the light of its pixel, one of voxels cached radiance: that is nearer
-// to what paths of light give than pixels that show something close to the hit, and does not change
-// with the camera.
+// A hit in screen space returns the light of its pixel, a hit in voxels cached radiance. That is
+// closer to path-traced light than the pixel of a surface near the hit, and does not change with
+// the camera.
 
 // Data that all rays of a point share.
 struct IndirectOrigin {
-    vec3 point, normal, from; // from: a little off the surface, where what the picture shows is asked from
-    vec3 place, up;           // of the grid's units: the point; from there to where voxelStart says
-    float lift;               // the length of `up`, in the eye's units
-    bool full;                // a full voxel is there, as in a corner
+    vec3 point, normal, from; // from: start of screen-space rays, a little off the surface
+    vec3 place, up;           // in grid units: the point; offset from it to voxelStart()
+    float lift;               // length of `up` in eye-space units
+    bool full;                // the start lies in a full voxel, as in a corner
     vec3 seen;                // indirectSeen of `from`
 };
 
-// Where the picture shows a point, in pixels times its distance, and that distance, or 1 where all
-// is as near: `flat_`, and 0 for a direction.
+// Homogeneous projection of a point: xy: pixel position times distance; z: distance. In an
+// orthographic view z is `flat_`, which is 1 for a point and 0 for a direction.
 vec3 indirectSeen(vec3 point, float flat_)
 {
     float far = indirectIsOrthographic() ? flat_ : -point.z;
@@ -34,21 +35,21 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
     return IndirectOrigin(point, normal, from, place, up, length(up) / size, voxelAt(place + up), indirectSeen(from, 1.0));
 }
 
-// Where a ray goes on in voxels: off the surface, where voxelStart says.
+// Start of a ray in voxels, off the surface.
 struct IndirectStart {
     vec3 place;  // in the grid's units
-    float begin; // where the ray is then
-    bool full;   // in a full voxel, as in a corner
+    float begin; // distance along the ray of that start
+    bool full;   // the start lies in a full voxel, as in a corner
 };
 
-// Off the surface by h, but along the ray, as far as h may take it, and only for the rest along the
-// normal: of what is met from a place beside the ray, the distance is another, up to h. Along the
-// ray it must not get into what stands beside the point, a wall at a corner: then it is along the
-// normal alone. What is at a place h off along the normal, t along a way with a cosine of c, is as
-// far from the point as t + h c along it, but for terms of h^2.
+// Starts a ray at height h over the surface, moved along the ray as far as possible and only for
+// the rest along the normal: a start off the ray changes the distance of hits by up to h. If the
+// moved start lies in a full voxel, such as an adjacent wall at a corner, the start moves along the
+// normal alone. A point at height h and distance t along a ray with cosine c is t + h c from the
+// surface's point, up to terms of h^2.
 //
-//     straight up, c = 1: begins h along the ray; at 60 degrees off the normal, c = 1/2: h along
-//         the ray, then h / 2 along the normal, begin = h + h / 4
+//     Perpendicular, c = 1: begins h along the ray. At 60 degrees off the normal, c = 1/2: h along
+//         the ray, then h / 2 along the normal; begin = h + h / 4.
 IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 {
     float h = origin.lift, cosine = dot(way, origin.normal), aside = 1.0 - cosine;
@@ -58,9 +59,9 @@ IndirectStart indirectStart(IndirectOrigin origin, vec3 way, vec3 going)
 }
 
 #ifdef INDIRECT_NEAR
-// Hit on the screen within a ray's first voxels: the first sample behind the depth buffer. All
-// samples are read, from the last on, which is faster than to stop where drivers run invocations in
-// vectors. The projection of samples, times their distance, is linear along the ray.
+// Screen-space hit within a ray's first voxels: the first sample behind the depth buffer. All
+// samples are read, from the last on: drivers that run invocations in vectors gain nothing from an
+// early exit. The homogeneous projection of samples is linear along the ray.
 bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout IndirectHit hit)
 {
     bool flat_ = indirectIsOrthographic();
@@ -73,7 +74,8 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
         bool shown = (flat_ || seen.z > indirect_view.x) && indirectIsShown(at);
         ivec2 pixel = shown ? ivec2(at) : ivec2(0);
         float depth = texelFetch(indirect_depth, pixel, 0).x;
-        float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z : seen.z * depth - indirect_view.x; // times the depth, of a perspective
+        // distance behind the surface; in perspective multiplied by the depth
+        float behind = flat_ ? (depth - 1.0) * indirect_view.x - origin.from.z - s * way.z : seen.z * depth - indirect_view.x;
         if (shown && depth > 0.0 && behind > 0.0 && behind <= indirect_models.y * (flat_ ? 1.0 : depth)) {
             found = s;
             hit.pixel = pixel;
@@ -84,7 +86,7 @@ bool indirectShownNear(IndirectOrigin origin, vec3 way, float less, inout Indire
 }
 #endif
 
-// Hit in voxels, and the light sent from there.
+// Hit in voxels, and the cached radiance there.
 bool indirectVoxel(IndirectOrigin origin, vec3 way, inout IndirectHit hit)
 {
     float t, radius = indirect_reach.x;

@@ -1,5 +1,5 @@
-/* The methods hybrid and voxels: rays through voxels, whose hits send cached radiance. Hybrid first
- * reads the picture, as far as the first voxels of a ray reach. */
+/* The methods hybrid and voxels: rays through voxels, whose hits return cached radiance. Hybrid
+ * first tests the depth buffer along a ray's first voxels. */
 #include "gen/render_text.h"
 #include "runtime/indirect/settings/indirect_method.h"
 
