@@ -1,7 +1,8 @@
-// A ray through what the picture shows (Thiedemann 2009, 4.3): INDIRECT_STEPS places along it; the
-// first that lies behind the surface that its pixel shows is what it meets. What is beyond the
-// picture's sides is not known: the ray ends there, and meets nothing. A place of the ray: its
-// point, and where that is seen.
+// Ray marching through the depth buffer (Thiedemann 2009, 4.3): INDIRECT_STEPS even steps; the
+// first sample behind the surface of its pixel is the hit. A ray that leaves the picture ends
+// without a hit.
+//
+// IndirectStep: a sample of the ray, with its position in the picture.
 struct IndirectStep {
     vec3 point;
     vec2 place;
@@ -9,11 +10,13 @@ struct IndirectStep {
 };
 
 #ifdef INDIRECT_PICTURE
-// Even in the picture: of a segment whose ends are seen at a and b, what is seen at mix(a, b, s)
-// lies at a share t of it, by the distances of the ends.
+// Steps that are even in the picture. For a segment projected to a and b, the point at mix(a, b, s)
+// lies at a share t of the segment, by perspective-correct interpolation with the distances of the
+// ends.
 struct IndirectLine {
     vec2 a, b;
-    float end, over0, over1; // share of the ray that lies before the eye; 1 / distance of the ends
+    // end: share of the ray that lies before the eye; over0, over1: 1 / distance of the ends
+    float end, over0, over1;
 };
 
 IndirectLine indirectLine(vec3 from, vec3 way)
@@ -27,8 +30,9 @@ IndirectLine indirectLine(vec3 from, vec3 way)
 }
 #endif
 
-// `from` is where it begins, `way` as long as it is; steps are `less` of one short of whole numbers
-// of them. What it is behind counts if `most` from `center` at most.
+// Marches from `from` along `way`, whose length is that of the ray; samples are moved back by
+// `less` of a step. With INDIRECT_CHECKED a hit counts only within the sphere `center`: xyz, and w
+// the radius.
 IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
 {
 #ifdef INDIRECT_PICTURE
@@ -58,7 +62,7 @@ IndirectHit indirectMarch(vec3 from, vec3 way, float less, vec4 center)
     return IndirectHit(-1.0, ivec2(0), vec3(0.0));
 }
 
-// Data that all rays of a point share: where they begin.
+// Data that all rays of a point share: its position, and the start of rays above it.
 struct IndirectOrigin {
     vec3 point, from;
     float lift;
@@ -71,9 +75,9 @@ IndirectOrigin indirectOrigin(vec3 point, vec3 normal)
 }
 
 #ifdef INDIRECT_VOXELS
-// By the same steps in space, but of voxels (4.4): they know what is hidden, and no colour. So
-// light is that of the pixel in which the hit would be seen (5.3.4), whatever that shows; where the
-// thesis takes the colour of the picture's edge for what is beside it, there is none.
+// Marches through voxels by the same steps (4.4): they know hidden surfaces, but no color. So the
+// light is that of the pixel onto which the hit projects (5.3.4), whatever the pixel shows.
+// Off-screen hits send no light; the thesis takes the color of the picture's border instead.
 IndirectHit indirectMeet(IndirectOrigin origin, vec3 way, float less)
 {
     float t;

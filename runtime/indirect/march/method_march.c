@@ -1,4 +1,5 @@
-/* The method march of the thesis: rays by even steps through the picture, or through voxels. */
+/* The method march of the thesis: ray marching by even steps through the depth buffer, or
+ * through voxels. */
 #include "gen/render_text.h"
 #include "runtime/indirect/settings/indirect_method.h"
 

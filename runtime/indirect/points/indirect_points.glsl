@@ -1,12 +1,12 @@
-// Openness by points (Thiedemann 2009, 6.2; Mittring 2007): places in the half ball over the
-// surface; what lies behind what its pixel shows is kept off. One look at the picture for each,
-// where a ray takes as many as it has steps; but a thing counts by how much of the half ball is in
-// it or hidden behind it, not by how much of the sky it covers. With directions that are even
-// everywhere, places are even in the half ball: of a wall's share c of the radius away, (1 - c)^2
-// (2 + c) / 4 are behind it. Points know nothing of light.
+// Ambient occlusion by points (Thiedemann 2009, 6.2; Mittring 2007): samples in the half ball over
+// the surface are occluded if they lie behind the depth buffer. A sample takes one lookup, where a
+// ray takes one per step; but an occluder counts by the volume in it or hidden behind it, not by
+// its solid angle. Uniform directions make samples uniform in the half ball: a wall at a share c of
+// the radius has (1 - c)^2 (2 + c) / 4 of them behind it. Points find no light.
 //
-//     a wall at half the radius: (1/2)^2 (5/2) / 4 = 0.156 of the places are behind it, where rays
-//         that are as even meet it in 1/4 of their directions
+//     A wall at half the radius: (1/2)^2 (5/2) / 4 = 0.156 of the samples are behind the wall,
+//     which
+//         uniform rays hit in 1/4 of their directions.
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 u, v, from = point + indirectLift(point, normal) * normal;

@@ -1,5 +1,5 @@
-/* The method points of the thesis: ambient occlusion by points in the hemisphere. Its GLSL is
- * indirect_points.glsl; the view visibility traces single rays. */
+/* The method points of the thesis: ambient occlusion by sample points in the hemisphere. Its
+ * GLSL is indirect_points.glsl; the view visibility traces single rays. */
 #include "gen/render_text.h"
 #include "runtime/indirect/settings/indirect_method.h"
 

@@ -1,4 +1,4 @@
-// Two vectors that are at right angles to a unit vector and to each other (Duff et al. 2017).
+// Completes a unit vector to an orthonormal basis (Duff et al. 2017).
 void indirectBasis(vec3 n, out vec3 u, out vec3 v)
 {
     float side = n.z < 0.0 ? -1.0 : 1.0, a = -1.0 / (side + n.z), b = n.x * n.y * a;

@@ -1,6 +1,7 @@
-/* The pass radiance: what surfaces send of the light of lamps, by voxel and side: radiance.h.
- * Objects that fill voxels are drawn from six sides by their own programs, three times each: which
- * nodes there are, what is nearest in each, what its surface is; then all nodes are lit. */
+/* The pass radiance: fills the radiance cache (radiance.h) with direct light, by voxel and side.
+ * Objects that fill voxels are drawn from six sides by their own programs, three times each: to
+ * find nodes, to find the nearest fragment of each, to store that fragment's surface. Then all
+ * nodes are lit. */
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
@@ -12,7 +13,7 @@ enum { STEP_sides, STEP_nearest, STEP_keep };
 
 /* -- surfaces */
 
-/* Clip space of a side: seen from the axis's upper end depth is turned round. */
+/* Clip space of a side: depth is reversed when the scene is viewed from the axis's upper end. */
 static void clip_of(const Render *render, int side, double clip[16])
 {
     voxel_grid_clip(&render->voxels->grid, side / 2, render->zero_to_one, clip);
@@ -20,7 +21,8 @@ static void clip_of(const Render *render, int side, double clip[16])
         clip[4 * column + 2] = (column == 3 && render->zero_to_one) - clip[4 * column + 2];
 }
 
-/* Axes that follow each other, with depth away from the eye, are as in a mirror. */
+/* Draws one kind of places from a side. Cyclic axes with depth away from the eye form a mirrored
+ * basis. */
 static void cast(Render *render, int side, RadianceCast kind, bool cut)
 {
     static const CullVolume all = {.count = 0};
@@ -52,8 +54,9 @@ static void wait(const Render *render)
                               GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-/* Draws only front faces of closed meshes: a back face would send light within them, and have rays
- * from there leave through a thin wall. The map's texture gives the framebuffer's size. */
+/* Draws all nodes' surfaces. Only front faces of closed meshes count: a back face would send
+ * light inside, and let its rays leave through a thin wall. The map's texture defines the
+ * framebuffer's size. */
 static void draw_surfaces(Render *render, int step)
 {
     const GlContext *gl = render->gl;
@@ -99,7 +102,7 @@ static void bind(const Render *render)
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, KEPT_BINDING, render->radiance->kept);
 }
 
-/* So many invocations, in a rectangle of groups. */
+/* Runs at least `count` invocations, in a rectangle of groups. */
 static void dispatch(const Render *render, size_t count)
 {
     const size_t groups = (count + GROUP - 1) / GROUP,
@@ -109,7 +112,7 @@ static void dispatch(const Render *render, size_t count)
     wait(render);
 }
 
-/* Gives nodes their numbers; how many there are. */
+/* Numbers the nodes and returns how many there are. */
 static GLuint number_nodes(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -129,7 +132,8 @@ static GLuint number_nodes(Render *render)
     return counted[RADIANCE_COUNT];
 }
 
-/* Larger voxels have fewer nodes. */
+/* Finds and numbers the nodes. While they do not fit, voxels are doubled in size, which have
+ * fewer nodes. */
 static void find_nodes(Render *render)
 {
     FrameRadiance *radiance = render->radiance;
@@ -184,7 +188,7 @@ static void light_nodes(Render *render)
     }
 }
 
-/* Its textures are on the first units. */
+/* Traces further bounces. The textures are on the first units. */
 static void bounce_nodes(Render *render)
 {
     enum { VOXEL_UNIT, RADIANCE_UNIT };

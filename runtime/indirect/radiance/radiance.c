@@ -1,5 +1,5 @@
-/* Makes cached radiance: programs of materials that write nodes, buffers, and the data that passes
- * read. */
+/* Resources of the radiance cache: programs of materials that write nodes, buffers, and inputs
+ * of the passes that read it. */
 #include "runtime/indirect/radiance/radiance.h"
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
@@ -12,7 +12,7 @@
 
 enum { FLOATS = 4, BOUNCED_TEXELS = 4, ONCE_TEXELS = 2 };
 
-/* Nodes have light of lamps, and their own. */
+/* Reports whether any node can send light: of lamps, or emission. */
 static bool is_lit(const Scene *scene)
 {
     bool is = (scene_models(scene) & MODEL_EMITS) != 0;
@@ -35,7 +35,7 @@ int radiance_texels(const Render *render)
 
 /* -- programs */
 
-/* Makes one program for each kind that fills voxels. */
+/* Makes one program for each surface kind that fills voxels. */
 static bool make_keepers(Render *render)
 {
     const Cache *cache = &render->cache;
@@ -131,7 +131,7 @@ static void make_texture(const GlContext *gl, GLenum format, GLuint buffer, GLui
     gl->TexBuffer(GL_TEXTURE_BUFFER, format, buffer);
 }
 
-/* Both the buffer's size and that of a texture on it have an end. */
+/* The driver limits both the buffer's size and that of a texture on it. */
 bool radiance_make_room(Render *render, GLuint nodes)
 {
     const size_t texels = (size_t)nodes * (size_t)radiance_texels(render), floats = texels * FLOATS;
@@ -190,7 +190,7 @@ bool radiance_make(Render *render)
            make_light(render) && make_bounce(render);
 }
 
-/* -- what reads it */
+/* -- inputs of passes that read the cache */
 
 void radiance_set(const Render *render, int unit, ScreenPass *pass)
 {

@@ -1,23 +1,28 @@
-// Light of a surface that a ray hits in a voxel, by cached radiance (radiance.h). Behind
+// Light of a surface that a ray hits in a voxel, by the radiance cache (radiance.h). Preceded by
 // voxel_map.glsl.
 //
-// A surface that is half in a voxel may have its nodes in the next one along the ray: both are
-// asked. A node counts by the area of it that the ray sees: what parallel rays along three axes see
-// of a surface is as dense as the sum of its normal's lanes, and the ray sees as much of it as the
-// cosine to its normal. It counts only if it is seen from its front, and if the ray's point lies
-// before its plane: so no wall is too thin to keep light of its other side from its own.
+// A surface at the border of a voxel may have its nodes in the next one along the ray: both are
+// read. A node is weighted by its projected area: parallel rays along three axes sample a surface
+// with a density of the sum of its normal's components, and the ray sees the cosine to the normal
+// of it. A node counts only if its front faces the ray and the ray's point lies before its plane,
+// so that light never leaks through thin walls.
 uniform usamplerBuffer radiance_faces;
 uniform samplerBuffer radiance_kept;
-uniform int radiance_size, radiance_shift; // voxels along an edge: 2^shift of the map are one
+// voxels along an edge; each is 2^shift voxels of the map wide
+uniform int radiance_size, radiance_shift;
 
 struct RadianceRay {
-    vec3 point, start, way; // all in the map's units: the surface's point that sends it; where it begins, a little off; of any length
-    float t;                // where it meets a full voxel, in multiples of its way; less than 0: nowhere
-    bool full;              // it begins in a full voxel, as in a corner; voxelRay has gone on to the first empty one, which may lie behind a thin wall
+    // in the map's units: the surface's point; the ray's start, a little off the surface; its
+    // direction, of any length
+    vec3 point, start, way;
+    float t;                // distance of the hit in multiples of `way`; < 0: no hit
+    // The ray begins in a full voxel, as in a corner; voxelRay has gone on to the first empty one,
+    // which may lie behind a thin wall.
+    bool full;
 };
 
 struct RadianceSum {
-    vec3 direct, further; // light of lamps, and of bounces, times
+    vec3 direct, further; // weighted sums: of direct light, and of further bounces
     float weight;
 };
 
@@ -26,18 +31,18 @@ vec3 radianceNormal(float packed_)
     vec2 p = vec2(mod(packed_, 4096.0), floor(packed_ / 4096.0)) / 2047.5 - 1.0;
     vec3 n = vec3(p, 1.0 - abs(p.x) - abs(p.y));
     if (n.z < 0.0) n.xy = (1.0 - abs(n.yx)) * vec2(n.x < 0.0 ? -1.0 : 1.0, n.y < 0.0 ? -1.0 : 1.0);
-    return n; // |x| + |y| + |z| is 1
+    return n; // not normalized: |x| + |y| + |z| is 1
 }
 
-// The first node of a voxel and, in the lowest 6 bits, its sides; 0: it has none.
+// Number of a voxel's first node and, in the lowest 6 bits, the set of its sides; 0: no nodes.
 uint radianceWord(ivec3 at)
 {
     if (any(lessThan(at, ivec3(0))) || any(greaterThanEqual(at, ivec3(radiance_size)))) return 0u;
     return texelFetch(radiance_faces, RADIANCE_HEAD + (at.z * radiance_size + at.y) * radiance_size + at.x).x;
 }
 
-// Adds a node seen along `way`, of length 1, if it is seen from its front, `point` lies before it,
-// and it does not lie within a body.
+// Adds a node hit along the unit vector `way`, if its front faces the ray, `point` lies before its
+// plane, and it does not lie within a closed mesh.
 void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
 {
     vec4 first = texelFetch(radiance_kept, node);
@@ -52,9 +57,9 @@ void radianceAdd(int node, vec3 point, vec3 way, inout RadianceSum sum)
     sum.weight += share;
 }
 
-// Light at a ray's end. A ray that begins in a full voxel and meets a surface there other than its
-// own, as in a corner, ends there: t is 0. If nodes are coarser than the map, their rays may have
-// missed the surface at the end: then voxels around it are read.
+// Light at a ray's end. A ray that begins in a full voxel and meets another surface there, as in a
+// corner, ends there: t is 0. If nodes are coarser than the map, their rays may have missed the
+// surface at the end: then the adjacent voxels are read, too.
 RadianceSum radianceEnd(inout RadianceRay ray)
 {
     const float beside = 0.01;
@@ -76,7 +81,7 @@ RadianceSum radianceEnd(inout RadianceRay ray)
             bool first = (left & sides) != 0u, last = (left & (sides << 6 | sides)) == 0u;
             radianceAdd((first ? nodes.x : last ? nodes.z : nodes.y) * RADIANCE_TEXELS, point, way, sum);
             nodes += ivec3(first, !first && !last, last);
-            if ((left & (left - 1u) & sides) == 0u && first) { // the last of those where it begins
+            if ((left & (left - 1u) & sides) == 0u && first) { // the last node of the start voxel
                 begun = sum;
                 sum = RadianceSum(vec3(0.0), vec3(0.0), 0.0);
             }

@@ -1,9 +1,9 @@
-// One more bounce of cached radiance: each node sends rays through the voxels, as the pass rays
-// does for pixels, and finds what nodes there send; what it sends of that is written beside what it
-// sent before, and put in its place when all are done. Before it stand voxel_ray.glsl,
+// One more bounce of the radiance cache: each node traces rays through the voxels and reads the
+// light of the nodes that they hit. The reflected light is first written to a texel of its own, and
+// replaces that of the previous bounce after all nodes are done. Preceded by voxel_ray.glsl,
 // radiance.glsl, radiance_place.glsl, indirect_basis.glsl.
-uniform int bounce_step;   // 0: rays; 1: put in place
-uniform float bounce_far;  // of the map's voxels
+uniform int bounce_step;   // 0: trace rays; 1: replace the previous bounce
+uniform float bounce_far;  // ray length in voxels of the map
 
 vec3 bounceDirection(int ray, uint seed, vec3 normal)
 {
@@ -27,11 +27,12 @@ void main()
         return;
     }
     vec3 even = radiance_texels[first + 2u].xyz, sum = vec3(0.0);
-    if (radiance_texels[first].w < 0.0) return; // within a body
+    if (radiance_texels[first].w < 0.0) return; // within a closed mesh
     vec3 normal = normalize(radianceNormal(radiance_texels[first].w));
     vec3 place = float(1 << radiance_shift) * radiancePlace(number * LISTS_STRIDE, radiance_size);
     vec3 start = voxelStart(place, normal);
-    uint seed = radiance_nodes[number * LISTS_STRIDE] & RADIANCE_PLACE; // numbers of nodes are others each time
+    // node numbers differ from run to run, voxels do not
+    uint seed = radiance_nodes[number * LISTS_STRIDE] & RADIANCE_PLACE;
     for (int i = 0; i < RADIANCE_RAYS && even != vec3(0.0); i++) {
         float t;
         vec3 way = bounceDirection(i, seed, normal);

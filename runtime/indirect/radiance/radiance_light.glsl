@@ -1,21 +1,22 @@
-// Light of lamps that nodes of cached radiance reflect diffusely. Before it stand lighting.glsl,
+// Direct light that nodes of the radiance cache reflect diffusely. Preceded by lighting.glsl,
 // LISTS_TEXELS, voxel_map.glsl, and radiance_place.glsl.
 //
-// Where bodies cross, surfaces of one lie within the other: no ray should meet their nodes, and
-// rays from them may get out on its other side. Of a body the first voxel before the surface along
-// the axis has its middle outside of it, and is full only if another body has it there; of a
-// surface that is the one before its own.
+// If closed meshes overlap, parts of one's surface lie within the other: no ray should hit nodes
+// there, and rays from them may leave on the other side. Such a node is found by the voxel before
+// the surface along the axis. For a closed mesh that is the first voxel with its center outside the
+// mesh, which is full only if another mesh fills it; for an open surface it is the voxel before the
+// surface's own.
 //
-// The voxel of a cut-out surface was filled by samples, and its node has means over a voxel: it
-// counts unless nearly all of it is cut away.
+// The voxel of an alpha-tested surface was filled by samples, and its node has means over a voxel:
+// the node counts unless nearly all of it is cut away.
 const float RADIANCE_AWAY = 0.99;
 uniform int radiance_size, radiance_shift;
-uniform mat4 radiance_eye; // the eye's space from voxels
+uniform mat4 radiance_eye; // eye space from voxels
 
 #define LISTS_WORD(word) radiance_nodes[node + uint(word)]
 
-// A unit vector as a whole number below 2^24: its octahedron's place in steps of 2/4095, 0.03
-// degrees off at most.
+// Encodes a unit vector as an integer below 2^24: octahedral mapping in steps of 2/4095; max error
+// 0.03 degrees.
 float radianceDirection(vec3 n)
 {
     n /= abs(n.x) + abs(n.y) + abs(n.z);
@@ -36,7 +37,7 @@ bool radianceIsBuried(uint node, vec3 place)
 
 void main()
 {
-    const float pixel = 0.0625; // of a voxel: shadows take it that places are off by no more
+    const float pixel = 0.0625; // in voxels: the position error that shadows assume
     uint number = radianceNumber(), node = number * LISTS_STRIDE, first = number * RADIANCE_TEXELS;
     if (number >= radiance_count) return;
     vec3 place = radiancePlace(node, radiance_size), normal = vec3(0.0);
@@ -44,7 +45,7 @@ void main()
     bool away = false;
 #ifdef SURFACE_HAS_transparency
     away = dot(surface.transparency, vec3(1.0 / 3.0)) > RADIANCE_AWAY;
-    surface.transparency = vec3(0.0); // what is left of it
+    surface.transparency = vec3(0.0); // the opaque part counts in full
 #endif
     normal[int(radiance_nodes[node] & 7u) >> 1] = (radiance_nodes[node] & 1u) == 1u ? 1.0 : -1.0;
 #ifdef SURFACE_HAS_normal

@@ -1,5 +1,4 @@
-// Gives the nodes of each voxel their numbers, one after the other. Voxels that find no room are
-// counted all the same.
+// Numbers the nodes of each voxel consecutively. Voxels whose nodes do not fit are still counted.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) buffer RadianceFaces {
 #include "radiance.layout.def"

@@ -1,5 +1,5 @@
-// Nodes of cached radiance (radiance.h), for passes that have an invocation for each. LISTS_STRIDE
-// words each, RADIANCE_TEXELS texels.
+// Nodes of the radiance cache (radiance.h), for passes with one invocation per node. A node has
+// LISTS_STRIDE words and RADIANCE_TEXELS texels.
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer RadianceFaces {
 #include "radiance.layout.def"
@@ -11,15 +11,16 @@ layout(std430, binding = 5) buffer RadianceTexels {
     vec4 radiance_texels[];
 };
 
-const uint RADIANCE_BODY = 0x80000000u;  // of a node's first word: it is of a body's surface
-const uint RADIANCE_PLACE = 0x3FFFFFFFu; // the voxel times 8 and the side
+const uint RADIANCE_BODY = 0x80000000u;  // in a node's first word: its surface is of a closed mesh
+const uint RADIANCE_PLACE = 0x3FFFFFFFu; // in a node's first word: the voxel times 8, plus the side
 
 uint radianceNumber()
 {
     return (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * 64u + gl_LocalInvocationIndex;
 }
 
-// In voxels, `size` along an edge: seen along an axis, through the middle of its column.
+// Position of a node in voxels, `size` along an edge: on the line along the node's axis through the
+// voxel's center, at the stored depth.
 vec3 radiancePlace(uint node, int size)
 {
     int voxel = int((radiance_nodes[node] & RADIANCE_PLACE) >> 3), side = int(radiance_nodes[node] & 7u);

@@ -1,6 +1,6 @@
-// The end of an opaque material's program that is seen along an axis: its fragment becomes a node
-// of cached radiance (radiance.h). Three times over: voxels are told from which sides they have a
-// fragment; nodes, which one is the nearest; that one is kept.
+// End of an opaque material's program that is drawn along an axis: a fragment becomes a node of the
+// radiance cache (radiance.h). Three runs: mark the sides of each voxel that have a fragment; find
+// the nearest fragment of each node; store its surface.
 layout(std430, binding = 2) buffer RadianceFaces {
 #include "radiance.layout.def"
     uint radiance_faces[];
@@ -8,13 +8,14 @@ layout(std430, binding = 2) buffer RadianceFaces {
 layout(std430, binding = 4) buffer RadianceNodes {
     uint radiance_nodes[];
 };
-uniform int radiance_step; // 0 to 2
-uniform int radiance_side; // twice the axis; and 1: seen from its upper end
+uniform int radiance_step; // run, 0 to 2
+uniform int radiance_side; // twice the axis; plus 1: viewed from its upper end
 uniform int radiance_size; // voxels along an edge
-uniform bool radiance_body; // it is of a body
+uniform bool radiance_body; // the mesh is closed and fills voxels
 
-const uint RADIANCE_NEAREST = 0x3F800001u; // less the bits of a depth from 0 to 1: greater is nearer, and more than 0
-const uint RADIANCE_KEPT = 0x40000000u; // of a node's first word: its fragment is known
+// minus the bits of a depth in [0, 1]: larger is nearer; > 0
+const uint RADIANCE_NEAREST = 0x3F800001u;
+const uint RADIANCE_KEPT = 0x40000000u; // in a node's first word: its surface is stored
 
 void main()
 {
@@ -26,7 +27,7 @@ void main()
         atomicOr(radiance_faces[voxel], side);
         return;
     }
-    if (radiance_step == 2) surfaceMain(); // in all pixels, as it takes slopes between them
+    if (radiance_step == 2) surfaceMain(); // called by every fragment, since it takes derivatives
     uint word = radiance_faces[voxel], nearness = RADIANCE_NEAREST - floatBitsToUint(depth);
     uint node = ((word >> 6) + uint(bitCount(word & 63u & (side - 1u)))) * LISTS_STRIDE;
     if (radiance_step == 1) {
@@ -34,8 +35,8 @@ void main()
         return;
     }
     if (radiance_nodes[node + 1u] != nearness) return;
-    // If several surfaces have the same depth, the first one is stored: words of two would be no
-    // surface at all.
+    // If several fragments have the same depth, only the first is stored: a mix of words from two
+    // would be no valid surface.
     uint place = voxel << 3 | uint(radiance_side);
     if (atomicCompSwap(radiance_nodes[node], place, place | RADIANCE_KEPT | uint(radiance_body) << 31) != place) return;
     uint packed_words[] = uint[](LISTS_PACK);

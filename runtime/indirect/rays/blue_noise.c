@@ -1,5 +1,5 @@
-/* The mask: of each row its left and its right half, two digits of 64 a pixel. `test_blue_noise
- * print` writes them; that test makes them anew, by void-and-cluster. */
+/* The mask: each row as a left and a right half, two base-64 digits per pixel. `test_blue_noise
+ * print` writes the digits; the test computes them by void-and-cluster. */
 #include "runtime/indirect/rays/blue_noise.h"
 #include <string.h>
 

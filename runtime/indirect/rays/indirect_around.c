@@ -1,4 +1,4 @@
-/* Light from all around along single rays. The GLSL is indirect_around.glsl. */
+/* Ambient light along single rays. The GLSL is indirect_around.glsl. */
 #include "gen/render_text.h"
 #include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/light/lighting.h"
@@ -7,7 +7,7 @@
 
 #define PI 3.14159265358979323846
 
-/* The scene has lights of a kind whose radiance differs by direction. */
+/* Reports whether the scene has lights of a kind whose radiance differs by direction. */
 static bool is_met(const Render *render, const LightKind *row)
 {
     bool met = false;
@@ -29,8 +29,8 @@ static bool sky_differs(const Render *render)
     return light_sky_shines(render->scene) && render->light->sky.uneven;
 }
 
-/* Where the picture's light is wanted: views of what rays find have nothing but that. Bounces that
- * run one after the other would send it on once more. */
+/* Only the picture's light takes ambient light per ray: views of the rays' results show indirect
+ * light alone, and repeated bounces would reflect it once more. */
 bool indirect_is_directional(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
@@ -40,8 +40,8 @@ bool indirect_is_directional(const Render *render)
            !(view && indirect_view_lanes(view)) && (kinds_differ(render) || sky_differs(render));
 }
 
-/* "#define AROUND_KINDS(way) + lightAlongHemisphere(way)": the kinds' radiance along a
- * direction. */
+/* Defines the kinds' radiance along a direction, for example "#define AROUND_KINDS(way) +
+ * lightAlongHemisphere(way)". */
 static void define_kinds(const Render *render, char defined[INDIRECT_AROUND_DEFINITION])
 {
     size_t size =
@@ -68,8 +68,8 @@ void indirect_around_add(const Render *render, char defined[INDIRECT_AROUND_DEFI
     screen_pass_add(text, render_text_indirect_around);
 }
 
-/* Rays of a pixel, times those of pixels over which they are smoothed, are looked up where the
- * cube's texels are as large as the solid angle of each. */
+/* Returns the mipmap level of the sky's cube map whose texels have the solid angle of one ray.
+ * The denoiser shares rays among pixels, which makes the angle smaller. */
 static double level_of(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;

@@ -1,20 +1,21 @@
-// Light from all around that is not the same from everywhere: what comes of it to a point is not
-// what its openness says, but what comes along the rays that meet nothing (directional occlusion:
-// Ritschel, Grosch and Seidel 2009). The pass combine has openness times what would come if nothing
-// were around, which is exact where all is open, or nothing is; what is lacking between is how
-// light and openness go together, which the pass rays adds to the light of surfaces:
+// Ambient light that differs by direction, by directional occlusion (Ritschel, Grosch and Seidel
+// 2009): light arrives along the rays that hit nothing. The pass combine multiplies ambient
+// occlusion by the unoccluded ambient light, which is exact only at full or zero occlusion. The
+// pass rays adds the missing correlation of light and visibility to the light of surfaces:
 //
-//     mean(light let) - mean(let) mean(light)     over a point's rays; let: 0 where something is
-//                                                 met, else 1
+//     mean(light let) - mean(let) mean(light)     over a point's rays; let: transmittance, 0 for a
+//                                                 hit, else 1
 //
 // Worked example: half a sky, light 1 along two rays of four and 0 along the others, and a wall
-// before both dark ones. Openness says 1/2 of 1/2; added is 1/2 - 1/2 1/2, so that 1/2 arrives, as
-// if there were no wall. With the wall on the bright side it is 0 - 1/2 1/2, and nothing arrives.
+// before both dark ones. Ambient occlusion gives 1/2 of 1/2; the added term is 1/2 - 1/2 1/2, so
+// that 1/2 arrives, as if there were no wall. With the wall on the bright side the term is 0 - 1/2
+// 1/2, and nothing arrives.
 #define INDIRECT_AROUND
-uniform float around_share; // of what is added: the contrast, over the gain that it will be times
-uniform float around_level; // of the sky's cube
+// scale of the added term: contrast / gain, since the pass combine applies the gain
+uniform float around_share;
+uniform float around_level; // mipmap level of the sky's cube map
 
-// Along a direction of the eye's space.
+// Ambient radiance from an eye-space direction.
 vec3 aroundAt(vec3 way)
 {
     vec3 sum = vec3(0.0);
@@ -25,7 +26,7 @@ vec3 aroundAt(vec3 way)
 }
 
 struct Around {
-    vec3 all, let; // sums over rays
+    vec3 all, let; // sums over rays: all ambient light, and the unoccluded part
 };
 
 void aroundAdd(vec3 light, float let, inout Around around)
@@ -34,5 +35,5 @@ void aroundAdd(vec3 light, float let, inout Around around)
     around.let += let * light;
 }
 
-// Term to add to the light of surfaces; `open` is the mean transmittance.
+// Correlation term to add to the light of surfaces; `open` is the mean transmittance.
 vec3 aroundBeside(Around around, float open) { return around_share * (around.let - open * around.all); }

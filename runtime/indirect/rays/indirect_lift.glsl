@@ -1,6 +1,6 @@
-// How far off its surface a point's rays begin by even steps, and places of its half ball: as the
-// key `offset` says; else where nothing that is flat is met by its own rays, by what they are
-// looked for in: depth, which is that of pixels' middles, or voxels (voxelStart).
+// Start offset of marched rays, and of sample points: the key `offset`; otherwise the smallest at
+// which rays do not hit the flat surface that they leave, given the resolution of the depth buffer
+// (pixel centers) or of the voxels (voxelStart).
 float indirectLift(vec3 point, vec3 normal)
 {
 #ifdef INDIRECT_VOXELS

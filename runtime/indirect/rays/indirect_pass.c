@@ -1,4 +1,5 @@
-/* Inputs of every pass of indirect_place.glsl: definitions, the block Indirect, textures. */
+/* Inputs of every pass with indirect_place.glsl: definitions, the uniform block Indirect,
+ * textures. */
 #include "gen/indirect_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/blue_noise.h"
@@ -9,14 +10,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Voxels over which rays read the picture: one is as long as a voxel, half as long as what the
- * picture shows is thick. */
+/* Length in voxels over which hybrid rays read the depth buffer: one voxel per step, half the
+ * assumed thickness of visible surfaces. */
 enum { NEAR = 4 };
 
-/* Numbers of blue noise that a vector of the block has. */
+/* PACKED: 16-bit ranks of blue noise in a vector of the block. */
 enum { RAYS_OF_SLICE = 8, PACKED = 8, SHIFTS_MOST = BLUE_NOISE_EDGE * BLUE_NOISE_EDGE / PACKED };
 
-/* A bit mask's lines are shifted by all of what is between them. */
+/* Returns the sequence of a pixel's samples. The slices of a bit mask share one shift, of up to
+ * the angle between two slices. */
 static IndirectSequence sequence_of(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
@@ -29,7 +31,7 @@ static bool turns_bits(const IndirectSequence *of)
     return of->rotation == WORD_Rotation_tile && of->sequence == WORD_Sequence_sobol;
 }
 
-/* Vectors of the block that hold shifts. */
+/* Number of vectors of the block that hold shifts. */
 static int shifts_of(const IndirectSequence *of)
 {
     const int edge = indirect_sequence_edge(of);
@@ -94,12 +96,12 @@ double indirect_near(const Render *render)
     return NEAR * voxel_grid(render->scene, &render->cache).edge;
 }
 
-/* x: so far voxels are blind, as rays begin off the surface and leave the voxels in which they do.
- * y: a voxel of the map may be off by its diagonal. zw: the pixel of the picture that a tile begins
- * with. */
+/* Fills the element `models`. x: length along which voxels miss hits, since rays start off the
+ * surface and ignore the voxels in which they start. y: thickness of visible surfaces; a voxel
+ * may be off by its diagonal. zw: the picture's pixel at the tile's origin. */
 static void set_models(const Render *render, float models[4])
 {
-    const double thick = 2, part = .5; /* voxels, but the last */
+    const double thick = 2, part = .5; /* in voxels; in ray lengths */
     const SceneIndirect *in = &render->scene->indirect;
     const bool voxels = indirect_reads_voxels(render);
     const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
@@ -108,8 +110,8 @@ static void set_models(const Render *render, float models[4])
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
 
-/* The pass makes its shifts of ranks, 16 bits each, where the mask is blue noise; other masks are
- * taken as they are. */
+/* Fills the shifts. For blue noise the pass computes shifts from ranks, 16 bits each; other
+ * shifts are stored as vectors. */
 static void put_shifts(const IndirectSequence *of, float (*block)[4])
 {
     const int edge = indirect_sequence_edge(of);
@@ -126,12 +128,11 @@ static void put_shifts(const IndirectSequence *of, float (*block)[4])
     }
 }
 
-/* Where no offset is said, rays begin so far off that the surface which they leave is not met: a
- * place of it is up to sqrt(1/2) of a pixel beside the middle of its pixel, by which depth is off
- * as by a lift of as much. */
+/* Without the key `offset` rays start so far off the surface that they do not hit it: a point
+ * may be up to sqrt(1/2) of a pixel off the pixel's center, and depth is off by the same. */
 static void set_block(const Render *render, ScreenPass *pass)
 {
-    /* of the radius, over which openness is taken to be flat */
+    /* `part`: share of the ray length over which ambient occlusion is assumed to be constant */
     const double lift = .75, part = .05;
     const SceneIndirect *in = &render->scene->indirect;
     const IndirectSequence sequence = sequence_of(render);

@@ -1,11 +1,12 @@
-// Where pixels' surfaces are, and which pixel shows a point; what is random from pixel to pixel.
-// The eye's space; places of the picture in pixels, whose middles lie at .5.
-uniform sampler2D indirect_depth; // near over distance, or 1 to 0 where orthographic; 0: nothing is there
+// Conversions between pixels and points of surfaces, and per-pixel random numbers. Points are in
+// eye space; positions in the picture are in pixels, whose centers lie at .5.
+// near / distance, or 1 to 0 in an orthographic view; 0: background
+uniform sampler2D indirect_depth;
 layout(std140) uniform Indirect {
 #include "indirect.layout.def"
-    vec4 indirect_samples[INDIRECT_RAYS]; // z: of points
+    vec4 indirect_samples[INDIRECT_RAYS]; // z: third coordinate, for the method points
 #ifdef INDIRECT_ROTATION_blue
-    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // ranks of blue noise, two in a lane
+    uvec4 indirect_shifts[INDIRECT_SHIFTS]; // blue noise ranks, two per component
 #elif defined INDIRECT_ROTATION_tile
     vec4 indirect_shifts[INDIRECT_SHIFTS]; // of the pixels of a tile
 #endif
@@ -13,38 +14,38 @@ layout(std140) uniform Indirect {
 
 bool indirectIsOrthographic() { return indirect_view.y > 0.0; }
 
-// Point of the surface, whose depth is greater than 0.
+// Eye-space point of a pixel's surface; depth > 0.
 vec3 indirectPoint(ivec2 pixel, float depth)
 {
     vec3 ray = vec3((vec2(2 * pixel + 1) - indirect_ray.zw) * indirect_ray.xy, -1.0);
     return indirectIsOrthographic() ? vec3(ray.xy, (depth - 1.0) * indirect_view.x) : ray * (indirect_view.x / depth);
 }
 
-// Where the picture shows a point that lies before the eye.
+// Position in the picture of a point before the eye.
 vec2 indirectPlace(vec3 point)
 {
     vec2 flat_ = indirectIsOrthographic() ? point.xy : point.xy / -point.z;
     return 0.5 * (flat_ / indirect_ray.xy + indirect_ray.zw);
 }
 
-// Where the picture begins: what a tile has before that, around itself, is not in it.
+// Lower bound of the picture within the tile: the guard band may extend past the picture's border.
 vec2 indirectLow() { return max(-indirect_models.zw, vec2(0.0)); }
 bool indirectIsShown(vec2 place) { return all(greaterThanEqual(place, indirectLow())) && all(lessThan(place, indirect_picture.xy)); }
 
-// Width of a pixel in space, at a point.
+// Width of a pixel in eye-space units, at a point.
 float indirectPixelSize(vec3 point)
 {
     return 2.0 * indirect_ray.x * (indirectIsOrthographic() ? 1.0 : -point.z);
 }
 
-// A point lies behind the surface that a pixel shows.
+// Reports whether a point lies behind the surface of a pixel.
 bool indirectIsBehind(vec3 point, float depth)
 {
     return indirectIsOrthographic() ? point.z < (depth - 1.0) * indirect_view.x : -point.z * depth > indirect_view.x;
 }
 
-// O'Neill's PCG with two lanes (Jarzynski and Olano 2020): two numbers from 0 to 1 for a pair of
-// whole ones.
+// Hashes a pair of integers to two numbers in [0, 1): O'Neill's PCG in two dimensions (Jarzynski
+// and Olano 2020).
 vec2 indirectRandom(uvec2 v)
 {
     v = v * 1664525u + 1013904223u;
@@ -57,11 +58,11 @@ vec2 indirectRandom(uvec2 v)
     return vec2(v >> 8u) / 16777216.0;
 }
 
-// Shift of a pixel's samples (indirect_sequence.h), with its step from one set of samples to the
-// next: for Sobol's sequence in tiles as that file says; otherwise by steps of the plastic number,
-// 1 / p and 1 / p^2, which fill a square evenly (Roberts 2018), and of the golden ratio.
+// Shift of a pixel's samples (indirect_sequence.h), and a further shift for each set of samples:
+// for Sobol's sequence in tiles as described there; otherwise multiples of 1 / p and 1 / p^2, p the
+// plastic number, which fill a square evenly (Roberts 2018), and of the golden ratio.
 struct IndirectShift {
-    vec3 at, more; // xy: both by exclusive or of bits, or both added
+    vec3 at, more; // xy: both by exclusive or, or both by addition modulo 1
 };
 
 #ifdef INDIRECT_ROTATION_blue
@@ -74,7 +75,7 @@ float indirectBlue(ivec2 pixel)
 #endif
 
 #ifdef INDIRECT_TURNS_BITS
-// The first 16 bits of one of Sobol's samples (indirect_sequence.h).
+// The first 16 bits of a sample of Sobol's sequence (indirect_sequence.h).
 vec2 indirectSobol(uint number)
 {
     uvec2 bits = uvec2(0u), more = uvec2(32768u);
@@ -121,8 +122,9 @@ vec2 indirectSample(int i, IndirectShift shift)
 #endif
 }
 
-// Direction of a sample of the unit square, the normal being z: importance sampling of the cosine
-// (density cos / pi), or, with INDIRECT_UNIFORM, uniform over the hemisphere (density 1 / (2 pi)).
+// Maps a sample of the unit square to a direction around the normal z: importance sampling of the
+// cosine (density cos / pi), or, with INDIRECT_UNIFORM, uniform over the hemisphere (density 1 / (2
+// pi)).
 vec3 indirectDirection(vec2 s)
 {
 #ifdef INDIRECT_UNIFORM
@@ -134,7 +136,7 @@ vec3 indirectDirection(vec2 s)
     return vec3(r * cos(turn), r * sin(turn), z);
 }
 
-// Share of light occluded by a hit at a share of the radius.
+// Occlusion by a hit at a share t of the ray length, in [0, 1].
 float indirectWeight(float t)
 {
 #ifdef INDIRECT_WEIGHT_linear
@@ -157,21 +159,21 @@ vec3 indirectNormal(ivec2 pixel)
 
 // Hit of a ray.
 struct IndirectHit {
-    float t;     // share of the radius to it; less than 0: nothing
-    ivec2 pixel; // that shows it; less than 0: none
-    vec3 sent;   // against the ray beside what the pixel sends: from cached radiance
+    float t;     // distance as a share of the ray length; < 0: no hit
+    ivec2 pixel; // pixel that shows the hit; < 0: none
+    vec3 sent;   // radiance to add to the pixel's: from the radiance cache
 };
 
-// The pixel of INDIRECT_COARSE x INDIRECT_COARSE of the picture from which rays start.
+// Pixel of the picture from which a pixel of the ray pass traces its rays.
 ivec2 indirectPixel(ivec2 small) { return min(small * INDIRECT_COARSE + INDIRECT_COARSE / 2, ivec2(indirect_picture.xy) - 1); }
 
 #ifdef INDIRECT_LIGHT
 uniform sampler2D indirect_light;
 #ifdef INDIRECT_AGAIN
-uniform sampler2D indirect_before; // what bounces before this one found
+uniform sampler2D indirect_before; // light of the previous bounces
 #endif
 
-// Light, with previous bounces, that the surface of a pixel sends against a direction; nothing if
+// Radiance that a pixel's surface sends against the direction `way`, with previous bounces; 0 if
 // its visible side faces away.
 vec3 indirectSent(ivec2 pixel, vec3 way)
 {

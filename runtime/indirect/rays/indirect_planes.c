@@ -1,4 +1,4 @@
-/* Infinite planes that rays of indirect light meet. */
+/* Opaque infinite planes, which rays of indirect light hit analytically. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
 #include "runtime/shadow/shadow.h"

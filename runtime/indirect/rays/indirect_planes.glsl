@@ -1,10 +1,10 @@
-// Infinite planes, which voxels do not have: rays meet them where they are. Of what a plane sends
-// the picture knows what it shows; the rest is black.
+// Infinite planes, which voxels do not hold: rays intersect them analytically. A plane sends light
+// where it is on screen; elsewhere it is black.
 layout(std140) uniform IndirectPlanes {
-    vec4 indirect_planes[INDIRECT_PLANES]; // of the eye's space: points of one give dot(plane, vec4(point, 1)) = 0
+    vec4 indirect_planes[INDIRECT_PLANES]; // in eye space: dot(plane, vec4(point, 1)) = 0
 };
 
-// How far a point is off a plane; 0 where it is on it, but for rounding.
+// Signed distance of a point from a plane, times the plane's scale; exactly 0 within rounding.
 float indirectOffPlane(vec4 plane, vec3 point)
 {
     const float rounding = 4e-6;
@@ -12,8 +12,8 @@ float indirectOffPlane(vec4 plane, vec3 point)
     return abs(off) > rounding * (length(point) + abs(plane.w)) ? off : 0.0;
 }
 
-// The first plane that a ray from a point meets before `far`, and how far it is; -1: none. A ray of
-// a plane's own point does not meet that.
+// Returns the nearest plane that a ray hits before `far`, and its distance in `far`; -1: none. A
+// ray that starts on a plane does not hit that plane.
 int indirectPlane(vec3 point, vec3 way, inout float far)
 {
     int met = -1;
@@ -33,8 +33,8 @@ bool indirectShows(int plane, ivec2 pixel)
     return depth > 0.0 && indirectOffPlane(indirect_planes[plane], indirectPoint(pixel, depth)) == 0.0;
 }
 
-// The pixel that shows a plane's point, or, where something stands on the plane, the one beside it;
-// x -2: none.
+// Pixel that shows a plane's point, or the adjacent one if an object on the plane covers it; x -2:
+// none.
 ivec2 indirectShown(int plane, vec3 point)
 {
     const ivec2 beside[5] = ivec2[5](ivec2(0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));

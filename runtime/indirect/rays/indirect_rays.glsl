@@ -1,5 +1,5 @@
-// Means over a point's rays: rgb of the light that they meet, a of what is kept off. Before it
-// stands indirectMeet(), which says what a ray meets.
+// Means over a point's rays: rgb: light that they hit; a: occlusion. `open`: sum of the unoccluded
+// directions. Preceded by indirectMeet(), which intersects a ray with the scene.
 vec4 indirectAround(ivec2 pixel, IndirectShift shift, vec3 point, vec3 normal, out vec3 open)
 {
     vec3 light = vec3(0.0), u, v;

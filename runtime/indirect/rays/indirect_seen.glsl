@@ -1,7 +1,7 @@
-// The view visibility: what the surface in the picture's middle sees (Thiedemann 2009, 4.5), by the
-// method's own rays. White: it is seen; blue: something is between, or one of both surfaces is
-// turned away; grey: it is farther than rays go. Red is the middle itself. What a ray meets within
-// a step of its end, two voxels or one of the march's, is its end.
+// The view visibility: surfaces visible from the point at the picture's center (Thiedemann 2009,
+// 4.5), by rays of the method in use. White: visible; blue: occluded, or one of the surfaces faces
+// away; gray: farther than the ray length. Red marks the center itself. A hit within a step of the
+// ray's end, two voxels or one marching step, counts as the end.
 vec4 passPixel(ivec2 pixel)
 {
     ivec2 middle = ivec2(indirect_picture.xy) / 2;

@@ -1,10 +1,10 @@
-/* Samples of the unit square, and how they differ from pixel to pixel. */
+/* Samples of the unit square, and their shifts from pixel to pixel. */
 #include "runtime/indirect/rays/indirect_sequence.h"
 #include "runtime/indirect/rays/blue_noise.h"
 #include <math.h>
 #include <stdint.h>
 
-/* The digits of i, mirrored at the point: 6 in base 2, 110, is 0.011, 3/8. */
+/* Radical inverse: the digits of i mirrored at the point. 6 in base 2, 110, becomes 0.011, 3/8. */
 static double mirrored(unsigned i, unsigned base)
 {
     double sum = 0, share = 1. / base;
@@ -13,8 +13,9 @@ static double mirrored(unsigned i, unsigned base)
     return sum;
 }
 
-/* Sobol's second sequence: bit k of i takes or leaves row k of Pascal's triangle modulo 2, 1, 11,
- * 101, 1111, ..., read behind the point. 3, bits 0 and 1, is 0.10 ^ 0.11 = 1/4. */
+/* Second dimension of Sobol's sequence: XOR of the rows of Pascal's triangle modulo 2, 1, 11,
+ * 101, 1111, ..., for the set bits of i, read as binary fractions. 3, bits 0 and 1, gives 0.10 ^
+ * 0.11 = 1/4. */
 static double sobol(unsigned i)
 {
     uint32_t sum = 0;
@@ -23,7 +24,7 @@ static double sobol(unsigned i)
     return sum * 0x1p-32;
 }
 
-/* Steele, Lea and Flood 2014. */
+/* SplitMix (Steele, Lea and Flood 2014). */
 static double random_next(uint64_t *state)
 {
     uint64_t z = *state += 0x9e3779b97f4a7c15u;
@@ -60,8 +61,8 @@ int indirect_sequence_edge(const IndirectSequence *of)
                                                  : INDIRECT_SEQUENCE_TILE / 2;
 }
 
-/* The bits of two numbers in turn, x's first: from the lowest on, 2 x 2 places are next to each
- * other, then 4 x 4, and so on. */
+/* Interleaves the bits of x and y (Morton order): aligned blocks of 2 x 2, 4 x 4, ... pixels
+ * have consecutive numbers. */
 static unsigned woven(unsigned x, unsigned y)
 {
     unsigned sum = 0;
@@ -88,7 +89,7 @@ static void tile_of_sobol(const IndirectSequence *of, unsigned x, unsigned y, do
     shift[2] = fmod(k * 0.6180339887498949, 1);
 }
 
-/* Numbers as in Bayer's matrix: neighbours are far apart. */
+/* Numbers pixels by Bayer's matrix, in which neighbors have very different numbers. */
 static void tile_of_others(const IndirectSequence *of, unsigned x, unsigned y, double shift[3])
 {
     const unsigned mixed = x ^ y;
@@ -101,7 +102,7 @@ static void tile_of_others(const IndirectSequence *of, unsigned x, unsigned y, d
 void indirect_sequence_shift(const IndirectSequence *of, int x, int y, double shift[3])
 {
     static const int beside[3][2] = {
-        {0, 0}, {21, 43}, {43, 21}}; /* so far away the mask has nothing to do with itself */
+        {0, 0}, {21, 43}, {43, 21}}; /* offsets at which the mask is uncorrelated with itself */
     const int edge = indirect_sequence_edge(of);
     for (int i = 0; i < 3; i++)
         shift[i] = 0;

@@ -1,5 +1,5 @@
-/* The pass rays: from depth, G-buffer, light and voxels to openness and indirect light. Its GLSL is
- * pass_rays.glsl, behind indirect_place.glsl and that of the method. */
+/* The pass rays: computes ambient occlusion and indirect light from depth, G-buffer, light and
+ * voxels. Its GLSL is pass_rays.glsl, after indirect_place.glsl and that of the method. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/rays/pass_rays.h"
@@ -20,7 +20,7 @@ static void pass_rays_place(Render *render)
 {
     indirect_forget(render);
     FrameIndirect *in = render->indirect;
-    enum { RAYS = 4 }; /* of them send rays */
+    enum { RAYS = 4 }; /* the first of the passes, which trace rays */
     ScreenPass *passes[] = {&in->rays,          &in->again,         &in->moving.rays,
                             &in->moving.again,  &in->smooth,        &in->spread,
                             &in->moving.smooth, &in->moving.spread, &in->history.blend,
@@ -36,15 +36,14 @@ static void pass_rays_place(Render *render)
         }
 }
 
-/* Pixels so far apart along a row have one set of directions: their rays are alike, as those of
- * neighbours are not, and drivers that run invocations in vectors walk all of a vector's rays as
- * far as the longest. */
+/* Pixels 8 apart along a row share a set of directions. Drivers that run invocations in vectors
+ * trace all rays of a vector as far as the longest; equal directions make their lengths similar. */
 static bool is_alike(const Render *render)
 {
     return render->scene->indirect.rotation == WORD_Rotation_tile;
 }
 
-/* GLSL for positions of pixels and for voxels. */
+/* Adds the GLSL of pixel positions and voxels. */
 static void add_places(const Render *render, ScreenPassText *text)
 {
     const bool voxels = indirect_reads_voxels(render);
@@ -61,7 +60,7 @@ static void add_places(const Render *render, ScreenPassText *text)
     screen_pass_add(text, render_text_indirect_lift);
 }
 
-/* GLSL for what is found there. */
+/* Adds the GLSL of the method. */
 static void add_method(const Render *render, ScreenPassText *text)
 {
     const IndirectMethod *method = indirect_method(render);
@@ -72,7 +71,8 @@ static void add_method(const Render *render, ScreenPassText *text)
     screen_pass_add(text, seen ? render_text_indirect_seen : render_text_pass_rays);
 }
 
-/* The surface, whose model is asked again where light goes on from pixels. */
+/* Adds the unpacking of the surface; for a further bounce also its BRDF, by which pixels reflect
+ * light again. */
 static void add_surface(const Render *render, bool again, const char *defined, ScreenPassText *text)
 {
     screen_pass_add(text, indirect_surface_text(render));
@@ -136,7 +136,8 @@ static void run(Render *render, ScreenPass *pass)
     if (indirect_reads_voxels(render))
         voxel_bricks_bind(render, VOXEL_UNIT);
     if (radiance_needed(render)) {
-        radiance_set(render, RADIANCE_UNIT, pass); /* the pass radiance may have chosen a size */
+        /* after the pass radiance, which may change its size */
+        radiance_set(render, RADIANCE_UNIT, pass);
         radiance_bind(render, RADIANCE_UNIT);
     }
     indirect_around_bind(render, SKY_UNIT);
@@ -148,7 +149,7 @@ static void run(Render *render, ScreenPass *pass)
 
 void pass_rays_draw(Render *render)
 {
-    const unsigned most = 4096; /* sets that differ: what they are shifted by is a float */
+    const unsigned most = 4096; /* sets with distinct shifts, which are computed in floats */
     if (indirect_moves(render)) {
         run(render, &render->indirect->moving.rays);
         return;

@@ -1,9 +1,8 @@
-// The pass rays: what a pixel's surface sees of its surroundings. rgb: light that comes by way of
-// other surfaces, as the mean of what arrives, the cosine counted in (irradiance over pi); a:
-// openness. Before it stand what unpacks the G-buffer, indirect_place.glsl, and the method's own,
-// with indirectAround().
+// The pass rays: ambient occlusion and indirect light of a pixel. rgb: indirect light, as the
+// cosine-weighted mean of incoming radiance (irradiance / pi); a: ambient occlusion. Preceded by
+// the unpacking of the G-buffer, indirect_place.glsl, and the method's GLSL with indirectAround().
 #ifdef INDIRECT_SETS
-uniform float indirect_set; // its number
+uniform float indirect_set; // number of the set of rays
 #endif
 
 vec4 passPixel(ivec2 small)

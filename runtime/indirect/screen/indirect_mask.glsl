@@ -1,25 +1,27 @@
-// Openness and light by bit masks (Therrien, Levesque and Gilet 2023): half planes through the line
-// of sight are gone through; in each, what the picture shows on both sides covers angles of the
-// half circle over the surface, from where a thing begins to where it ends, INDIRECT_THICK behind.
-// The half circle has 32 sectors, a bit each; a bit that is set for the first time also lets light
-// through from what set it. So light passes behind a post, as it does not with horizons.
+// Ambient occlusion and light by visibility bit masks (Therrien, Levesque and Gilet 2023), a
+// screen-space method. For several half planes through the line of sight, samples of the depth
+// buffer on both sides cover angles of the half circle over the surface, from an occluder's front
+// to its back, INDIRECT_THICK behind. The half circle has 32 sectors, a bit each; the sample that
+// first sets a bit also sends its light through that sector. So light passes behind a post, unlike
+// with horizons.
 //
-// Sectors are not alike in angle, but in what they count: with t the angle from the line of sight
-// and g that of the normal, all light of a half plane is the integral of cos(t - g) |sin t|, whose
-// primitive is (cos g - cos(2 t - g)) / 4 + t sin(g) / 2; a sector is a 32nd of it. With nothing
-// around, means over half planes are then those of a cosine over the half sphere (Jimenez et al.
-// 2016), and what is counted needs no weights.
+// Sectors are equal not in angle but in weight: with t the angle from the line of sight and g that
+// of the normal, all light of a half plane is the integral of cos(t - g) |sin t|, whose primitive
+// is (cos g - cos(2 t - g)) / 4 + t sin(g) / 2; a sector is a 32nd of the integral. Unoccluded,
+// means over half planes then equal those of a cosine over the hemisphere (Jimenez et al. 2016),
+// and counting bits needs no weights.
 //
-// Worked example: seen from above, g = 0, a wall that covers t from 60 to 90 degrees. The primitive
-// is (1 - cos 2t) / 4: 3/8 at 60 and 1/2 at 90 degrees, on this side a fourth of 1/2: 4 bits of 32.
+// Worked example: viewed from above, g = 0, a wall that covers t from 60 to 90 degrees. The
+// primitive is (1 - cos 2t) / 4: 3/8 at 60 and 1/2 at 90 degrees, on this side a fourth of 1/2: 4
+// bits of 32.
 float indirectPrimitive(float t, float g) { return 0.25 * (cos(g) - cos(2.0 * t - g)) + 0.5 * t * sin(g); }
 
 struct IndirectSlice {
-    vec3 sight, aside; // at right angles; the half plane is on both sides of sight
-    float g, left, all; // the normal's angle; the integral to sight, and to the other side
+    vec3 sight, aside; // unit vectors, perpendicular; the slice extends to both sides of `sight`
+    float g, left, all; // the normal's angle; the integral up to `sight`; the whole integral
 };
 
-// Place of an angle among the sectors, from 0 to 32.
+// Position of an angle among the sectors, from 0 to 32.
 float indirectSector(IndirectSlice slice, float t)
 {
     t = clamp(t, slice.g - 1.57079632679490, slice.g + 1.57079632679490);
@@ -27,7 +29,7 @@ float indirectSector(IndirectSlice slice, float t)
     return 32.0 * clamp((t < 0.0 ? slice.left - p : slice.left + p) / slice.all, 0.0, 1.0);
 }
 
-// From the line of sight, to one side: 0 to pi, or less than 0.
+// Angle from the line of sight, times `side`: 0 to pi in absolute value.
 float indirectAngle(vec3 way, IndirectSlice slice, float side)
 {
     return side * atan(max(side * dot(way, slice.aside), 0.0), dot(way, slice.sight));
@@ -39,7 +41,7 @@ uint indirectBits(float low, float high)
     return count <= 0 ? 0u : count >= 32 ? 0xFFFFFFFFu : ((1u << uint(count)) - 1u) << uint(from);
 }
 
-// A primitive count of bits, for versions before 4.00.
+// Counts bits, for GLSL before 4.00.
 float indirectCount(uint bits)
 {
     bits = bits - (bits >> 1u & 0x55555555u);
@@ -82,7 +84,8 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
                 float depth = texelFetch(indirect_depth, at, 0).x;
                 if (depth <= 0.0 || at == pixel) continue;
                 vec3 way = indirectPoint(at, depth) - from;
-                if (dot(way, normal) <= 0.0) continue; // also where its pixel's middle, which lies beside the half plane, makes it look higher
+                // also when the pixel's center, off the half plane, seems higher
+                if (dot(way, normal) <= 0.0) continue;
                 float far = length(way);
                 if (far > indirect_reach.x) continue;
                 float a = indirectSector(slice, indirectAngle(way, slice, float(side))), b = indirectSector(slice, indirectAngle(way - indirect_models.y * sight, slice, float(side)));
@@ -97,13 +100,15 @@ vec4 indirectAround(ivec2 pixel, IndirectShift shifts, vec3 point, vec3 normal, 
         }
 #ifdef INDIRECT_BENT
         for (int b = 0; b < 32; b++) {
-            float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 32.0 - 0.5); // close to the sector's middle
+            // approximate center of the sector
+            float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 32.0 - 0.5);
             if ((bits >> uint(b) & 1u) == 0u) open += share * (cos(t) * sight + sin(t) * slice.aside);
         }
 #endif
 #ifdef INDIRECT_AROUND
         for (int b = 0; b < 4; b++) {
-            float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 4.0 - 0.5); // of eight sectors
+            // center of eight sectors
+            float t = slice.g + 3.14159265358979 * ((float(b) + 0.5) / 4.0 - 0.5);
             aroundAdd(0.25 * share * aroundAt(cos(t) * sight + sin(t) * slice.aside), indirectCount(~bits >> uint(8 * b) & 0xFFu) / 8.0, around);
         }
 #endif

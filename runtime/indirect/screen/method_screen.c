@@ -1,5 +1,5 @@
-/* The method screen: bit masks of what the picture shows along lines through the pixel. Its GLSL is
- * indirect_mask.glsl; the view visibility traces single rays. */
+/* The method screen: visibility bit masks from the depth buffer, along lines through the pixel.
+ * Its GLSL is indirect_mask.glsl; the view visibility traces single rays. */
 #include "gen/render_text.h"
 #include "runtime/indirect/settings/indirect_method.h"
 

@@ -1,5 +1,5 @@
-/* The pass positions: a view of the points that the picture knows, as a mesh, from beside. It is
- * drawn over a depth of its own, which the layers that are peeled have else. Its GLSL is
+/* The pass positions: a view of the depth buffer's points as a mesh, from the side. Its own
+ * depth buffer is the target that depth peeling uses for layers. Its GLSL is
  * positions_vertex.glsl and positions_fragment.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
@@ -11,7 +11,7 @@
 
 #define PI 3.14159265358979323846
 
-/* From where: the camera goes around the middle of all objects, along its own right or up. */
+/* Views and their cameras, which orbit the center of all objects to the right or upwards. */
 static const struct {
     const char *name;
     double right, up; /* degrees */
@@ -37,8 +37,8 @@ static void set(Render *render, const char *name, const float values[4])
     material_set(&render->positions->material, &(MaterialValue){name, 4, values});
 }
 
-/* By columns: where the camera goes right, points go left before what they are turned around; y is
- * up, z to the back. */
+/* Rotation about the center, by columns: points move left where the camera moves right; y is up,
+ * z backwards. */
 static void set_turn(Render *render, double right, double up)
 {
     const double a = right * PI / 180, b = up * PI / 180;
@@ -50,8 +50,8 @@ static void set_turn(Render *render, double right, double up)
     material_set(&render->positions->material, &(MaterialValue){"positions_turn", 9, turn});
 }
 
-/* An orthographic camera's depth ends where the scene does as it sees it; turned, points are
- * elsewhere. */
+/* Sets the projection. An orthographic camera's depth range fits the original view, so it is
+ * widened for the rotated points. */
 static void set_clip(Render *render, const VoxelGrid *grid, const float middle[4])
 {
     const float *m = render->space.spaces.clip_from_eye.m, *view = render->space.depth;
@@ -109,7 +109,8 @@ static void pass_positions_draw(Render *render)
     texture_bind(gl, frame_texture(render, FRAME_TARGET_depth, 0), 0);
     material_use(&render->positions->material);
     gl->BindVertexArray(render->positions->array);
-    gl->Enable(GL_CULL_FACE); /* what shows its back: a wall through which one looks into a room */
+    /* omits backs of surfaces, such as the wall of a room nearest to the camera */
+    gl->Enable(GL_CULL_FACE);
     gl->DrawArrays(GL_TRIANGLES, 0, vertices * squares);
     gl->Disable(GL_CULL_FACE);
     gl->BindVertexArray(0);

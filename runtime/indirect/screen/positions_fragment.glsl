@@ -1,5 +1,5 @@
-// The view positions: grey, by how it is turned to who looks; blue where a triangle only joins two
-// surfaces.
+// The view positions: gray, shaded by the angle to the line of sight; blue for triangles that only
+// join two surfaces.
 uniform vec4 positions_view;
 in vec3 position;
 flat in float position_known;

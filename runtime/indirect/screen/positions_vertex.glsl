@@ -1,16 +1,18 @@
-// The view positions: the points that pixels show, as a mesh of two triangles between each four
-// pixels' middles, seen from beside (Thiedemann 2009, 4.3). The eye's space is turned around a
-// point of it; vertices are numbered, six for each four pixels, and depth says where they are.
+// The view positions: the points of all pixels as a mesh, two triangles between the centers of each
+// 2 x 2 pixels, viewed from the side (Thiedemann 2009, 4.3). Eye space is rotated around
+// positions_middle. Vertices are numbered, six for each 2 x 2 pixels; the depth buffer gives their
+// positions.
 uniform sampler2D positions_depth;
 uniform mat3 positions_turn;
-uniform vec4 positions_middle; // around which it is turned
+uniform vec4 positions_middle; // center of rotation
 uniform vec4 positions_ray, positions_view; // of view_space.h
-uniform vec4 positions_clip;   // of x and y; of z, and what is added there
-uniform vec4 positions_w;      // of z, and what is added
+uniform vec4 positions_clip;   // scales of x, y and z; w: offset of z
+uniform vec4 positions_w;      // x: scale of z, y: offset, which give clip space w
 out vec3 position;
-flat out float position_known; // 1; 0: between two surfaces, of what lies there the picture knows nothing
+// 1; 0: the triangle joins two surfaces, so the depth buffer knows nothing of it
+flat out float position_known;
 
-const float STEEPEST = 1.0 / 16.0; // cosine between a triangle's normal and the line of sight
+const float STEEPEST = 1.0 / 16.0; // min cosine between a triangle's normal and the line of sight
 
 vec3 pointOf(ivec2 pixel, float depth)
 {

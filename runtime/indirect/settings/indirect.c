@@ -9,7 +9,7 @@ static bool is_said(const Render *render)
     return render->scene && scene_indirect_is(render->scene);
 }
 
-/* Where nothing stands no light goes on. */
+/* A scene without objects has no indirect light. */
 bool indirect_is(const Render *render)
 {
     return is_said(render) && render->scene->object_count > 0;
@@ -20,7 +20,7 @@ bool indirect_shows(const Render *render, const char *view)
     return render->options.view && !strcmp(render->options.view, view);
 }
 
-/* Cached radiance has further bounces in it. */
+/* The radiance cache already includes further bounces. */
 bool indirect_is_repeated(const Render *render)
 {
     return indirect_is(render) && !indirect_reads_radiance(render) &&

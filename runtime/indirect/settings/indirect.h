@@ -1,5 +1,5 @@
-/* Indirect light: settings, resolved from the scene and the driver, and what is accumulated over
- * frames. docs/design/indirect.md explains the passes. */
+/* Indirect light: settings, resolved from the scene and the driver, and state of temporal
+ * accumulation. docs/design/indirect.md explains the passes. */
 #ifndef MATC_INDIRECT_INDIRECT_H
 #define MATC_INDIRECT_INDIRECT_H
 #include "runtime/indirect/settings/indirect_state.h"
@@ -7,49 +7,53 @@
 
 /* -- Settings */
 
-/* The scene has indirect light. */
+/* Reports whether the scene has indirect light. */
 bool indirect_is(const Render *render);
-/* The method in use; NULL if the scene says none. */
+/* Returns the method in use; NULL if the scene has no `indirect:` block. */
 const IndirectMethod *indirect_method(const Render *render);
-/* Components of a view of ambient occlusion or indirect light; 0 for any other view. */
+/* Returns the components of a view of ambient occlusion or indirect light; 0 for any other view. */
 int indirect_view_lanes(const char *view);
-/* The view has that name. */
+/* Reports whether the view has that name. */
 bool indirect_shows(const Render *render, const char *view);
-/* Why the scene has nothing to show in the view; NULL if it has, or the view is another. */
+/* Returns the reason why the scene has nothing to show in a view of indirect light; NULL if the
+ * view can be shown. */
 const char *indirect_lacks_view(const Render *render);
-/* Light bounces more than once by rays in screen space, each bounce by a run of the passes. */
+/* Reports whether light bounces more than once by screen-space rays, each bounce by a run of the
+ * passes. */
 bool indirect_is_repeated(const Render *render);
-/* The result of the rays is denoised, upsampled, accumulated, or the input of a further bounce. */
+/* Reports whether the rays' result is denoised, upsampled, accumulated, or the input of a
+ * further bounce. */
 bool indirect_is_smoothed(const Render *render);
-/* Rays are traced through voxels; hits return cached radiance instead of what is on screen. */
+/* Report whether rays are traced through voxels, and whether hits return cached radiance instead
+ * of light on screen. */
 bool indirect_reads_voxels(const Render *render);
 bool indirect_reads_radiance(const Render *render);
-/* Pixels of the picture along an edge of one from which rays go out: 1, 2 or 4. */
+/* Returns the resolution divisor of the ray pass per axis: 1, 2 or 4. */
 int indirect_coarse(const Render *render);
-/* Resolution divisor while something moves, if it is larger; else 0. */
+/* Returns the resolution divisor while something moves, if it is larger; else 0. */
 int indirect_moving(const Render *render);
-/* This frame uses that. */
+/* Reports whether this frame uses the divisor for motion. */
 bool indirect_moves(const Render *render);
 
 /* -- Temporal accumulation */
 
-/* Samples that may be out of date: of light from other surfaces, of ambient occlusion. */
+/* Accumulated samples that may be out of date: light from other surfaces, or ambient occlusion. */
 typedef enum { INDIRECT_DOUBT_light = 1, INDIRECT_DOUBT_openness = 2 } IndirectDoubt;
 
-/* Results of several frames, or of several sets of rays, are averaged. */
+/* Reports whether results of several frames, or of several sets of rays, are averaged. */
 bool indirect_keeps(const Render *render);
-/* The number of sets of rays that are averaged at most. */
+/* Returns the max number of sets of rays that are averaged. */
 int indirect_most_sets(const Render *render);
-/* No further rays are traced. */
+/* Reports whether enough sets are averaged, so that no further rays are traced. */
 bool indirect_is_done(const Render *render);
-/* The texture of the means. */
+/* Returns the texture of the means. */
 GLuint indirect_kept(const Render *render);
-/* Rejects all accumulated samples, or, if frames accumulate, those that do not reproject onto the
+/* Rejects all accumulated samples. If frames accumulate, keeps those that reproject onto the
  * same surface. */
 void indirect_forget(Render *render);
-/* Lowers the weight of accumulated samples; `doubts` is a set of IndirectDoubt. Also near moved
- * objects they count less. */
+/* Lowers the weight of accumulated samples, more so near moved objects; `doubts` is a set of
+ * IndirectDoubt. */
 void indirect_doubt(Render *render, unsigned doubts);
-/* Frees what FrameIndirect holds. */
+/* Frees the resources of FrameIndirect. */
 void indirect_delete(Render *render);
 #endif
