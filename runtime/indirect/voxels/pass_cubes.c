@@ -1,4 +1,4 @@
-/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, behind voxel_map.glsl and
+/* The pass cubes: a view of the voxels. Its GLSL is pass_cubes.glsl, after voxel_map.glsl and
  * voxel_walk.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"

@@ -1,7 +1,8 @@
-// The pass cubes: full voxels as the camera sees them, in the colours of the lanes that hold them:
-// 32 voxels red, 32 green, 32 blue, 32 grey.
+// The pass cubes: full voxels as the camera sees them, colored by the component of the map that
+// holds them: 32 voxels red, 32 green, 32 blue, 32 gray.
 uniform vec4 cubes_ray, cubes_view;                    // of view_space.h
-uniform vec4 cubes_right, cubes_up, cubes_back, cubes_eye; // the eye's axes and place, in voxels
+// the camera's axes and position, in voxels
+uniform vec4 cubes_right, cubes_up, cubes_back, cubes_eye;
 uniform int cubes_level;
 
 vec3 cubesDirection(vec3 eye)

@@ -1,7 +1,7 @@
-/* The pass voxels: the slice map of what is opaque, but for infinite planes. It stays until objects
- * move. Bodies turn bits over by an exclusive or of the driver's, in waves of those that are apart;
- * surfaces of the others set theirs along each axis; all are merged, then the levels above are
- * made. */
+/* The pass voxels: fills the slice map with all opaque objects except infinite planes. The map
+ * is kept until objects move. Bodies flip bits by the driver's exclusive or, in waves of bodies
+ * that do not overlap; surfaces set bits along each axis; both are merged, then coarser levels
+ * and bricks are built. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
@@ -10,8 +10,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Start offsets of rays (voxel_map.glsl). tests/renderer/indirect/test_frame_voxel_open.c has the
- * table from which they were chosen. */
+/* Start offsets of rays (voxel_map.glsl). tests/renderer/indirect/test_frame_voxel_open.c has
+ * the table from which they were chosen. */
 #define OFF_BODIES   .5f
 #define OFF_SURFACES .9f
 
@@ -57,7 +57,7 @@ static bool make_textures(Render *render)
     return gl_check(render->gl, "making room for voxels");
 }
 
-/* `casts`: it is drawn with objects; else over all texels. */
+/* Makes a program. With `casts` it draws objects, otherwise all texels. */
 static bool make_program(Render *render, const char *text, bool casts, Material *made)
 {
     const char *const version = render->gl->major * 10 + render->gl->minor >= 45
@@ -100,7 +100,7 @@ static bool pass_voxels_make(Render *render)
 
 /* -- drawing */
 
-/* So many layers of a texture's level are drawn to at once. */
+/* Attaches `count` layers of a texture's level, from `first` on, as draw buffers. */
 static void use_layers(const Render *render, GLuint texture, int level, int first, int count)
 {
     static const GLenum buffers[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
@@ -115,8 +115,8 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
     gl->Viewport(0, 0, size, size);
 }
 
-/* Draws the objects of a wave, seen along an axis; without a material what is cut out, by its
- * own. */
+/* Draws the objects of a wave along an axis; with material NULL the alpha-tested ones, by their
+ * own programs. */
 static void cast(Render *render, int axis, int wave, Material *material)
 {
     static const CullVolume all = {.count = 0};
@@ -177,7 +177,7 @@ static void draw_surface(Render *render)
     }
     if (!has_surfaces(render))
         return;
-    use_layers(render, voxels->within, 0, 0, 1); /* its size is all that is taken of it */
+    use_layers(render, voxels->within, 0, 0, 1); /* only defines the framebuffer's size */
     gl->DrawBuffers(1, (const GLenum[]){GL_NONE});
     gl->BindImageTexture(0, voxels->surface, 0, GL_TRUE, 0, GL_READ_WRITE, GL_R32UI);
     for (int axis = 0; axis < 3; axis++) {
@@ -196,7 +196,8 @@ static void bind(const GlContext *gl, GLuint texture, int unit)
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, texture);
 }
 
-/* The first wave, with surfaces, and what later ones have beside it. */
+/* Merges a wave into the map: the first wave replaces the map, with surfaces; later ones are
+ * added by a bitwise or. */
 static void merge(Render *render, int wave)
 {
     const GlContext *gl = render->gl;
@@ -214,7 +215,8 @@ static void merge(Render *render, int wave)
     gl->Disable(GL_COLOR_LOGIC_OP);
 }
 
-/* Reads one level of the map while another is drawn to. */
+/* Builds the coarser levels. Base and max level restrict reads to the level below the one drawn
+ * to. */
 static void draw_levels(Render *render)
 {
     const GlContext *gl = render->gl;
@@ -293,7 +295,7 @@ static void pass_voxels_forget_time(Render *render)
                 !spaces_by_time(&cache->casters[cache->places[i].cut].material);
 }
 
-/* Fits the grid again: moved objects may lie outside it or be smaller than a voxel. */
+/* Fits the grid to moved objects, which may lie outside it or be smaller than a voxel. */
 static bool pass_voxels_change(Render *render)
 {
     if (!render->voxels->map)

@@ -1,6 +1,5 @@
-// A level of the slice map from the one below: 2 x 2 columns are one, and its voxels as long as
-// ever.
-uniform usampler2DArray voxel_below; // whose level is the only one that is read
+// A coarser level of the slice map: 2 x 2 columns become one; voxels keep their length along z.
+uniform usampler2DArray voxel_below; // the finer level, selected as base level
 layout(location = 0) out uvec4 voxels[VOXEL_LAYERS];
 
 void main()

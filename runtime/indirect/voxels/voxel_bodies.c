@@ -1,18 +1,20 @@
-/* Which objects are bodies, and which of these are drawn together. No GL.
+/* Sorts objects into bodies and surfaces, and bodies into waves that are drawn together. Makes
+ * no GL calls.
  *
- *     a room of six boxes that cross in its corners: floor and ceiling are apart, wave 1; two walls
- *         that face each other, wave 2; the others, wave 3 */
+ *     A room of six boxes that overlap in its corners: floor and ceiling do not overlap, wave 1;
+ *     two
+ *         opposite walls, wave 2; the others, wave 3. */
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/tessellate/scene_solid.h"
 #include <math.h>
 #include <stdlib.h>
 
-/* Voxels: of a flat wall as thick as one, each line through middles along the axis that is nearest
- * to its normal has a middle in it. */
+/* In voxels. In a flat wall of that thickness or more, each line through voxel centers along the
+ * axis nearest to the wall's normal has a center inside. */
 #define THINNEST 1.5
-/* Voxels: no edge is longer of a surface whose triangles are taken one by one, so that none of them
- * takes long, and areas are whole numbers of 32 bits. */
+/* In voxels: max edge of a surface whose triangles are rasterized one per invocation. The bound
+ * limits the work of an invocation, and keeps areas within 32-bit integers. */
 #define FINEST 8
 
 /* -- meshes */
@@ -36,7 +38,7 @@ static double distance_of(const Shape *shape, uint32_t a, uint32_t b)
     return sqrt(sum);
 }
 
-/* Pyramids from the first vertex over all triangles have the volume. */
+/* Measures a mesh. Its volume is the sum of pyramids from the first vertex over all triangles. */
 static VoxelShape measure(const Shape *shape, ShapeBody body)
 {
     VoxelShape made = {.closed = body != SHAPE_BODY_none};
@@ -57,7 +59,7 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
     return made;
 }
 
-/* Measures each mesh by the first object that has it. */
+/* Measures each mesh, by the first object that uses it. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
 {
     const Cache *cache = &render->cache;
@@ -86,7 +88,8 @@ bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
 
 /* -- objects */
 
-/* The volume over half the area, in the world; of a matrix that stretches its axes, at least. */
+/* Returns the thickness in world units: volume over half the area; a lower bound if the matrix
+ * scales axes differently. */
 static double thickness(const VoxelShape *shape, const SceneMatrix *world_from_local)
 {
     const double *m = world_from_local->m;
@@ -105,8 +108,7 @@ static double thickness(const VoxelShape *shape, const SceneMatrix *world_from_l
                : 0;
 }
 
-/* How much longer a matrix makes anything, at most; of axes that stay across each other, just
- * that. */
+/* Returns an upper bound of the scale of a matrix; exact if its axes stay orthogonal. */
 static double stretch(const SceneMatrix *world_from_local)
 {
     double most = 0;
@@ -126,8 +128,8 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
     return voxels->waves[place] && voxels->waves[place] <= VOXELS_WAVES_MOST;
 }
 
-/* Cut-out surfaces evaluate their material, and triangles displaced by the GPU exist only there:
- * both are rasterized. */
+/* Alpha-tested surfaces evaluate their material, and triangles displaced on the GPU exist only
+ * there: both are drawn by the rasterizer. */
 unsigned char voxel_bodies_surface(const Render *render, int number)
 {
     const FrameVoxels *voxels = render->voxels;
@@ -143,7 +145,7 @@ unsigned char voxel_bodies_surface(const Render *render, int number)
 
 typedef struct {
     VoxelRange range;
-    double low; /* along the axis of the sweep */
+    double low; /* lower end along the sweep axis */
     int place;
 } Body;
 
@@ -192,7 +194,8 @@ static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bo
     return count;
 }
 
-/* Along which the middles of boxes are spread the most, so that few are beside each other. */
+/* Returns the axis along which the boxes' centers are spread most, so that few boxes overlap in
+ * the sweep. */
 static int axis_of(const Body *bodies, int count)
 {
     double spread[3] = {0};
@@ -207,8 +210,8 @@ static int axis_of(const Body *bodies, int count)
     return spread[0] >= spread[1] && spread[0] >= spread[2] ? 0 : spread[1] >= spread[2] ? 1 : 2;
 }
 
-/* The first wave that none of the bodies has whose boxes meet; 0: there is none. What ends before
- * it is taken off the list. */
+/* Returns the first wave without a body whose box overlaps this one; 0 if all waves are taken.
+ * Removes boxes from the sweep's list that end before this body. */
 static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *list, int *count)
 {
     const unsigned all = (1u << VOXELS_WAVES_MOST) - 1;

@@ -1,12 +1,12 @@
-/* Bricks: the slice map as rays read it, 4 x 4 x 4 voxels in 64 bits, and levels above, the last of
- * which is one brick. */
+/* Bricks: the voxel grid as rays read it, 4 x 4 x 4 voxels in 64 bits, with coarser levels up to
+ * a single brick. */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
 
 enum { BRICKS_BINDING = 2, MAP_UNIT = 0, BRICK = 4, GROUP = 4 };
 
-/* The base 2 logarithm of the lowest level's bricks along an edge. */
+/* Base 2 logarithm of the finest level's bricks along an edge. */
 static int log_of(const FrameVoxels *voxels)
 {
     int log = 0;
@@ -15,7 +15,7 @@ static int log_of(const FrameVoxels *voxels)
     return log;
 }
 
-/* Eight bytes each, the highest level first. */
+/* Size of all levels: eight bytes per brick. The coarsest level comes first. */
 static GLsizeiptr bytes_of(const FrameVoxels *voxels)
 {
     return (GLsizeiptr)(((size_t)1 << 3 * (log_of(voxels) + 1)) / 7 * 2 * sizeof(GLuint));

@@ -1,13 +1,12 @@
-// Bricks of a level, for rays: 4 x 4 x 4 voxels in 64 bits, those of the lowest level from the
-// slice map, of others from 2 x 2 x 2 bricks below, whose 2 x 2 x 2 voxels are one that is full
-// where any of them is. Where a brick of a level lies, and where a voxel in it, says
-// voxel_map.glsl.
+// Builds the bricks of a level: 4 x 4 x 4 voxels in 64 bits. The finest level is read from the
+// slice map; in a coarser one 2 x 2 x 2 bricks become one, and a voxel is the union of 2 x 2 x 2.
+// voxel_map.glsl describes the order of bricks and of their bits.
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(std430, binding = 2) buffer VoxelBricks {
     uvec2 bricks[];
 };
 uniform usampler2DArray brick_map;
-uniform int brick_log; // 2^that are the level's bricks along an edge
+uniform int brick_log; // the level has 2^brick_log bricks along an edge
 uniform bool brick_lowest;
 
 int brickPlace(ivec3 at, int log_)
@@ -15,7 +14,7 @@ int brickPlace(ivec3 at, int log_)
     return (((1 << 3 * log_) - 1) & 0x49249249) + (((at.z << log_) + at.y) << log_) + at.x;
 }
 
-// Bricks of 4 x 4 columns, of which a texel holds 128 voxels, those of a layer: 32 bricks.
+// Builds the bricks of 4 x 4 columns: a texel holds 128 voxels of a layer, which makes 32 bricks.
 void bricksOfMap(ivec3 at)
 {
     uvec4 columns[16];
@@ -30,8 +29,8 @@ void bricksOfMap(ivec3 at)
     }
 }
 
-// Next level of two planes of 4 x 4 voxels, in 16 bits each: each 2 x 2 become one voxel, in bits
-// 0, 1, 4, and 5.
+// Halves two planes of 4 x 4 voxels, in 16 bits each: the union of each 2 x 2 x 2 becomes one
+// voxel, in bits 0, 1, 4, and 5.
 uint brickQuarter(uint planes)
 {
     uint any = (planes | planes >> 16u) & 0xFFFFu;

@@ -1,5 +1,6 @@
-/* Surfaces of triangles that are small against voxels: no rasteriser, which takes each triangle
- * three times and finds nothing in most. A mesh goes to it as a whole (voxel_bodies.c). */
+/* Surfaces whose triangles are small against voxels are rasterized by a compute program: the
+ * GPU's rasterizer would take each triangle three times, and mostly produce no fragment. The
+ * choice is made per mesh (voxel_bodies.c). */
 #include "gen/render_text.h"
 #include "runtime/frame/frame.h"
 #include "runtime/indirect/voxels/voxels.h"
@@ -26,7 +27,7 @@ bool voxel_fine_make(Render *render)
            gl_check(gl, "making room for fine surfaces");
 }
 
-/* Rows of the matrix from a mesh's space to voxels. */
+/* Computes the rows of the matrix from a mesh's local space to voxels. */
 static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local,
                       float rows[ROWS][4])
 {
@@ -37,7 +38,7 @@ static void put_place(const VoxelGrid *grid, const SceneMatrix *world_from_local
                 (float)((m[4 * column + k] - (column == 3 ? grid->low[k] : 0)) / grid->edge);
 }
 
-/* So many places of a mesh: their rows. */
+/* Rasterizes `count` instances of a mesh, whose matrices are in fine_rows. */
 static void touch(Render *render, int mesh, int count)
 {
     const GlContext *gl = render->gl;
@@ -54,7 +55,8 @@ static void touch(Render *render, int mesh, int count)
     gl->DispatchCompute(groups < GROUPS_MOST ? groups : GROUPS_MOST, (GLuint)count, 1);
 }
 
-/* Objects that fill voxels are sorted by mesh, in parts. */
+/* Draws all places with fine triangles. cast_order is sorted by mesh, so instances of a mesh are
+ * drawn together, at most PLACES_MOST at once. */
 void voxel_fine_draw(Render *render)
 {
     const Cache *cache = &render->cache;

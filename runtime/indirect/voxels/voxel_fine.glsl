@@ -1,17 +1,17 @@
-// Surfaces of triangles that are small against voxels, one invocation a triangle: which lines
-// through voxels' middles, along each axis, meet it, as voxel_touch.glsl has it of a rasteriser. Of
-// most such triangles it is one, or none.
+// Surfaces whose triangles are small against voxels, one triangle per invocation: finds the lines
+// through voxel centers, along each axis, that hit the triangle, like voxel_touch.glsl with a
+// rasterizer. Most such triangles are hit by one line or none.
 //
-// Corners are put on places 1/256 of a voxel apart, and areas are whole numbers: so a line over an
-// edge is on the same side of it for both triangles that share it, or on both, and no line gets
-// through between. A line on an edge meets both, as what is set twice is set. FINE_STRIDE: floats
-// of a vertex, whose position comes first.
+// Vertices are snapped to 1/256 of a voxel, and areas are integers: a line over an edge is on the
+// same side of the edge for both triangles that share it, or exactly on it, so no line passes
+// between them. A line on an edge hits both triangles, which is harmless. FINE_STRIDE: floats per
+// vertex, whose position comes first.
 //
-//     corners (0, 0), (1, 0), (0, 1), in voxels: the line at (1/2, 1/2) is on the long edge, and
-//         meets it; its area is 0 there
+//     Corners (0, 0), (1, 0), (0, 1), in voxels: the line at (1/2, 1/2) is on the long edge, where
+//         its area is 0, and hits the triangle.
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer FinePlaces {
-    vec4 fine_places[]; // of each place: rows of the matrix from the mesh's space to voxels
+    vec4 fine_places[]; // per instance: rows of the matrix from local space to voxels
 };
 layout(std430, binding = 1) readonly buffer FineVertices {
     float fine_vertices[];
@@ -21,7 +21,7 @@ layout(std430, binding = 2) readonly buffer FineIndices {
 };
 layout(r32ui) uniform uimage2DArray voxel_surface;
 
-const int fine_parts = 256; // of a voxel
+const int fine_parts = 256; // fixed-point steps per voxel
 
 vec3 finePlace(uint vertex, int place)
 {
@@ -33,7 +33,7 @@ vec3 finePlace(uint vertex, int place)
 
 int fineArea(ivec2 a, ivec2 b) { return a.x * b.y - a.y * b.x; }
 
-// Seen along an axis: what is at (x, y) and a depth.
+// Fills a voxel, given by x, y and depth of the view along an axis.
 void fineSet(ivec3 seen, int axis)
 {
     ivec3 at = axis == 0 ? seen.zxy : axis == 1 ? seen.yzx : seen;

@@ -1,7 +1,8 @@
-/* Where voxels stand. No GL.
+/* Fits the voxel grid to a scene. Makes no GL calls.
  *
- *     objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 of them take the 4, so that each is 4 / 62
- *         wide, and one is left on each side */
+ *     Objects from (0, 0, 0) to (4, 2, 1), 64 voxels: 62 voxels span the length 4, so that each
+ *     is
+ *         4 / 62 wide, and one is left on each side. */
 #include "runtime/indirect/voxels/voxels.h"
 #include <math.h>
 #include <string.h>
@@ -59,7 +60,7 @@ void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double c
     clip[15] = 1;
     for (int row = 0; row < 3; row++) {
         const int from = (axis + 1 + row) % 3;
-        const bool parts = row == 2 && zero_to_one; /* from 0, else from -1 */
+        const bool parts = row == 2 && zero_to_one; /* depth from 0, else from -1 */
         clip[4 * from + row] = parts ? over : 2 * over;
         clip[12 + row] = -grid->low[from] * over * (parts ? 1 : 2) - (parts ? 0 : 1);
     }
@@ -67,7 +68,7 @@ void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double c
 
 double voxel_grid_radius(const Scene *scene, const Cache *cache)
 {
-    /* all but a layer on each side is as wide as the objects */
+    /* the grid without its outer layers is as wide as the objects */
     const VoxelGrid grid = voxel_grid(scene, cache);
     const double longest = grid.edge * (grid.size - 2);
     if (scene->indirect.radius > 0)

@@ -1,4 +1,5 @@
-// The lowest level of the slice map: what lies within closed meshes, and surfaces of the others.
+// Finest level of the slice map: union of the interiors of closed meshes and of other meshes'
+// surfaces.
 uniform usampler2DArray voxel_within, voxel_surface;
 layout(location = 0) out uvec4 voxels[VOXEL_LAYERS];
 

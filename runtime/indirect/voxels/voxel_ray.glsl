@@ -1,28 +1,30 @@
-// Rays through voxels by bricks: what a walk through single voxels meets, at the same t bit for
-// bit, in fewer steps. Behind voxel_map.glsl.
+// Ray traversal by bricks: same hit as a walk through single voxels, at the same t bit for bit, in
+// fewer steps. Preceded by voxel_map.glsl.
 //
-// A step passes through a block, 2^k voxels wide: a brick of some level, or a part of one of the
-// lowest: of 2 x 2 x 2 voxels, or of one. Those voxels of the brick count that lie in the box from
-// where the ray comes in to where it goes out of the block: one mask of 64 bits. If none of these
-// is full, the ray goes on to the block's end, and the next is twice as wide; else a quarter as
-// wide. A single voxel that is full is the hit.
+// A step passes through a block 2^k voxels wide: a brick of some level, or a part of a finest
+// brick, of 2 x 2 x 2 voxels or a single voxel. A mask of 64 bits selects the brick's voxels in the
+// box from the ray's entry into the block to its exit. If none of them is full, the ray moves to
+// the block's end, and the next block is twice as wide; otherwise the block shrinks to a quarter. A
+// full block of one voxel is the hit.
 //
-//     a ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
-//         which have the floor, but not in the box that the ray passes
+//     A ray of slope 1/4 over an empty floor of 64 x 64 voxels: bricks 4, 8, 16, 32, ... wide,
+//     which
+//         contain the floor, but not in the box that the ray passes.
 struct VoxelMeeting {
     float t;    // in multiples of the ray's direction
-    ivec3 at;   // the voxel
-    int bricks; // that were read
+    ivec3 at;   // the full voxel that was hit
+    int bricks; // number of bricks read
 };
 
-// The voxels of a brick from one corner of a box to the other, both within: planes of 16 bits, of
-// four rows.
+// Mask of a brick's voxels between two corners of a box, both included: planes of 16 bits, of four
+// rows each.
 //
 //     from (1, 0, 0) to (2, 1, 3): rows 0x6, planes 0x0066, all four of them: 0x00660066,
 //         0x00660066
 uvec2 voxelBox(ivec3 low, ivec3 high)
 {
-    uvec3 ones = (uvec3(15u) << uvec3(low)) & (uvec3(15u) >> uvec3(3 - high)); // of each axis
+    // bit sets along each axis
+    uvec3 ones = (uvec3(15u) << uvec3(low)) & (uvec3(15u) >> uvec3(3 - high));
     uint rows = ones.y & 1u | (ones.y & 2u) << 3 | (ones.y & 4u) << 6 | (ones.y & 8u) << 9;
     uvec2 planes = uvec2(ones.z, ones.z >> 2);
     return ((planes & 1u) | (planes & 2u) << 15) * (rows * ones.x);
@@ -30,8 +32,10 @@ uvec2 voxelBox(ivec3 low, ivec3 high)
 
 bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
 {
-    const int most = 8192;      // steps; a walk has fewer than 3 * 512, and each can go down once from each second width
-    const float beside = 0.002; // voxels: more than a place of a ray is off that is computed in floats
+    // max steps; a walk has fewer than 3 * 512, and each step may shrink the block from every
+    // second width
+    const int most = 8192;
+    const float beside = 0.002; // in voxels: exceeds the rounding error of a position on the ray
     VoxelWay way;
     meeting = VoxelMeeting(far, ivec3(0), 0);
     if (!voxelSetOut(from, direction, far, way)) return false;
@@ -39,13 +43,14 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     vec3 start = way.start - beside;
     float entered = 0.0;
     int wide = 2, last_read = -1;
-    bool own = way.within, met = false; // own: all voxels so far were full, in which it began
+    bool own = way.within, met = false; // own: only full voxels so far, in which the ray began
     for (int steps = 0; !met && steps < most && entered <= way.most && ((at.x | at.y | at.z) & voxel_size) == 0; steps++) {
         int level = max(wide - 2, 0);
-        ivec3 last = at | ((1 << wide) - 1); // of the block
+        ivec3 last = at | ((1 << wide) - 1); // last voxel of the block
         vec3 ends = voxelCrossings(way, vec3(last + 1));
         float leave = min(min(ends.x, ends.y), ends.z);
-        ivec3 next = clamp(ivec3(start + leave * way.along), at, last); // where it leaves, or one voxel before that
+        // exit voxel, or one voxel before it
+        ivec3 next = clamp(ivec3(start + leave * way.along), at, last);
         vec3 passed = voxelCrossings(way, vec3(next + 1));
         next += ivec3(passed.x < leave || ends.x < min(ends.y, ends.z), passed.y < leave || (passed.y == leave && leave < ends.z), passed.z <= leave);
         ivec3 here = (at ^ way.turn) >> level, there = (min(next, last) ^ way.turn) >> level;
@@ -67,10 +72,10 @@ bool voxelMeets(vec3 from, vec3 direction, float far, out VoxelMeeting meeting)
     return met && entered <= way.most;
 }
 
-// A ray from a place of the grid along `way`, of any length from 1e-30 to 1e30, meets a full voxel
-// at 0 <= t <= far; t, where it enters it, and far are in multiples of `way`. Full voxels in which
-// it begins do not count, up to the first empty one: what begins where voxelStart says does not
-// meet the surface that it comes from.
+// Traces a ray from a position of the grid along `way`, whose length may be 1e-30 to 1e30. Returns
+// whether it hits a full voxel at 0 <= t <= far; t, where the ray enters the voxel, and far are in
+// multiples of `way`. Full voxels at the ray's start are ignored up to the first empty one: a ray
+// that begins at voxelStart() does not hit its own surface.
 bool voxelRay(vec3 from, vec3 way, float far, out float t)
 {
     VoxelMeeting meeting;

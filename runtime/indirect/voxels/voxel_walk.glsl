@@ -1,10 +1,10 @@
-// Walks through the slice map along a ray, voxel by voxel. Behind voxel_map.glsl.
-uniform usampler2DArray voxel_slices; // the map: a texel is 128 voxels along z
+// Ray traversal of the slice map, voxel by voxel. Preceded by voxel_map.glsl.
+uniform usampler2DArray voxel_slices; // the slice map: a texel holds 128 voxels along z
 struct VoxelHit {
-    float way; // to where the ray enters the voxel, in multiples of its direction; less than 0: it meets none
+    float way; // t where the ray enters the voxel, in multiples of its direction; < 0: no hit
     ivec3 at;
-    int axis;  // of the face through which it enters: 0 to 2; 3: it begins there
-    int steps; // voxels that were read
+    int axis;  // axis of the face through which the ray enters; 3: begins within
+    int steps; // number of voxels read
 };
 
 bool voxelSliceHas(ivec3 at, int level)
@@ -12,9 +12,9 @@ bool voxelSliceHas(ivec3 at, int level)
     return (texelFetch(voxel_slices, ivec3(at.xy, at.z >> 7), level)[at.z >> 5 & 3] >> uint(at.z & 31) & 1u) != 0u;
 }
 
-// From a place along a direction, at most so many times it. On a level above, voxels are 2^level
-// wide along x and y. `own`: of a ray that begins in full voxels those count only behind the first
-// empty one.
+// Walks from a position along a direction, at most `far` times its length. On a coarser level
+// voxels are 2^level wide along x and y. With `own` full voxels at the ray's start are ignored up
+// to the first empty one.
 VoxelHit voxelWalk(vec3 from, vec3 direction, float far, int level, bool own)
 {
     VoxelWay way;

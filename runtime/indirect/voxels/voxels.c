@@ -1,9 +1,9 @@
-/* Views of voxels by their names, and what they are, in words. */
+/* Views of voxels by name, and statistics. */
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/frame/frame.h"
 #include <string.h>
 
-/* No level has two digits: 512 voxels have ten. */
+/* Levels have one digit: 512 voxels have ten levels, 0 to 9. */
 int voxels_view_level(const char *view)
 {
     static const char name[] = "voxels";
