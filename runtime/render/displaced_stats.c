@@ -5,7 +5,8 @@
 #include "runtime/shadow/shadow_method.h"
 #include <stdio.h>
 
-/* "voxels, edges": what sees triangles where the picture's surface is traced. */
+/* Lists the passes that use triangles although the surface is ray-marched in the picture, such
+ * as "voxels, edges". */
 static void put_grids(Text *out, const Render *render)
 {
     const ShadowViews *views = &render->shadows->views;
@@ -39,7 +40,7 @@ static void put_grids(Text *out, const Render *render)
         }
 }
 
-/* Surfaces that were to be ray-marched, and are not. */
+/* Describes the ray-marched surfaces, or the reason why triangles are drawn instead. */
 static void put_traced(Text *out, const Render *render)
 {
     const Cache *cache = &render->cache;
@@ -62,7 +63,7 @@ static void put_traced(Text *out, const Render *render)
     text_char(out, '\n');
 }
 
-/* How fine the cells of volumes are, once for objects in a row that share a mesh. */
+/* Describes the cell sizes of volumes, once for consecutive objects that share a mesh. */
 static void put_volumes(Text *out, const Render *render)
 {
     enum { DIGITS = 2 };

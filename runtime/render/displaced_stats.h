@@ -1,9 +1,9 @@
-/* Lines of --stats on how surfaces are displaced. */
+/* Lines of --stats on displaced surfaces. */
 #ifndef MATC_RENDER_DISPLACED_STATS_H
 #define MATC_RENDER_DISPLACED_STATS_H
 #include "runtime/frame/frame.h"
 
-/* Lines: what is traced, and what has a grid instead, and why; how fine the cells of volumes are.
- * Nothing where nothing is. */
+/* Writes which surfaces are ray-marched, which are drawn as grids of triangles instead and why,
+ * and the cell size of volumes. Writes nothing for a scene without such surfaces. */
 void displaced_stats_put(Text *out, const Render *render);
 #endif

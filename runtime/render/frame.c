@@ -15,7 +15,7 @@
 #include "runtime/shadow/hybrid/volume.h"
 #include <string.h>
 
-/* In the order of a frame. */
+/* The passes in the order of a frame. */
 /* clang-format off */
 static const FramePass *const passes[] = {
     &pass_surface,
@@ -57,7 +57,8 @@ const char *frame_reason(const Render *render, const FramePlanRequest *request, 
 
 /* -- the plan */
 
-/* The triangle ids are kept for the next frame. */
+/* Returns the targets to read after the frame, by the view; triangle ids are also kept for the
+ * next frame. */
 static unsigned wanted(const Render *render)
 {
     const char *view = render->options.view;
@@ -78,7 +79,7 @@ static unsigned wanted(const Render *render)
                                   : FRAME_BIT(light) | FRAME_BIT(shadow) | kept;
 }
 
-/* Drops targets that no allowed pass fills from what passes read and change. */
+/* Removes targets that no allowed pass fills from the passes' inputs and outputs. */
 static void leave_out(FramePlanPass *rows, unsigned allowed)
 {
     unsigned filled = 0;
@@ -93,7 +94,8 @@ static void leave_out(FramePlanPass *rows, unsigned allowed)
 void frame_request(const Render *render, FramePlanRows *made)
 {
     const bool at_once =
-        /* what is drawn to is not read, and parts read what they lit again */
+        /* Fragment programs cannot read the target that they write, and passes over tiled shadow
+         * lists read what they lit. */
         render->compute && !render->parted;
     unsigned allowed = 0;
     for (int i = 0; i < PASSES; i++) {
@@ -118,7 +120,8 @@ void frame_place(Render *render)
             passes[i]->place(render);
 }
 
-/* Draws everything before a pass that counts fragments, if it reads light; else depths alone. */
+/* Draws the passes before a pass that counts fragments: all if it reads light, otherwise those
+ * that write depth. */
 static void draw_before(Render *render, int pass)
 {
     const bool all = (passes[pass]->plan.reads & FRAME_BIT(light)) != 0;
@@ -220,7 +223,7 @@ void frame_draw(Render *render)
 
 void frame_clear(Render *render)
 {
-    for (int i = PASSES - 1; i >= 0; i--) /* a pass may keep things in the state of one before it */
+    for (int i = PASSES - 1; i >= 0; i--) /* a pass may keep data in the state of an earlier one */
         if (passes[i]->forget)
             passes[i]->forget(render);
     for (int draw = 0; draw < FRAME_DRAW_COUNT; draw++)

@@ -1,13 +1,12 @@
-/* Formats of a frame's targets, by the scene, its shadows and its indirect light; and their bytes.
- * */
+/* Formats and bytes of a frame's targets, by the scene, its shadows and its indirect light. */
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"
 #include "runtime/shadow/shadow_method.h"
 
-/* Light is kept as exactly as what it is made of: where a normal is off by less than this, a half
- * float would be the worse. So it would where many parts add up. */
+/* Reports whether light needs 32-bit floats: with normals more accurate than this bound a half
+ * float's error would dominate; rounding also adds up over several parts of shadow lists. */
 static bool is_exact(const Render *render)
 {
     const double degrees = 0.005;
@@ -56,7 +55,7 @@ static const char *format_of(const Render *render, FrameTarget target, int textu
     return texture == 0 ? one[target] : NULL;
 }
 
-/* Pixels of the frame along an edge of a target's pixel. */
+/* Returns the resolution divisor of a target per axis. */
 static int coarse_of(const Render *render, FrameTarget target)
 {
     if (target == FRAME_TARGET_shown)

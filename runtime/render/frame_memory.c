@@ -1,5 +1,4 @@
-/* The memory of a frame's targets: textures by the plan's pieces, and how large a tile they
- * hold. */
+/* Memory of a frame's targets: textures by the plan's pieces of memory, and the size of a tile. */
 #include "runtime/render/frame_memory.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/indirect_methods.h"
@@ -7,7 +6,8 @@
 #include "runtime/render/passes.h"
 #include <string.h>
 
-/* The piece, made for the first target that lies in it; for another format a view of it. */
+/* Returns a target's texture: the piece of memory itself, made on first use, or, for another
+ * format, a texture view of it. */
 static bool make_texture(Render *render, FrameMemory *memory, const TargetSpec *spec, GLuint *made)
 {
     if (!memory->texture)
@@ -53,7 +53,8 @@ static int least(int a, int b) { return a < b ? a : b; }
 
 static int round_up(int a, int step) { return (a + step - 1) / step * step; }
 
-/* Size of indivisible blocks: 2 x 2 pixels, pixels of the ray pass, and the samples of a pixel. */
+/* Returns the size of indivisible blocks: a multiple of 2 x 2 pixels, of a pixel of the ray
+ * pass, and of the samples of a pixel. */
 static int step_of(const Render *render)
 {
     const int block = indirect_coarse(render) > 2 ? indirect_coarse(render) : 2;
@@ -63,7 +64,7 @@ static int step_of(const Render *render)
     return step;
 }
 
-/* Something looks at so much of the picture that there are no tiles. */
+/* Reports whether some pass reads so much of the picture that it cannot be tiled. */
 static bool is_whole(const Render *render)
 {
     const unsigned there = render->targets.plan.there;
@@ -71,7 +72,8 @@ static bool is_whole(const Render *render)
            (there & 1u << FRAME_TARGET_open && indirect_margin(render) < 0);
 }
 
-/* Guard band of a tile: edges read neighbors, indirect light farther pixels. */
+/* Returns the guard band of a tile: antialiasing reads adjacent pixels, indirect light pixels
+ * farther away. */
 static int margin_of(const Render *render)
 {
     const unsigned there = render->targets.plan.there;
@@ -81,20 +83,21 @@ static int margin_of(const Render *render)
     return around > beside ? round_up(around, step) : beside;
 }
 
-/* Whole rows that the memory holds; blocks of far lights stay together, too. */
+/* Returns the number of rows that fit into memory; blocks of light clustering are not split
+ * either. */
 static size_t rows_in_memory(const Render *render, int width)
 {
     const size_t memory = render->options.memory ? render->options.memory : RENDER_MEMORY;
     const size_t block = (size_t)light_far_block(render), step = (size_t)step_of(render);
     const size_t across = ((size_t)width + block - 1) / block * block;
-    size_t down = step; /* the least multiple of both */
+    size_t down = step; /* least common multiple of both */
     while (down % block)
         down += step;
     return memory / (across * (size_t)frame_all_bytes(render)) / down * down;
 }
 
-/* The samples of a tile's width: all, or, where the driver has less, an even share of them, so that
- * no tile is all but empty. */
+/* Returns the width of a tile in samples: all of the picture, or, if the driver's limit is
+ * lower, an even share, so that no tile is almost empty. */
 static int find_width(const Render *render, int margin)
 {
     const int whole = render->whole[0], step = step_of(render);
@@ -103,8 +106,8 @@ static int find_width(const Render *render, int margin)
     return columns > 1 ? round_up((whole + columns - 1) / columns, step) : whole;
 }
 
-/* The samples of a tile: as many rows as there is memory for, were these as wide as the picture,
- * since a row of tiles is kept to be written. */
+/* Computes the size of a tile in samples. The number of rows is the one that memory allows at
+ * the picture's full width, since the caller writes the picture by rows of tiles. */
 static void find_tile(const Render *render, int margin, int tile[2])
 {
     const RenderOptions *options = &render->options;
@@ -138,12 +141,13 @@ bool frame_memory_fits(const Render *render)
 {
     const int margin = render->margin,
               tile[2] = {render->size[0] - 2 * margin, render->size[1] - 2 * margin};
-    const int needed = margin_of(render); /* of what is drawn at once, its edges' */
+    /* a picture that is drawn at once only needs the band of antialiasing */
+    const int needed = margin_of(render);
     return !is_tiled(render, tile) || (is_whole(render) ? margin <= needed : needed <= margin);
 }
 
-/* Edges look at pixels beside them, which have to be drawn with a tile, too; indirect light
- * farther. */
+/* A tile is drawn with a guard band, since antialiasing reads adjacent pixels, and indirect
+ * light pixels farther away. */
 void frame_memory_size(Render *render)
 {
     const int margin = margin_of(render);

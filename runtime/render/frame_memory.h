@@ -1,15 +1,16 @@
-/* The memory of a frame's targets: textures by the plan's pieces, and the size of a tile that it
- * holds. */
+/* Memory of a frame's targets: textures by the plan's pieces of memory, and the size of a tile
+ * that fits into memory. */
 #ifndef MATC_RENDER_FRAME_MEMORY_H
 #define MATC_RENDER_FRAME_MEMORY_H
 #include "runtime/frame/frame.h"
 
-/* The size of targets and the margin around a tile, and their place: by the plan and the memory
- * that the caller allows. */
+/* Computes the targets' size, the guard band around a tile, and the tile's position, from the
+ * plan and the memory that the caller allows. */
 void frame_memory_size(Render *render);
-/* The camera is another: the margin is still enough. */
+/* Reports whether the guard band is still wide enough after a change of the camera. */
 bool frame_memory_fits(const Render *render);
-/* Makes render->targets.memory and render->targets.textures, of that size. False: out of memory. */
+/* Makes render->targets.memory and render->targets.textures of the computed size. False if
+ * memory runs out. */
 bool frame_memory_make(Render *render);
 void frame_memory_delete(Render *render);
 #endif

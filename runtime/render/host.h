@@ -1,4 +1,4 @@
-/* The handles of matc_render.h, between matc_scene.c and matc_render.c. */
+/* The handles of matc_render.h, shared by matc_scene.c and matc_render.c. */
 #ifndef MATC_RENDER_HANDLES_H
 #define MATC_RENDER_HANDLES_H
 #include "runtime/render/matc_render.h"
@@ -6,8 +6,10 @@
 
 struct MatcScene {
     Scene *scene;
-    MatcDocument *document; /* the caller's, as is its memory, which goes after the scene */
-    size_t object_room, mesh_room, material_room; /* of what was added; 0: nothing was */
+    /* the caller's; owns the scene's memory, so it is freed after the scene */
+    MatcDocument *document;
+    /* capacities of arrays with additions; 0: nothing was added */
+    size_t object_room, mesh_room, material_room;
     char error[256];
 };
 #endif

@@ -1,4 +1,4 @@
-/* The library's surface: what render.h offers, for a host that does not see it. matc_scene.c has
+/* The library's public functions for renderers, which wrap render.h. matc_scene.c has those for
  * scenes. */
 #include "runtime/render/matc_render.h"
 #include "compiler/base/memory.h"
@@ -18,8 +18,8 @@
 struct MatcRender {
     GlContext *gl;
     Render *render;
-    Scene *scene;       /* the caller's */
-    GLuint framebuffer; /* reads the picture's texture; 0: not made yet */
+    Scene *scene;       /* owned by the caller */
+    GLuint framebuffer; /* for reading the picture's texture; 0: not made yet */
 };
 
 #define DEGREE 0.017453292519943295 /* radians */
@@ -62,7 +62,7 @@ static bool open_render(MatcRender *r, const MatcRenderOptions *options, char *e
                                 .view = options->view,
                                 .width = options->width,
                                 .height = options->height,
-                                /* a texture has the whole picture */
+                                /* a single tile, so that a texture holds the whole picture */
                                 .memory = SIZE_MAX});
     return r->render || message_fail(error, room, "%s", r->gl->error);
 }
@@ -121,7 +121,7 @@ static bool has(const MatcRender *r, int number, int count, const char *what)
     return (number >= 0 && number < count) || gl_fail(r->gl, "there is no %s %d", what, number);
 }
 
-/* A caller's numbers are not NULL and all finite; else sets the context's error. */
+/* Reports whether a caller's numbers are not NULL and all finite; else sets the context's error. */
 static bool are_finite(const MatcRender *r, const double *numbers, int count, const char *what)
 {
     if (!numbers)

@@ -1,5 +1,4 @@
-/* The library's surface: scenes, what they hold by name, and what a host adds to them and takes
- * away. */
+/* The library's public functions for scenes: names, and additions and removals by the host. */
 #include "compiler/document.h"
 #include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
@@ -68,7 +67,8 @@ const char *matc_scene_object_name(const MatcScene *s, int object)
     return is_object(s, object) ? s->scene->objects[object].name : NULL;
 }
 
-/* A name itself, or one of the groups before it: "lamps" finds "lamps/bulb". */
+/* Reports whether an object has the name, or is in a group of that name: "lamps" finds
+ * "lamps/bulb". */
 static bool goes_by(const char *name, const char *wanted)
 {
     const size_t size = strlen(wanted);
@@ -93,8 +93,8 @@ int matc_scene_find_light(const MatcScene *s, const char *name)
     return -1;
 }
 
-/* An array of the scene with room for one more. The first time it moves out of what the reader
- * made. */
+/* Returns an array of the scene with capacity for one more element. The first growth copies it
+ * out of the reader's memory. */
 static void *with_room(const MatcScene *s, void *array, int count, size_t *room, size_t size)
 {
     enum { LEAST = 8 };
@@ -124,7 +124,7 @@ int matc_scene_find_material(MatcScene *s, const char *name)
     if (index < 0)
         return message_fail(s->error, sizeof s->error, "the document has no material '%s'", name),
                -1;
-    if (scene->displaced) /* what displaces is counted by material */
+    if (scene->displaced) /* displacement data is indexed by material */
         return message_fail(s->error, sizeof s->error,
                             "a scene with displaced objects takes no further materials"),
                -1;
@@ -254,7 +254,7 @@ static bool check_object(MatcScene *s, int mesh, int material, const double matr
            message_fail(s->error, sizeof s->error, "the matrix flattens, or is no number");
 }
 
-/* The place of an object that was removed, or one more. -1: there are too many. */
+/* Returns the index of a removed object, or appends a new one; -1 if there are too many. */
 static int find_place(MatcScene *s)
 {
     Scene *scene = s->scene;

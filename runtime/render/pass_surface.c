@@ -1,5 +1,5 @@
-/* The passes that rasterise: surfaces into depth and G-buffer, planes beside them, the sky where
- * nothing is. Depth is reversed: it begins at 0, and what is nearer is greater. */
+/* The passes that rasterize: surfaces into depth and G-buffer, then infinite planes, then the
+ * sky where depth is clear. Depth is reversed: cleared to 0, nearer is greater. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
@@ -27,8 +27,8 @@ static void clear(const GlContext *gl, const Framebuffer *framebuffer)
     gl->ClearBufferfv(GL_DEPTH, 0, no_floats);
 }
 
-/* First which surfaces rays meet, then what these are made of: whatever else is nearer comes over
- * them. */
+/* Draws ray-marched surfaces in two steps: finds their hits and depth, then evaluates their
+ * materials there. Nearer surfaces are drawn over them later. */
 static void draw_traced(Render *render, const Framebuffer *framebuffer)
 {
     static const GLuint nothing[4];
@@ -44,7 +44,7 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
     gl->Enable(GL_DEPTH_TEST);
 }
 
-/* Numbers of triangles stay where they are until something moves. */
+/* Draws opaque surfaces. Triangle ids are drawn only once, and kept until something moves. */
 static void pass_surface_draw(Render *render)
 {
     const bool numbers = shadow_method_sees(render) && !render->shadows->seen;
@@ -67,7 +67,7 @@ static void pass_plane_draw(Render *render)
     surface_draw_end(render);
 }
 
-/* Every depth of the triangle is 0, whatever clip space it comes from. */
+/* The depth range makes every depth of the triangle 0, whatever its clip space position. */
 static void pass_sky_draw(Render *render)
 {
     const GlContext *gl = render->gl;

@@ -1,4 +1,4 @@
-/* The renderer as its caller sees it: what is made when, and what is read. */
+/* The renderer's public functions: when resources are made, and which results are read. */
 #include "runtime/render/render.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/indirect/indirect_methods.h"
@@ -26,7 +26,7 @@ Slot render_find_slot(const char *name)
     return (Slot)slot;
 }
 
-/* A debug view; NULL: it is another one. */
+/* Returns a debug view; NULL for any other view. */
 static const FrameLook *look_of(const char *view)
 {
     static const FrameLook wireframe = {"wireframe", FRAME_LOOK_lines, FRAME_LOOK_none};
@@ -82,11 +82,11 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     render->options = *options;
     render->look = look_of(options->view);
     if (render->look)
-        render->options.view = NULL; /* it is the picture */
+        render->options.view = NULL; /* a debug view is a variant of the picture */
     render->samples = options->samples ? options->samples : 1;
     render->surface = options->surface ? options->surface : &surface_model_phong;
     render->compile = *options->compile;
-    render->compile.normals = "eye"; /* where light is summed */
+    render->compile.normals = "eye"; /* lighting happens in eye space */
     render->compute = !options->fragment && gl->major * 10 + gl->minor >= 43 &&
                       gl->DispatchCompute && gl->BindImageTexture && gl->MemoryBarrier;
     render->zero_to_one = gl->ClipControl != NULL && gl->major * 10 + gl->minor >= 45;
@@ -98,7 +98,7 @@ Render *render_open(GlContext *gl, const RenderOptions *options)
     return NULL;
 }
 
-/* All that depends on the scene. */
+/* Frees all resources that depend on the scene. */
 static void forget_scene(Render *render)
 {
     if (render->has_reader)
@@ -140,7 +140,7 @@ static Target target_of(const Set *set)
     return (Target)target;
 }
 
-/* A view of a slot is read by a program of its own. */
+/* Makes the program that reads a slot, if the view is one. */
 static bool make_reader(Render *render)
 {
     const char *view = render->options.view;
@@ -184,7 +184,7 @@ static bool make_set(Render *render, const Scene *scene)
     if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
     const LayoutRow *layout =
-        /* a sky alone has no surface */
+        /* a scene with only a sky has no surface */
         render->set.unpack ? set_layout(&render->set, &render->compile) : NULL;
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));
@@ -202,7 +202,7 @@ static bool wants_triangles(const Render *render)
            shadow_methods_need(render).triangles;
 }
 
-/* Patches that the driver cannot displace become meshes. */
+/* Converts patches into meshes if the driver cannot displace them. */
 static bool settle_patches(Render *render, const Scene *scene)
 {
     const SceneMaterial *material;
@@ -252,7 +252,7 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
     return true;
 }
 
-/* Builds the new scene before freeing the old, so that shared programs and pictures survive. */
+/* Builds the new scene before freeing the old, so that shared programs and textures survive. */
 static bool make_again(Render *render, const Scene *scene)
 {
     Cache before = render->cache;
@@ -277,8 +277,8 @@ static bool has_scene(const Render *render)
     return render->scene || gl_fail(render->gl, "there is no scene to change");
 }
 
-/* The scene's coordinates have another origin than when it was made: nothing that was made
- * holds. */
+/* Reports whether the origin of the scene's coordinates has moved since the last rebuild, which
+ * invalidates all resources. */
 static bool origin_moved(const Render *render)
 {
     bool moved = false;
@@ -306,7 +306,7 @@ bool render_changed(Render *render, unsigned what)
         what |= render->cache.displaced_anew ? FRAME_SHAPES : 0;
         render->cache.displaced_anew = false;
     }
-    /* alpha-tested fragments may differ */
+    /* the number of alpha-tested fragments may have changed */
     render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0;
     return frame_changed(render, what) && gl_check(render->gl, "changing a scene");
 }
@@ -354,8 +354,8 @@ bool render_changed_meshes(Render *render)
     return has_scene(render) && render_again(render, render->scene);
 }
 
-/* A change may bring more transparent fragments, or layers. If lists would be too long, the scene
- * is rebuilt. */
+/* Measures again: a change may bring more transparent fragments, or layers. If the linked lists
+ * would be too long, the scene is rebuilt. */
 static bool recount(Render *render)
 {
     render->uncounted = false;

@@ -1,4 +1,4 @@
-/* The renderer: scenes drawn with matc's programs, on a context that the caller made and that is
+/* The renderer: draws scenes with matc's programs, on a context that the caller made and that is
  * current at every call.
  *
  *     Render *render = render_open(gl, &(RenderOptions){.compile = &options});
@@ -13,86 +13,91 @@
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
-/* The view is "shown", or the picture with lines for surfaces, or with shadow volumes. */
+/* Reports whether the view is the picture: "shown", or a debug view with lines or shadow
+ * volumes. */
 bool render_view_is_picture(const char *view);
-/* Opens a renderer. NULL: see gl->error. */
+/* Opens a renderer. Returns NULL on failure; see gl->error. */
 Render *render_open(GlContext *gl, const RenderOptions *options);
-/* With all that it made. NULL is nothing. */
+/* Closes a renderer and frees all its resources. Does nothing for NULL. */
 void render_close(Render *render);
 
-/* Makes what drawing the scene takes; the scene is not kept, but is there until the next one, or
- * the end. Further frames need no more. Programs, pictures and meshes that the scene before had are
- * not made again; what nobody needs any more goes. */
+/* Makes the resources for drawing a scene. The scene is not copied: it must exist until the next
+ * one is set or the renderer is closed. Reuses programs, textures and meshes of the previous
+ * scene, and frees those that are no longer needed. */
 bool render_scene(Render *render, const Scene *scene);
-/* Tells what was changed: a sum of RenderChange. */
+/* Applies changes to the scene, a set of RenderChange. */
 bool render_changed(Render *render, unsigned what);
-/* So many objects from `first` on have other matrices. */
+/* Applies new matrices of `count` objects from `first` on. */
 bool render_changed_objects(Render *render, int first, int count);
-/* Objects have other meshes, or other ones have changed: what is made of them is made anew. Params
- * stay as they were set. */
+/* Rebuilds after objects got other meshes, or meshes changed. Keeps the values of material
+ * parameters. */
 bool render_changed_meshes(Render *render);
-/* Rebuilds the scene that was drawn, after rebuilding has failed and the scene is as before. */
+/* Rebuilds the previous scene, after a rebuild with changes has failed and the changes were
+ * undone. */
 bool render_again(Render *render, const Scene *scene);
-/* Draws pictures of so many pixels from now on; 0: as the scene says. False: the targets cannot be
- * made, and all is as it was. */
+/* Sets the picture's size in pixels; 0: the scene's size. Returns false and changes nothing if
+ * the targets cannot be made. */
 bool render_resize(Render *render, int width, int height);
-/* Sets a param of a material, by its place in scene->materials. False: none of its programs has a
- * param of that name and so many lanes, 1 to 4. */
+/* Sets a parameter of a material, which is an index in scene->materials. Returns false if none
+ * of its programs has a parameter of that name and number of components, 1 to 4. */
 bool render_param(Render *render, int material, const char *name, const float *lanes, int count);
-/* Draws. A frame makes no GL call but those that bind, clear, draw and dispatch, where nothing was
- * changed since the one before. */
+/* Draws a frame. If nothing has changed since the previous frame, the only GL calls are those
+ * that bind, clear, draw and dispatch. */
 bool render_frame(Render *render);
 
-/* Size of the picture, and of the part that is drawn at once. */
+/* Size of the picture, and of a tile, in pixels. */
 int render_width(const Render *render);
 int render_height(const Render *render);
 int render_tile_width(const Render *render);
 int render_tile_height(const Render *render);
-/* The next frame begins with that pixel of the picture, from its lower left corner; even numbers,
- * so that pixels keep their neighbours in a block of 2 x 2. What lies beyond the picture is drawn,
- * too, and of no use. */
+/* Moves the tile: the next frame begins with pixel (x, y) of the picture, from the lower left
+ * corner. Both numbers are even, so that blocks of 2 x 2 pixels stay together. Pixels outside
+ * the picture are drawn, too, and have no meaning. */
 void render_move(Render *render, int x, int y);
-/* Components of the view: 4 for light, 1 for depth, those of a slot, and 3 if a slot has 2. */
+/* Returns the components of the view: 4 for light, 1 for depth; for a slot its own number, but 3
+ * instead of 2. */
 int render_lanes(const Render *render);
-/* The view of the tile, four floats a pixel, row 0 is the bottom row: "shown" is sRGB, "light"
- * linear, "depth" in the first lane. Of depth and of slots the last lane is the share of the pixel
- * where a surface is. */
+/* Reads the tile's view, four floats per pixel, row 0 at the bottom: "shown" is sRGB, "light" is
+ * linear, "depth" is in the first component. For depth and slots the last component is the
+ * pixel's coverage by surfaces. */
 bool render_read(Render *render, float *rgba);
 
-/* Maps of depth as lights see them: how many there are, their edge in texels, and what one holds,
- * row 0 at the bottom, as its method left it. 0 is where nothing is; else near / distance, or, of
- * parallel light, from 1 to 0.5 (shadow_views.h). There is a frame. */
+/* Shadow maps: their number, their edge in texels, and the depths of a map as its technique left
+ * them, row 0 at the bottom. Background is 0; otherwise depth is near / distance, or, for
+ * parallel light, 1 to 0.5 (shadow_views.h). Call after a frame was drawn. */
 int render_map_count(const Render *render);
 int render_map_size(const Render *render);
 bool render_read_map(Render *render, int map, float *depths);
 
-/* Selects a variant, by its word, of a technique of the list Shadows. Its name; NULL: there is
- * none. */
+/* Selects a variant of a shadow technique; both are keywords. Returns the variant's name; NULL
+ * if it is unknown. */
 const char *render_shadows_vary(Scene *scene, Word method, Word variant);
 
-/* The view is a slot that the scene's layout does not store: it is read as 0. */
+/* Reports whether the view is a slot that the scene's layout does not store, and that reads as
+ * 0. */
 bool render_lacks_view(const Render *render);
-/* Warnings of the scene's programs, with their places; and that no object is in view. From
- * malloc. */
+/* Returns the warnings of the scene's programs, with their places, and a warning if no object is
+ * in view. From malloc. */
 char *render_diagnostics(const Render *render);
 
-/* Time of a pass, drawn once more: by the driver's clock if it has one (clock.h), else until it was
- * finished; 0: it does not run. */
+/* Time of a pass, measured by drawing it once more: by the driver's timer query if supported
+ * (clock.h), else until glFinish returns. 0 if the pass does not run. */
 typedef struct {
     const char *name;
     double seconds;
 } RenderPassTime;
 enum { RENDER_PASSES_MOST = 32 };
-/* Times of all passes, in the order of a frame; shadow maps are drawn again. Returns how many. */
+/* Measures all passes in the order of a frame; shadow maps are drawn again. Returns the number
+ * of passes. */
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST]);
-/* Bytes of a pixel in all targets; of a fragment in a list, 0: there are no lists. */
+/* Bytes of a pixel in all targets, and of a fragment in a linked list; 0 without lists. */
 int render_pixel_bytes(const Render *render);
 int render_fragment_bytes(const Render *render);
 
-/* The passes: what each reads and writes, which run, and why not; targets, their bytes and which
- * share memory. From malloc. */
+/* Returns a description of the frame graph: each pass's inputs and outputs, whether it runs and
+ * why not; the targets, their bytes and shared memory. From malloc. */
 char *render_graph(const Render *render);
-/* The graph with the times of a frame, drawn once more pass by pass; programs, triangles, bytes.
- * From malloc. NULL: see the context's error. */
+/* Returns the frame graph with the time of each pass, drawn once more, and with numbers of
+ * programs, triangles and bytes. From malloc. NULL on failure; see the context's error. */
 char *render_stats(Render *render);
 #endif

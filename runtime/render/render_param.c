@@ -1,5 +1,5 @@
-/* Params of materials: set in what is drawn with, and kept, so that they are set again where that
- * is made again. */
+/* Parameters of materials: set in all programs, and stored, so that a rebuild can set them
+ * again. */
 #include "runtime/glass/glass_state.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/radiance/radiance.h"
@@ -16,7 +16,7 @@ static bool set(Render *render, int material, const MaterialValue *value)
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
     indirect_forget(render);
-    /* alpha-tested fragments may differ */
+    /* alpha-tested surfaces may have changed */
     indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness);
     return cache_set(&source, &render->cache, material, value) || sheets || nodes;
 }
@@ -54,7 +54,7 @@ bool render_param(Render *render, int material, const char *name, const float *l
 {
     if (!render->scene)
         return gl_fail(render->gl, "there is no scene to change");
-    render->uncounted = true; /* alpha-tested fragments may differ */
+    render->uncounted = true; /* the number of alpha-tested fragments may have changed */
     render->shadows->drawn = false;
     pass_voxels_forget(render);
     const MaterialValue value = {name, count, lanes};

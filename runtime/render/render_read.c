@@ -1,5 +1,5 @@
-/* Reads a frame. The picture comes without samples; the mean of the samples of any other view is
- * taken here. */
+/* Reads a frame. The picture is already averaged over the samples of each pixel; other views are
+ * averaged here. */
 #include "runtime/indirect/screen/pass_positions.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/voxels/voxels.h"
@@ -14,7 +14,7 @@ static const char *view_of(const Render *render)
     return render->options.view ? render->options.view : "shown";
 }
 
-/* Into the first lane, if that is asked for; the last one says where a surface is. */
+/* Reads coverage into the last component, and, with `shown`, depth into the first. */
 static bool read_depth(Render *render, bool shown, float *rgba)
 {
     GlContext *gl = render->gl;
@@ -33,7 +33,7 @@ static bool read_depth(Render *render, bool shown, float *rgba)
     return gl_check(gl, "reading the depth");
 }
 
-/* The last lane takes the first one's place. */
+/* Moves the last component to the first. */
 static bool show_last(const Render *render, float *rgba)
 {
     for (size_t i = 0; i < (size_t)render->size[0] * (size_t)render->size[1]; i++)
@@ -60,7 +60,7 @@ static bool read_samples(Render *render, float *rgba)
         return reader_read(&render->reader, surface, render_find_slot(view), rgba) &&
                read_depth(render, false, rgba);
     memset(rgba, 0, 4 * sizeof *rgba * (size_t)render->size[0] * (size_t)render->size[1]);
-    return true; /* of no surface */
+    return true; /* a scene without surfaces */
 }
 
 bool render_lacks_view(const Render *render)
@@ -68,7 +68,7 @@ bool render_lacks_view(const Render *render)
     return render->has_reader && !render->reader.holds[render_find_slot(view_of(render))];
 }
 
-/* A pixel; of a slot, what is no surface has no share in it. */
+/* Averages the samples of a pixel; for a slot only those that show a surface. */
 static void mean(const float *samples, int stride, int n, bool slot, float out[4])
 {
     double sum[4] = {0};

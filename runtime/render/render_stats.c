@@ -1,4 +1,4 @@
-/* Describes a frame in words: the passes, their targets, and their times. */
+/* Describes a frame as text: the passes, their targets, and their times. */
 #include "compiler/base/session.h"
 #include "compiler/base/memory.h"
 #include "runtime/frame/transparency_draw.h"
@@ -38,7 +38,7 @@ static const char *joined(Arena *arena, unsigned targets)
     return text.at;
 }
 
-/* `times` of each pass, or NULL. */
+/* Writes the table of passes; `times` of each pass, or NULL. */
 static void put_passes(Text *out, const Render *render, const RenderPassTime *times)
 {
     FramePlanRows made;
@@ -68,7 +68,8 @@ static void put_texel(Text *out, int map, double texel)
     text_char(out, '\n');
 }
 
-/* Lists in parts are drawn again for each pass that lights. */
+/* Describes the lists of transparent shadow casters. Tiled lists are drawn again for each pass
+ * that lights. */
 static void put_glass(Text *out, const Render *render)
 {
     const ShadowGlass *glass = &render->shadows->glass;
@@ -92,7 +93,7 @@ static void put_maps(Text *out, const Render *render)
             put_texel(out, i, render->shadows->views.views[i].texel);
 }
 
-/* "16, 8 shared" */
+/* Writes bytes and their shared part, such as "16, 8 shared". */
 static void put_bytes(Text *out, int bytes, int shared)
 {
     text_format(out, "%d", bytes);
@@ -111,7 +112,7 @@ static int count_from(const Scene *scene, LightFrom from)
     return count;
 }
 
-/* Lights that have an extent, with soft shadows, or without. */
+/* Counts area lights, with soft shadows or without. */
 static int count_areas(const Render *render, bool soft)
 {
     int count = 0;
@@ -122,7 +123,8 @@ static int count_areas(const Render *render, bool soft)
     return count;
 }
 
-/* Planes that would cast shadows by a program of their own, if they had one. */
+/* Reports whether there are planes that would cast shadows by a program of their own, which the
+ * driver does not support. */
 static bool lacks_sheets(const Render *render)
 {
     bool lacks = false;
@@ -141,7 +143,7 @@ static bool is_transparent(const Render *render)
     return found;
 }
 
-/* Shadows that one might look for. */
+/* Lists shadows that a user may expect, but that are missing. */
 static void put_unshadowed(Text *out, const Render *render)
 {
     const int areas = count_areas(render, false), skies = count_from(render->scene, LIGHT_FROM_sky);
@@ -166,7 +168,7 @@ static void put_unshadowed(Text *out, const Render *render)
                  "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
 }
 
-/* Shadow casters outside the views of an area light. */
+/* Describes soft shadows of area lights, and shadow casters that they lack. */
 static void put_soft(Text *out, const Render *render)
 {
     const int points = render->scene->shadow_points, areas = count_areas(render, true);
@@ -186,7 +188,7 @@ static void put_memory(Text *out, const Render *render)
     for (int i = 0; i < FRAME_TARGET_COUNT; i++) {
         const FrameTarget target = (FrameTarget)i;
         if (target == FRAME_TARGET_shadow)
-            continue; /* its pixels are its own */
+            continue; /* of their own sizes, so no bytes per pixel */
         Text formats = text_new(out->arena);
         text_put(&formats, "");
         for (int t = 0; frame_format(render, target, t); t++)
@@ -252,7 +254,7 @@ char *render_graph(const Render *render)
     return finish(&out);
 }
 
-/* A material's programs often say the same. */
+/* Joins the messages of all programs, each once: a material's programs often repeat them. */
 char *render_diagnostics(const Render *render)
 {
     Arena arena = {0};
@@ -288,7 +290,8 @@ int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
     render->shadows->drawn = render->shadows->seen = render->voxels->drawn =
-        render->radiance->drawn = false; /* to be timed with the others */
+        /* draws them again, so that they are measured like the others */
+        render->radiance->drawn = false;
     for (int i = 0; i < frame_pass_count(); i++) {
         times[i] = (RenderPassTime){frame_pass(i)->plan.name, 0};
         if (render->targets.plan.runs >> i & 1)

@@ -1,5 +1,5 @@
-/* The shadow techniques, in the order in which their rows are called: the first that wants the
- * target `seen` has it; volumes may read crossings of silhouettes. */
+/* The shadow techniques, in the order in which their rows are called: the first that uses
+ * triangle ids owns the target `seen`; shadow volumes may read silhouette crossings. */
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
 #include "runtime/shadow/shadow_method.h"

@@ -39,7 +39,8 @@ static VoxelRange range_of(const Scene *scene, const Cache *cache)
 
 VoxelGrid voxel_grid(const Scene *scene, const Cache *cache)
 {
-    const double least = 1e-6; /* of the greatest coordinate: voxels that floats can tell apart */
+    /* min voxel, relative to the largest coordinate: floats must resolve it */
+    const double least = 1e-6;
     const VoxelRange range = range_of(scene, cache);
     VoxelGrid grid = {.size = scene->voxel_size};
     double longest = 1e-30;
