@@ -1,5 +1,5 @@
-/* The scene is walked once: equal solids become one mesh, materials that differ in numbers only one
- * kind. */
+/* Builds the cache in one walk over the scene: equal solids become one mesh, materials that
+ * differ only in constants one kind. */
 #include "runtime/cache/cache_trace.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/cache/seen_text.h"
@@ -7,13 +7,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Things by what makes them alike. */
+/* Elements found by the hash of their contents. */
 typedef struct {
     HashIndex index;
     Key *keys;
 } Known;
 
-/* A mesh of a file, by what is in it. */
+/* Hash of an imported mesh's contents. */
 static Key shape_key(const Shape *shape)
 {
     const Key parts[] = {
@@ -30,14 +30,14 @@ typedef struct {
     const CacheSource *source;
     Cache *before, *cache;
     Known meshes, kinds, casters;
-    Key *file_keys; /* of the scene's meshes */
+    Key *file_keys; /* hashes of the scene's meshes */
     TransparencyText transparency;
     SeenTextAround seen;
-    int *kind_of, *row_of;    /* by material; kind_of -1: not met */
-    int *used_as[CACHE_USES]; /* by material, in Cache.casters; -1: not at all */
+    int *kind_of, *row_of;    /* by material; kind_of -1: not yet used */
+    int *used_as[CACHE_USES]; /* by material, index in Cache.casters; -1: no such program */
 } Maker;
 
-/* -1: it is not known. */
+/* Returns the element's number, or -1. */
 static int find(const Known *known, Key key)
 {
     HashProbe probe = hash_probe(&known->index, (uint32_t)key.low);
@@ -53,7 +53,7 @@ static void add(Known *known, Key key, int number)
     hash_index_add(NULL, &known->index, (uint32_t)key.low, (uint32_t)number);
 }
 
-/* Objects with one key have one mesh, in this scene and in the next. */
+/* Hash of an object's mesh: objects with equal keys share a mesh, also with the next scene. */
 static Key mesh_key(const Maker *m, const SceneObject *object)
 {
     double parts[SCENE_NUMBERS + 1] = {object->kind};
@@ -62,7 +62,7 @@ static Key mesh_key(const Maker *m, const SceneObject *object)
                                       : key_of_bytes(parts, sizeof parts);
 }
 
-/* Takes the mesh of that key out of the cache before. */
+/* Moves the mesh with that key out of the previous cache. */
 static bool take_mesh(Maker *m, Key key)
 {
     Cache *before = m->before, *cache = m->cache;
@@ -76,7 +76,7 @@ static bool take_mesh(Maker *m, Key key)
     return false;
 }
 
-/* The place of its mesh among the cache's, or -1. */
+/* Returns the index of the object's mesh in the cache; -1 on failure. */
 static int mesh_of(Maker *m, const SceneObject *object)
 {
     const Key key = mesh_key(m, object);
@@ -108,14 +108,14 @@ static bool make_material(Maker *m, const SetProgram *program, CacheUse use, Mat
            set_fail(m->gl, m->source->scene, program->material);
 }
 
-/* The program with which one of the set is drawn for a use; -1: it is not. */
+/* Returns the index of the program that draws a surface for a use; -1: none. */
 static int drawn_as(const Set *set, int program, CacheUse use)
 {
     const SetProgram *surface = &set->programs[program];
     return use == CACHE_USE_cast ? surface->caster : use == CACHE_USE_cut ? surface->cut : program;
 }
 
-/* Whether materials are drawn with one text, as what is seen and for a use. */
+/* Reports whether two materials share their texts, both for the picture and for a use. */
 static bool are_alike(const Set *set, int a, int b, CacheUse use)
 {
     const int x = drawn_as(set, a, use), y = drawn_as(set, b, use);
@@ -123,8 +123,8 @@ static bool are_alike(const Set *set, int a, int b, CacheUse use)
            set->programs[x].text == set->programs[y].text;
 }
 
-/* The numbers of all programs of a text, one behind the other: for a use in the order of the
- * surfaces. */
+/* Makes the buffer of the constants of all programs with one text. Programs for a use are in the
+ * order of their surfaces. */
 static bool make_numbers(Maker *m, int surface, CacheUse use, GLuint *buffer)
 {
     const Set *set = m->source->set;
@@ -147,7 +147,8 @@ static bool make_numbers(Maker *m, int surface, CacheUse use, GLuint *buffer)
     return gl_check(m->gl, "making a buffer of numbers");
 }
 
-/* The buffer of a material's numbers: one for all that are drawn alike. 0: it has none. */
+/* Returns the buffer of a material's constants, which materials with the same text share. 0: it
+ * has no constants. */
 static bool find_numbers(Maker *m, int surface, CacheUse use, GLuint *found)
 {
     const Set *set = m->source->set;
@@ -164,20 +165,20 @@ static bool find_numbers(Maker *m, int surface, CacheUse use, GLuint *found)
     return done;
 }
 
-/* Kinds of one use, and where the next one goes. */
+/* An array of kinds, with its hash table. */
 typedef struct {
     CacheKind *kinds;
     int *count;
     Known *known;
 } Kinds;
 
-/* A kind whose program is that of a material; the same one, if what it would be drawn with is the
- * same. */
+/* Adds a kind with a material's program, or returns the existing one that would be drawn in the
+ * same way. */
 static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, const Kinds *to)
 {
     const int own = matc_uniform_count(program->program) || !m->cache->instances ? *to->count : -1;
     const Key parts[] = {material_key(&kind->material),
-                         /* whose uniforms are set by themselves */
+                         /* kinds whose uniforms are set one by one are not shared */
                          {(uint64_t)(int64_t)own, kind->numbers}};
     const Key key = key_of_bytes(parts, sizeof parts);
     const int known = find(to->known, key);
@@ -186,7 +187,7 @@ static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, 
         material_delete(&same);
         return known;
     }
-    to->kinds[*to->count] = *kind; /* from here on it is the cache's */
+    to->kinds[*to->count] = *kind; /* the cache owns the kind from here on */
     add(to->known, key, *to->count);
     return (*to->count)++;
 }
@@ -203,7 +204,7 @@ static int make_kind(Maker *m, const SetProgram *surface, CacheUse use, const Ki
     return add_kind(m, program, &kind, to);
 }
 
-/* With what an object of that material is drawn otherwise. */
+/* Makes the programs that draw a material into shadow maps and voxels. */
 static bool find_uses(Maker *m, int material, const SetProgram *surface)
 {
     Cache *cache = m->cache;
@@ -218,8 +219,8 @@ static bool find_uses(Maker *m, int material, const SetProgram *surface)
     return fine;
 }
 
-/* The place of an object's kind among the cache's, or -1. Without instances each object has its
- * own, for its matrices. */
+/* Returns the index of a material's kind in the cache; -1 on failure. Without instancing each
+ * object has its own, for its matrices. */
 static int kind_of(Maker *m, int material)
 {
     Cache *cache = m->cache;
@@ -288,7 +289,7 @@ static bool make_sky(Maker *m)
     const int sky = m->source->scene->sky;
     SetProgram program =
         sky < 0 ? (SetProgram){.material = -1} : *set_find(m->source->set, sky, "sky");
-    program.transparent = false; /* nothing is behind it */
+    program.transparent = false; /* the background is never transparent */
     cache->has_sky = sky >= 0 && make_material(m, &program, CACHE_USE_seen, &cache->sky);
     return sky < 0 || cache->has_sky;
 }
@@ -345,7 +346,7 @@ static void forget(Maker *m)
     free(m->used_as[0]);
 }
 
-/* Meshes find the numbers of instances in the list. */
+/* Makes the instance buffers, and attaches the list of instances to all meshes. */
 static bool make_buffers(Maker *m)
 {
     Cache *cache = m->cache;
@@ -378,7 +379,7 @@ bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *m
     seen_text_make(maker.gl, source->set, source->written, &maker.seen);
     const bool done = make_room(&maker) && add_objects(&maker) && make_sky(&maker) &&
                       make_buffers(&maker) && cache_arrange(maker.gl, source, made);
-    made->displaced_anew = false; /* all is made for it afterwards */
+    made->displaced_anew = false; /* all passes are built after this */
     forget(&maker);
     if (!done)
         cache_delete(maker.gl, made);

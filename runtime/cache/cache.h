@@ -1,6 +1,6 @@
-/* A scene on the driver's side: each mesh once, each program once with the numbers of all its
- * materials, and objects in groups that one call draws. Where the driver can: instances, whose
- * matrices and numbers lie in buffers; else each object is a group of its own. */
+/* A scene on the GPU: each mesh once, each program once with the constants of all its materials,
+ * and objects in groups that one call draws. If the driver supports instancing, matrices and
+ * constants are in buffers; otherwise each object is a group of its own. */
 #ifndef MATC_CACHE_CACHE_H
 #define MATC_CACHE_CACHE_H
 #include "runtime/cache/cull.h"
@@ -10,41 +10,40 @@
 #include "runtime/displace/displaced.h"
 #include "runtime/gl/mesh.h"
 
-/* Into what a surface is drawn by programs of its material: into shadow maps, into voxels; into the
+/* What a material's program draws a surface into: shadow maps, voxels (alpha-tested), or the
  * picture. */
 typedef enum { CACHE_USE_cast, CACHE_USE_cut, CACHE_USES, CACHE_USE_seen = CACHE_USES } CacheUse;
 
-/* Materials that are drawn alike but for their numbers: one program, the same textures and
- * uniforms. */
+/* Materials that differ only in constants: one program with the same textures and uniforms. */
 typedef struct {
-    Material material; /* without instances: with an object's matrices */
-    bool transparent;  /* at least in places */
-    /* buffer of the numbers of all materials of the program; 0: there are none */
+    Material material; /* without instancing it has the matrices of one object */
+    bool transparent;  /* at least in some fragments */
+    /* Buffer with the constants of all materials of the program; 0: no constants. */
     GLuint numbers;
 } CacheKind;
 
 /* One draw call: objects of one kind, one mesh, and one winding of its triangles. */
 typedef struct {
-    int kind, mesh;       /* in Cache.kinds, Cache.meshes */
-    bool mirrored;        /* its triangles turn the other way round */
-    int first, count;     /* in Cache.places, and in the first half of Cache.list */
-    int first_seen, seen; /* of these, those in view: in the second half */
-    bool solid;           /* none of those shows its inside: back faces are not drawn */
+    int kind, mesh;       /* indices in Cache.kinds and Cache.meshes */
+    bool mirrored;        /* negative determinant: the winding is flipped */
+    int first, count;     /* range in Cache.places, and in the first part of Cache.list */
+    int first_seen, seen; /* range of those in view, in the second part */
+    bool solid;           /* all are closed and viewed from outside: back faces are culled */
 } Drawable;
 
-/* Where an object is among those that are drawn. */
+/* An object that is drawn, with its kind and mesh. */
 typedef struct {
-    int object;          /* in Scene.objects */
-    int kind, mesh, row; /* `row`: of the kind's numbers */
-    /* in Cache.casters: with what it is drawn into shadow maps; -1: by depth alone, or it casts
-     * none */
+    int object;          /* index in Scene.objects */
+    int kind, mesh, row; /* `row`: index of its constants in the kind's buffer */
+    /* Index in Cache.casters of the program for shadow maps; -1: drawn by depth alone, or casts
+     * no shadow. */
     int caster;
-    /* in Cache.casters: with what it is drawn into voxels, of which it fills some, as it is cut
-     * out; -1: it is not */
+    /* Index in Cache.casters of the program that draws an alpha-tested surface into voxels; -1:
+     * not alpha-tested. */
     int cut;
     GLuint program;
     bool transparent, mirrored;
-    const float *even; /* what it lets through, if that is the same everywhere; else NULL */
+    const float *even; /* transmittance if constant, three components; else NULL */
 } CachePlace;
 
 typedef struct {
@@ -54,16 +53,16 @@ typedef struct {
     const SetProgram *program;
 } CachePlane;
 
-/* A place, and how near it is. */
+/* A place and its depth for sorting. */
 typedef struct {
     double nearness;
     uint32_t place;
 } CacheOrder;
 
-enum { CACHE_LISTS = 3 /* of places, in one buffer */ };
+enum { CACHE_LISTS = 3 /* lists of places in one buffer */ };
 
 typedef struct {
-    bool instances; /* objects are drawn as instances */
+    bool instances; /* the driver supports instancing */
     CacheKind *kinds;
     int kind_count;
     CacheKind *
@@ -71,37 +70,39 @@ typedef struct {
          * the rows of its kind */
         casters;
     int caster_count;
-    GLuint *numbers; /* by program of the set: a buffer, or 0 */
+    GLuint *numbers; /* by program of the set: a buffer of constants, or 0 */
     int number_count;
     Mesh *meshes;
-    CullBox *boxes;       /* of the meshes */
-    Key *mesh_keys;       /* of what they are made of */
-    Displaced *displaced; /* by mesh: how the driver makes it; empty where it is there as it is */
-    /* by kind: draws surfaces that rays have found (cache_trace.h); empty where none is */
+    CullBox *boxes; /* bounding boxes of the meshes */
+    Key *mesh_keys; /* hashes of the meshes' contents */
+    /* by mesh: how the GPU displaces it; empty for meshes that it does not displace */
+    Displaced *displaced;
+    /* By kind: program that shades ray-marched surfaces (cache_trace.h); empty if the kind has
+     * none. */
     Material *traced;
-    bool tracing; /* there is one */
-    /* such a mesh has other triangles, since whoever reads this took it back */
+    bool tracing; /* some kind has such a program */
+    /* A displaced mesh has been tessellated again; readers reset the flag. */
     bool displaced_anew;
     int mesh_count;
-    /* of the objects but planes, opaque ones first, sorted by program, kind, mesh */
+    /* Objects except infinite planes, opaque ones first, sorted by program, kind, mesh. */
     CachePlace *places;
     int place_count;
-    int *place_of; /* by object; -1: it has none */
+    int *place_of; /* by object: its index in `places`; -1: none */
     Drawable *surfaces;
     int surface_count;
-    int opaque_count; /* of these; the others are transparent, at least in places */
+    int opaque_count; /* opaque ones come first; the others have transparent fragments */
     CachePlane *planes;
     int plane_count, opaque_plane_count;
     Material sky;
     bool has_sky;
-    long triangles; /* of all surfaces */
-    /* places: all of them, then those in view, then those that a light sees; a buffer has the
-     * same */
+    long triangles; /* number of triangles of all surfaces */
+    /* Indices of places, in three parts: all, those in the camera's view, those in a light's
+     * view. The buffer `words` has the same contents. */
     uint32_t *list;
-    uint32_t *seen_list; /* the second of these, as the buffer has it */
+    uint32_t *seen_list; /* the second part, as last written to the buffer */
     int seen;
-    CacheOrder *order;    /* room to sort places in */
-    uint32_t *cast_order; /* places of what casts shadows, sorted by caster and mesh */
+    CacheOrder *order;    /* scratch memory for sorting places */
+    uint32_t *cast_order; /* places of shadow casters, sorted by caster and mesh */
     int cast_count;
     GLuint matrices, words,
         /* buffers: of places, of the list, of the block View for the camera and for a light */
@@ -112,81 +113,83 @@ typedef struct {
     const Scene *scene;
     const Set *set;
     const ViewSpace *space;
-    const CullVolume *volume;   /* what is seen; NULL: all */
-    const CullVolume *view;     /* the camera's, also where all is drawn */
+    const CullVolume *volume;   /* the frustum; NULL disables culling */
+    const CullVolume *view;     /* the camera's frustum, also if culling is disabled */
     const int *size;            /* of the picture, in pixels */
-    const int *at;              /* its pixel that is drawn first: of a tile */
-    const MatcOptions *compile; /* of programs that displace */
-    /* of meshes that the driver displaces are wanted in the scene, too */
+    const int *at;              /* first pixel of the tile */
+    const MatcOptions *compile; /* for programs that displace */
+    /* The scene's meshes also need the triangles that the GPU displaces. */
     bool triangles;
-    /* the camera alone looks at the scene, and maps of shadows: no ray, no other shadows */
+    /* Only the camera and shadow maps read the scene: no rays, no other shadows. */
     bool alone;
-    bool casts; /* there are such maps */
+    bool casts; /* shadow maps exist */
     Transparency transparency;
-    const SeenText *written; /* by what is opaque, beside the G-buffer */
+    const SeenText *written; /* outputs of opaque surfaces in addition to the G-buffer */
     bool lines;              /* surfaces are drawn as lines */
 } CacheSource;
 
-/* Meshes that `before` has are taken out of it; NULL: there was none. False: see the context's
- * error; *made is empty then. */
+/* Makes a cache, and moves meshes that `before` (or NULL) already has. Returns false on failure,
+ * with *made empty; see the context's error. */
 bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made);
-/* Safe on an empty one, which it leaves behind. */
+/* Frees the cache and leaves it empty; safe on an empty one. */
 void cache_delete(GlContext *gl, Cache *cache);
 
-/* Adds the mesh of an object. cache_mesh.c, as is what follows. */
+/* Adds the mesh of an object. This function and the next ones: cache_mesh.c. */
 bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache,
                      const SceneObject *object);
-/* Has the driver displace meshes again that go by the view. */
+/* Displaces meshes on the GPU again whose tessellation depends on the view. */
 bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache);
-/* Some of these go by lights. */
+/* Reports whether the tessellation of some mesh depends on lights. */
 bool cache_mesh_by_lights(const Cache *cache);
-/* The view is another. Nothing is made. cache_view.c, as is what follows. */
+/* Applies a new view without making resources. This function and the next ones: cache_view.c. */
 bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
-/* So many objects from `first` on stand elsewhere. */
+/* Applies new matrices of `count` objects from `first` on. */
 bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int first, int count);
-/* Sets a uniform of a material. False: no program of it has one of that name and so many lanes. */
+/* Sets a uniform of a material. Returns false if none of its programs has a uniform of that name
+ * and number of components. */
 bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
 bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
-/* Sorts places of a drawable, from the farthest on. cache_order.c. */
+/* Sorts places of a drawable from far to near. cache_order.c */
 void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list,
                  int count);
-/* Draws the surfaces in view, each with its program: those that are opaque but not traced, or the
- * others. */
+/* Draws the surfaces in view with their programs: the opaque ones that are not ray-marched, or
+ * the transparent ones. */
 void cache_draw(GlContext *gl, Cache *cache, bool transparent);
 
-/* How what is traced goes to a shadow map. */
+/* Parameters for ray marching surfaces into a shadow map. */
 typedef struct {
     float offset[2]; /* of glPolygonOffset */
-    float pixel[2];  /* a texel of the map, in clip space */
-    float corner[2]; /* of the texel 0, 0 there */
+    float pixel[2];  /* size of a texel of the map, in clip space */
+    float corner[2]; /* corner of texel (0, 0) in clip space */
 } CacheLightTrace;
 
-/* View of a light on the scene. */
+/* A light's view of the scene, for shadow maps and similar targets. */
 typedef struct {
     const double *clip_from_world; /* 16, by columns */
     const CullVolume *volume;
-    bool mirrored;   /* triangles turn the other way round there */
+    bool mirrored;   /* the projection flips the winding */
     Material *solid; /* draws depth alone (shadow_depth.glsl) */
-    /* by kind, draws what is opaque in its place (radiance.h); or NULL */
+    /* By kind: replacement program for opaque surfaces (radiance.h); or NULL. */
     Material *kept;
-    /* of its map: the uniform glass_map of programs that color shadows */
+    /* Number of the map: the uniform glass_map of programs that color shadows. */
     int number;
-    /* by place: those are drawn that have the number `wave`; NULL: all are */
+    /* By place: only places whose entry equals `wave` are drawn; NULL: all are. */
     const unsigned char *waves;
     int wave;
-    /* draws what is cut out, by programs of its own, or in place of these by `kept` */
+    /* Draws alpha-tested surfaces, by their own programs or by `kept`. */
     bool cut;
-    /* what is transparent by the same everywhere is not drawn: it casts by exact triangles */
+    /* Omits surfaces of constant transmittance: exact shadows handle them by triangles. */
     bool varying;
-    /* what is traced for pictures is traced; NULL: its grid is drawn */
+    /* How surfaces that the picture ray-marches are ray-marched here; NULL: their grids are
+     * drawn. */
     const CacheLightTrace *traced;
 } CacheLight;
 
-/* Sorts what casts shadows. cache_cast.c, as is what follows. */
+/* Sorts the shadow casters. This function and the next one: cache_cast.c. */
 bool cache_arrange_casters(GlContext *gl, Cache *cache);
-/* Draws what casts shadows: what is opaque by depth alone, or all else by its caster; or what is
- * cut out. */
+/* Draws shadow casters: opaque ones by depth alone, transparent ones by their caster programs,
+ * or alpha-tested ones. */
 void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light,
                 bool transparent);
 #endif

@@ -1,5 +1,5 @@
-/* Shadow casters of a cache: drawn for each light, as the light sees them. Opaque casters are
- * grouped by mesh alone. */
+/* Shadow casters of a cache, drawn for each light's view. Opaque casters are grouped by mesh
+ * alone. */
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/displace/traced/displaced_traced.h"
@@ -7,7 +7,7 @@
 #include "runtime/tessellate/scene_scatter.h"
 #include <stdlib.h>
 
-/* A place, with what it is sorted by. */
+/* A place with its sort key. */
 typedef struct {
     int caster, cut, mesh, mirrored;
     uint32_t place;
@@ -56,7 +56,7 @@ static bool is_wanted(const CachePlace *place, const CacheLight *light, bool tra
                       : place->transparent == transparent && (!transparent || place->caster >= 0);
 }
 
-/* Lists the places that the light sees, in the order of drawing. So many. */
+/* Lists the places in the light's view, in drawing order. Returns how many. */
 static int list_seen(const CacheSource *source, Cache *cache, const CacheLight *light,
                      bool transparent)
 {
@@ -88,7 +88,7 @@ static void write_buffers(const GlContext *gl, const Cache *cache, const Spaces 
     gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, cache->views[1]);
 }
 
-/* Matrices for who has no instances; an eye, for who asks. */
+/* Sets matrices of programs without instancing, and the eye's position. */
 static void set_object(const Scene *scene, int object, Spaces *spaces, Material *material)
 {
     const SceneMatrix *world_from_local = &scene->objects[object].world_from_local;
@@ -98,7 +98,7 @@ static void set_object(const Scene *scene, int object, Spaces *spaces, Material 
     spaces_set(spaces, material);
 }
 
-/* How many places from the first on one call draws. */
+/* Returns how many places of the list one call draws. */
 static int group_of(const Cache *cache, const uint32_t *list, int count, bool by_kind)
 {
     const int kind = cache->places[list[0]].kind;
@@ -127,7 +127,7 @@ static bool is_traced(const Cache *cache, const CacheLight *light, const CachePl
            cache->traced[place->kind].store && trace && !trace->parallax;
 }
 
-/* The light's clip space, the camera's eye. */
+/* The light's clip space with the camera's eye. */
 static Spaces spaces_of(const CacheSource *source, const CacheLight *light)
 {
     Spaces spaces = source->space->spaces;

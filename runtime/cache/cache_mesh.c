@@ -1,4 +1,4 @@
-/* Meshes of a cache: of solids, of files, and those that the driver displaces. */
+/* Meshes of a cache: of solids, of files, and of surfaces displaced on the GPU. */
 #include "runtime/cache/cache.h"
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/tessellate/scene_solid.h"
@@ -12,7 +12,7 @@ static bool make_mesh_of(GlContext *gl, Cache *cache, const Shape *shape)
     return true;
 }
 
-/* Around all places where points may be moved to. */
+/* Returns a bounding box of all positions to which points may be displaced. */
 static CullBox box_of_patches(const SceneMesh *mesh)
 {
     CullBox box = cull_box(
@@ -24,7 +24,7 @@ static CullBox box_of_patches(const SceneMesh *mesh)
     return box;
 }
 
-/* Around all objects but planes. */
+/* Computes the bounding box of all objects except infinite planes. */
 static void find_box(const CacheSource *source, const Cache *cache, double low[3], double high[3])
 {
     for (int i = 0; i < cache->place_count; i++) {
@@ -44,7 +44,7 @@ static void find_box(const CacheSource *source, const Cache *cache, double low[3
 
 enum { GROUNDS_MOST = 8 };
 
-/* Planes of the scene. False: there are more. */
+/* Returns the equations of the scene's planes. False if there are too many. */
 static bool find_grounds(const CacheSource *source, const Cache *cache,
                          double grounds[GROUNDS_MOST][4])
 {
@@ -57,7 +57,7 @@ static bool find_grounds(const CacheSource *source, const Cache *cache,
     return cache->plane_count <= GROUNDS_MOST;
 }
 
-/* Has the driver displace it for the view, where it does not stand so. */
+/* Displaces a mesh on the GPU for the view, unless it is up to date. */
 static bool displace(const DisplacedView *view, const CacheSource *source, Cache *cache, int mesh)
 {
     Displaced *displaced = &cache->displaced[mesh];
@@ -75,7 +75,8 @@ static bool displace(const DisplacedView *view, const CacheSource *source, Cache
     return true;
 }
 
-/* That the driver displaces: it may run through itself, and show its back there. */
+/* Makes a mesh that the GPU displaces. The surface may intersect itself and show its back there,
+ * so a solid mesh counts as merely closed. */
 static bool make_displaced(Store *store, const CacheSource *source, Cache *cache, int number)
 {
     GlContext *gl = store_context(store);
@@ -134,7 +135,7 @@ bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache)
         source->scene, {source->size[0], source->size[1]}, {0}, {0}, {.count = 0}};
     double grounds[GROUNDS_MOST][4];
     bool fine = true;
-    if (cache_mesh_by_lights(cache) && !cache->plane_count) /* which has no end */
+    if (cache_mesh_by_lights(cache) && !cache->plane_count) /* a plane is infinite */
         find_box(source, cache, view.low, view.high);
     if (source->alone && source->volume && !source->triangles) {
         view.sight = (SceneSight){.planes = source->volume->planes,

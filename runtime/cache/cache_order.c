@@ -1,10 +1,10 @@
-/* The order in which transparent objects are drawn where their fragments go to lists: from the
- * farthest on. What is appended last stands first, so the lists of most pixels are in order then,
- * and sorting them takes a walk (pass_blend.glsl). Any other order gives the same picture. */
+/* Draw order of transparent objects into linked lists: far to near. A list begins with the
+ * fragment appended last, so the lists of most pixels are sorted already, and pass_blend.glsl
+ * only verifies their order. Any other order gives the same picture. */
 #include "runtime/cache/cache.h"
 #include <stdlib.h>
 
-/* Greater for what is nearer: along the view, the middle of the object's box. */
+/* Depth of the center of an object's box along the view; larger is nearer. */
 static double nearness(const CacheSource *source, const CullBox *box, int object)
 {
     const double *eye = source->space->eye_from_world,

@@ -78,7 +78,7 @@ static void begin(GlContext *gl, const Cache *cache, GLuint view)
 {
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, view);
-    gl->CullFace(GL_FRONT); /* of a hull: a ray leaves it once, wherever it begins */
+    gl->CullFace(GL_FRONT); /* a ray leaves a hull once, wherever it begins */
     gl->Enable(GL_DEPTH_CLAMP);
 }
 
@@ -110,7 +110,7 @@ static void find_pixel(const CacheSource *source, float pixel[2])
         pixel[i] = 2 / (float)source->size[i];
 }
 
-/* Which ray a pixel of the framebuffer has. */
+/* Sets the mapping from the framebuffer's pixels to rays. */
 static void set_pixels(Material *trace, const float pixel[2], const float corner[2])
 {
     set(trace, "trace_pixel", 2, pixel);
@@ -168,7 +168,7 @@ void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache
 
 /* -- shadow maps */
 
-/* The determinant of three columns of rows x, y and w of a matrix. */
+/* Determinant of three columns of rows x, y and w of a matrix. */
 static double minor_of(const double m[16], int a, int b, int c)
 {
     static const int rows[3] = {0, 1, 3};
@@ -183,8 +183,8 @@ static double minor_of(const double m[16], int a, int b, int c)
     return sum;
 }
 
-/* Where all rays of a view meet, which it shows nowhere; where they are parallel, that is
- * infinitely far: the direction in which depth grows. */
+/* Computes the point in which all rays of a view meet: w is 1. For parallel rays it is at
+ * infinity: w is 0, and xyz the direction in which depth grows. */
 static void find_viewer(const double m[16], float viewer[4])
 {
     const double least = 1e-9;

@@ -1,23 +1,23 @@
-/* Surfaces that are traced (displaced_traced.h), in two steps: rays of all of them say which is met
- * where, and how deep; the material's own program then runs for the pixels that it is met in. */
+/* Ray-marched displacement (displaced_traced.h) in two steps: the rays of all such surfaces find
+ * hits and depth; then the material's own program runs for the pixels that the surface covers. */
 #ifndef MATC_CACHE_CACHE_TRACE_H
 #define MATC_CACHE_CACHE_TRACE_H
 #include "runtime/cache/cache.h"
 
-/* Programs of the kinds whose surfaces are traced: opaque ones, where nothing asks which triangle a
- * pixel sees. */
+/* Makes the programs of kinds with ray-marched surfaces: opaque ones, unless triangle ids or
+ * lines are drawn. */
 bool cache_trace_make(Store *store, const CacheSource *source, Cache *cache);
 void cache_trace_delete(Cache *cache);
-/* The view is another. */
+/* Applies a new view. */
 void cache_trace_view(const CacheSource *source, Cache *cache);
-/* The drawable is traced. */
+/* Reports whether the drawable is ray-marched. */
 bool cache_traces(const Cache *cache, const Drawable *drawable);
-/* Depth, and in the colour target (RGBA32UI, 0 where nothing is) what was met. */
+/* Writes depth, and the hit to the color target (RGBA32UI, 0 for background). */
 void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache);
-/* The G-buffer of what was met; nothing behind is asked for depth. */
+/* Writes the G-buffer of the hits in the texture `met`, without a depth test. */
 void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache, GLuint met);
 
-/* Instances of a mesh, in a shadow map: places of the list, from `first` on. */
+/* Instances of a mesh in a shadow map: a range of Cache.list. */
 typedef struct {
     const CacheLight *light;
     int first, count;

@@ -10,8 +10,8 @@
 
 /* -- objects */
 
-/* Opaque ones first. A change of program costs most, then one of textures and numbers, then one of
- * the mesh. */
+/* Sorts opaque places first, then by cost of a change: of program, of textures and constants, of
+ * mesh. */
 static int compare(const void *a, const void *b)
 {
     const CachePlace *x = a, *y = b;
@@ -52,7 +52,7 @@ static void find_groups(Cache *cache)
     }
 }
 
-/* Images of the origin, and of the steps of x and y. */
+/* Sets the plane's origin and its x and y axes in world space. */
 static void set_plane(const SceneMatrix *matrix, Spaces *spaces)
 {
     static const int columns[3] = {12, 0, 4};
@@ -129,9 +129,9 @@ bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache)
            cache_view(gl, source, cache) && gl_check(gl, "writing instances");
 }
 
-/* -- what is seen */
+/* -- visibility */
 
-/* Lists the places in view; false: they are those that were, in that order. */
+/* Lists the places in view. Returns false if the list has not changed. */
 static bool list_seen(const CacheSource *source, Cache *cache)
 {
     uint32_t *list = cache->list + cache->place_count;

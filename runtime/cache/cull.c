@@ -1,22 +1,24 @@
-/* Boxes against half spaces. A box's image is a parallelepiped: its centre, and half an edge along
- * each axis; its farthest point in the direction n is the sum of all |n edge| away from the centre.
+/* Tests boxes against half spaces. A box is transformed to a parallelepiped: its center, and
+ * half an edge along each axis. Its farthest point in the direction n is the sum of all |n edge|
+ * away from the center.
  *
- *     n = (1, 0, 0), d = 0: what is right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2) has its
- *         centre at x = -2, half an edge is 1:
- *     -2 + 1 < 0, nothing of it is seen. Turned by 45 degrees about z, half edges are 0.7 and 0.7:
- *         -2 + 1.4 < 0 still */
+ *     n = (1, 0, 0), d = 0: the half space right of x = 0. A box from (-3, 0, 0) to (-1, 2, 2)
+ *     has
+ *         its center at x = -2, half an edge is 1:
+ *     -2 + 1 < 0, the box is culled. Rotated by 45 degrees about z, half edges are 0.7 and 0.7:
+ *         -2 + 1.4 < 0, still culled */
 #include "runtime/cache/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* Vertices go through two matrices in floats, with roundings of 6e-8 of the greatest term: 1e-5 of
- * the terms' sum is far more. */
+/* Bound on rounding errors: vertices are transformed by two matrices in floats, with errors of
+ * 6e-8 of the largest term; 1e-5 of the sum of terms is far more. */
 static const double slack = 1e-5;
-enum { NEAREST = 4 /* behind the four sides */ };
+enum { NEAREST = 4 /* index of the near plane, after the four sides */ };
 
-/* x right + y up + z back, seen from the camera, plus `distance` where the plane does not go
- * through its position. */
+/* Adds the plane with the normal eye[0] right + eye[1] up + eye[2] back, at `distance` from the
+ * camera's position. */
 static void add_plane(const SceneCamera *c, const double eye[3], double distance, CullVolume *made)
 {
     double *plane = made->planes[made->count], normal[3];
@@ -60,10 +62,10 @@ CullBox cull_box(const Shape *shape)
     return box;
 }
 
-/* The image of a box. */
+/* A transformed box. */
 typedef struct {
-    double center[3], edges[3][3]; /* half of them */
-    double terms[3];               /* what the centre is a sum of, without signs */
+    double center[3], edges[3][3]; /* half edges */
+    double terms[3];               /* sums of the center's absolute terms */
 } BoxImage;
 
 static BoxImage image_of(const CullBox *box, const double m[16])
@@ -82,7 +84,7 @@ static BoxImage image_of(const CullBox *box, const double m[16])
     return image;
 }
 
-/* A NaN counts as inside. */
+/* Tests a box against a plane; NaN counts as inside. */
 static bool is_inside(const double plane[4], double terms, const BoxImage *image)
 {
     double reach = vec3_dot(plane, image->center) + plane[3];

@@ -1,6 +1,6 @@
-/* Frustum culling: a view as half spaces of the world, and whether any part of a box can be in all
- * of them. In double and conservative: a culled object covers no pixel, whatever rounding in floats
- * does to its vertices. */
+/* Frustum culling: a view as half spaces in world space, and a test of boxes against them. In
+ * double and conservative: a culled object covers no pixel, whatever the rounding of its
+ * vertices in floats. */
 #ifndef MATC_CACHE_CULL_H
 #define MATC_CACHE_CULL_H
 #include "runtime/scene/scene.h"
@@ -9,7 +9,7 @@ enum { CULL_PLANES = 6 };
 
 typedef struct {
     double planes[CULL_PLANES][4]; /* n x + d >= 0 inside, n of unit length */
-    double terms[CULL_PLANES];     /* what d is a sum of, without signs */
+    double terms[CULL_PLANES];     /* sums of the absolute terms of d, to bound rounding errors */
     int count;
 } CullVolume;
 
@@ -17,13 +17,14 @@ typedef struct {
     double low[3], high[3];
 } CullBox;
 
-/* `size`: of the picture, in pixels. */
+/* Computes the camera's frustum; `size` is that of the picture in pixels. */
 void cull_volume(const SceneCamera *camera, const int size[2], CullVolume *made);
-/* Around a shape's vertices; of a shape without any: a point, the origin. */
+/* Returns the bounding box of a shape's vertices; for an empty shape the origin. */
 CullBox cull_box(const Shape *shape);
-/* False: nothing of the box, which stands where the matrix says, is seen. */
+/* Returns false if no part of the transformed box is in view. */
 bool cull_sees(const CullVolume *volume, const CullBox *box, const SceneMatrix *world_from_local);
-/* All of it is beyond the nearest that a camera sees: it looks at it from outside. */
+/* Reports whether the whole box is farther than the near plane, so that the camera is not
+ * inside. */
 bool cull_is_beyond(const CullVolume *volume, const CullBox *box,
                     const SceneMatrix *world_from_local);
 #endif

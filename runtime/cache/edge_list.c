@@ -1,5 +1,5 @@
-/* Objects of one solid share their edges; each is looked at with the eye in the object's own space,
- * and what is seen goes to the picture. */
+/* Objects of equal solids share their edges. Silhouettes are found with the eye in each object's
+ * local space; visible edges are projected into the picture. */
 #include "runtime/cache/edge_list.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
@@ -18,7 +18,7 @@ typedef struct {
     EdgeMesh *meshes;
     int mesh_count;
     EdgeList *made;
-    float crease; /* of what is added */
+    float crease; /* EdgeEnd.crease of the lines that are added */
     bool fine;
 } EdgeLister;
 
@@ -47,7 +47,7 @@ static void push(EdgeLister *l, const double from[3], const double to[3])
     line[1] = (EdgeEnd){(float)to[0], (float)to[1], (float)to[2], l->crease};
 }
 
-/* The part of it from s to t. */
+/* Returns the part of a segment from parameter s to t. */
 static void part_of(const double from[3], const double to[3], const double st[2], double part[2][3])
 {
     for (int k = 0; k < 2; k++)
@@ -55,7 +55,8 @@ static void part_of(const double from[3], const double to[3], const double st[2]
             part[k][i] = from[i] + st[k] * (to[i] - from[i]);
 }
 
-/* Keeps of [s, t] where `low` <= from + u (to - from) <= high. False: nothing. */
+/* Clips the parameters [s, t] to low <= from + u (to - from) <= high. Returns false if none are
+ * left. */
 static bool clip(double from, double to, const double range[2], double st[2])
 {
     const double step = to - from;
@@ -68,7 +69,7 @@ static bool clip(double from, double to, const double range[2], double st[2])
     return st[0] < st[1];
 }
 
-/* A line of the picture: what lies in it, or a pixel beside it, in pieces. */
+/* Adds a line of the picture, clipped to one pixel around the picture, in pieces. */
 static void add_line(EdgeLister *l, const double from[3], const double to[3])
 {
     double st[2] = {0, 1}, part[2][3], piece[2][3];
@@ -85,9 +86,9 @@ static void add_line(EdgeLister *l, const double from[3], const double to[3])
     }
 }
 
-/* -- from the eye's space to the picture */
+/* -- projection */
 
-/* x and y in pixels, and the depth. */
+/* Projects an eye-space point to x and y in pixels, and depth. */
 static void project(const EdgeLister *l, const double at[3], double out[3])
 {
     const SceneCamera *camera = &l->scene->camera;
@@ -119,8 +120,8 @@ static void transform(const double m[16], const double v[3], double out[3])
         out[i] = m[i] * v[0] + m[4 + i] * v[1] + m[8 + i] * v[2] + m[12 + i];
 }
 
-/* The eye in the object's space, or the way to it where it is infinitely far; by Cramer's rule, up
- * to the determinant's sign, which turns all faces alike. */
+/* Computes the eye's position in local space, or the direction to it if orthographic. By
+ * Cramer's rule; a negative determinant flips all faces alike, which does not matter. */
 static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
 {
     const SceneCamera *camera = &l->scene->camera;
@@ -134,8 +135,8 @@ static void eye_of(const EdgeLister *l, const SceneMatrix *m, double eye[3])
     }
 }
 
-/* All concave outlines of a solid are hidden from outside: the back face lies before the front
- * face, and a part of the solid before both. */
+/* Reports whether a silhouette is concave. Concave silhouettes of a solid are hidden from
+ * outside: the back face is nearer than the front face, and a part of the solid before both. */
 static bool is_concave(const MeshEdge *edge, int front)
 {
     double before = 0;
@@ -145,7 +146,8 @@ static bool is_concave(const MeshEdge *edge, int front)
     return before > 0;
 }
 
-/* The eye is outside of the solid, or at least outside of its box. */
+/* Reports whether the eye is outside the solid's bounding box, so that only front faces are
+ * visible. */
 static bool sees_fronts(const EdgeLister *l, const EdgeMesh *mesh, const double eye[3])
 {
     bool outside = is_orthographic(l);
@@ -154,7 +156,7 @@ static bool sees_fronts(const EdgeLister *l, const EdgeMesh *mesh, const double 
     return mesh->solid && outside;
 }
 
-/* `fronts`: of what is turned away nothing is seen. */
+/* Reports whether an edge is a silhouette; with `fronts` back faces are invisible. */
 static bool is_outline(const EdgeLister *l, const MeshEdge *edge, const double eye[3], bool fronts)
 {
     double facing[2] = {0};
@@ -186,8 +188,8 @@ static void add_solid(EdgeLister *l, const SceneObject *object, const EdgeMesh *
     }
 }
 
-/* Where rays run along the plane: n.x X + n.y Y = n.z, with n its normal in the eye's space, for
- * the ray (X, Y, -1). There the depth is 0. */
+/* Adds the horizon of a plane, the rays (X, Y, -1) parallel to it: n.x X + n.y Y = n.z, n the
+ * normal in eye space. The depth there is 0. */
 static void add_horizon(EdgeLister *l, const SceneObject *object)
 {
     const double *m = object->world_from_local.m, *e = l->space->eye_from_world;
@@ -198,7 +200,7 @@ static void add_horizon(EdgeLister *l, const SceneObject *object)
         n[i] = e[i] * world[0] + e[4 + i] * world[1] + e[8 + i] * world[2];
     const double square = n[0] * n[0] + n[1] * n[1], reach = 2.0 * (l->size[0] + l->size[1]);
     if (square < 1e-18)
-        return; /* it is faced */
+        return; /* viewed along its normal: no horizon */
     l->crease = 0;
     double ends[2][3] = {{0}};
     for (int k = 0; k < 2; k++)
@@ -221,7 +223,7 @@ bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *mad
     return done;
 }
 
-/* NULL: out of memory. */
+/* Returns the edges of an object; NULL if memory runs out. */
 static const EdgeMesh *mesh_of(EdgeLister *l, const SceneObject *object)
 {
     const Key key = scene_solid_key(object);

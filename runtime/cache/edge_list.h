@@ -1,6 +1,6 @@
-/* The lines of a picture along which its colour jumps: outlines of objects as the camera sees them,
- * their creases, horizons of planes. In double, on the scene's own numbers; no GL. What hides them
- * is for who draws them to find out. */
+/* Lines of a picture along which its color jumps, for antialiasing: object silhouettes, creases,
+ * horizons of planes. Computed in double from the scene's own numbers, without GL calls. The
+ * lines include hidden ones; the pass that draws them tests visibility. */
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
 #include "runtime/cache/view_space.h"
@@ -8,22 +8,24 @@
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
 
-/* One end: pixels from the picture's lower left corner, and the depth there, as the target of depth
- * has it; it is linear along a line. */
+/* An end of a line: position in pixels from the picture's lower left corner, and depth as in the
+ * target depth, which is linear along a line. */
 typedef struct {
     float x, y, depth;
-    float crease; /* 1: what is on both sides of the line is as far away; 0: it is an outline */
+    float crease; /* 1: both sides of the line have the same depth; 0: a silhouette */
 } EdgeEnd;
 
 typedef struct {
-    EdgeEnd (*lines)[EDGE_LIST_TEXELS]; /* both ends: as many texels */
+    EdgeEnd (*lines)[EDGE_LIST_TEXELS]; /* two ends, a texel each */
     int count, room;
 } EdgeList;
 
-/* Edges of an object that is no plane. False: out of memory; *made is empty then. */
+/* Finds the edges of an object that is no plane. Returns false if memory runs out, with *made
+ * empty. */
 bool edge_list_mesh(const Scene *scene, const SceneObject *object, EdgeMesh *made);
-/* Likewise. */
+/* Finds all lines of a picture of `size` pixels. Returns false if memory runs out, with *made
+ * empty. */
 bool edge_list_make(const Scene *scene, const ViewSpace *space, const int size[2], EdgeList *made);
-/* Safe on an empty one. */
+/* Frees the list; safe on an empty one. */
 void edge_list_free(EdgeList *list);
 #endif

@@ -1,4 +1,5 @@
-/* Each triangle names its sides; a side that two triangles name is an edge between them. */
+/* Finds edges by adjacency: each triangle adds its sides; a side that two triangles share is an
+ * edge between them. */
 #include "runtime/cache/edge_mesh.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
@@ -7,21 +8,21 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Unit normals whose cosine is above this are alike: 2.6 degrees. */
+/* Unit normals with a larger cosine are equal: 2.6 degrees. */
 static const float alike = 0.999f;
 
 typedef struct {
     const Shape *shape;
     HashIndex positions, sides;
     double scale;      /* cells per unit */
-    int *place;        /* of a vertex: the first one that stands there */
-    uint32_t (*of)[2]; /* of an edge: the vertices of the face that named it first, at its ends */
-    uint8_t *faces;    /* of an edge: how many there are */
+    int *place;        /* by vertex: the first one at that position */
+    uint32_t (*of)[2]; /* by edge: vertices of the first face, at its ends */
+    uint8_t *faces;    /* by edge: number of faces */
     EdgeMesh *made;
 } EdgeMaker;
 
-/* Where a surface closes, its last vertices stand beside the first by a rounding: what lies within
- * 1/2^18 of the mesh's size is one place. */
+/* Cells along the mesh's size. Vertices in the same cell are welded: the last vertices of a
+ * closed surface may differ from the first by rounding. */
 static const double cells = 1 << 18;
 
 static const float *position(const EdgeMaker *m, int vertex)
@@ -62,7 +63,7 @@ static void find_places(EdgeMaker *m)
     }
 }
 
-/* Normal of any length; false: the face has no area. */
+/* Computes the unit normal; returns false if the face has no area. */
 static bool face_normal(const EdgeMaker *m, const uint32_t *corner, float normal[3])
 {
     double side[2][3], cross[3];
@@ -83,7 +84,7 @@ static bool shade_jumps(const EdgeMaker *m, uint32_t a, uint32_t b)
     return x[0] * y[0] + x[1] * y[1] + x[2] * y[2] < alike;
 }
 
-/* The edge's number, or -1. */
+/* Returns the number of the edge between two positions; -1 if new. */
 static int find_side(const EdgeMaker *m, const int ends[2], uint32_t hash)
 {
     HashProbe probe = hash_probe(&m->sides, hash);
@@ -95,7 +96,7 @@ static int find_side(const EdgeMaker *m, const int ends[2], uint32_t hash)
     return -1;
 }
 
-/* A face that has a side: its normal, its corner that is off the side. */
+/* A face with a given side: its normal, and the vertex opposite the side. */
 typedef struct {
     const float *normal, *apex;
 } EdgeFace;
@@ -133,7 +134,7 @@ static void add_side(EdgeMaker *m, uint32_t a, uint32_t b, const EdgeFace *face)
         memcpy(edge->ends[k], position(m, (int)vertices[k]), sizeof edge->ends[k]);
         set_face(face, k, edge);
     }
-    edge->open = true; /* until the other face is met */
+    edge->open = true; /* until a second face shares the edge */
     memcpy(m->of[number], vertices, sizeof vertices);
     m->faces[number] = 1;
     hash_index_add(NULL, &m->sides, hash, (uint32_t)number);
@@ -150,8 +151,8 @@ static void add_sides(EdgeMaker *m)
     }
 }
 
-/* The box, and by six times the volume, summed of what each triangle has with the origin, whether
- * fronts are outside. */
+/* Computes the bounding box, and by the sign of the volume whether front faces are outside. Six
+ * times the volume is the sum over triangles of their determinants with the origin. */
 static void set_extent(EdgeMaker *m)
 {
     EdgeMesh *made = m->made;

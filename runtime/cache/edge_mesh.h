@@ -1,27 +1,27 @@
-/* Edges of a mesh where its silhouette may be, or where shading is discontinuous. Adjacency of
- * faces is found by positions, so that vertices with different attributes meet. No GL. */
+/* Edges of a mesh that may be silhouettes, or where shading is discontinuous. Adjacency of faces
+ * is found by positions, so that vertices with different attributes match. Makes no GL calls. */
 #ifndef MATC_RENDER_EDGE_MESH_H
 #define MATC_RENDER_EDGE_MESH_H
 #include "runtime/gl/shape.h"
 
 typedef struct {
     float ends[2][3];
-    float normals[2][3]; /* of the faces on both sides, of any length */
-    float apexes[2][3];  /* their third corners */
-    /* only one face is there, or more than two: it is seen whichever way they face */
+    float normals[2][3]; /* of the two adjacent faces; not normalized */
+    float apexes[2][3];  /* the faces' third vertices */
+    /* Not exactly two faces share the edge: it is always a silhouette. */
     bool open;
-    bool crease; /* the shade jumps all along it */
+    bool crease; /* the shading normal is discontinuous along the edge */
 } MeshEdge;
 
 typedef struct {
     MeshEdge *edges;
     int count;
-    bool solid;             /* it is closed, and its faces show their fronts outwards */
-    double low[3], high[3]; /* the box around it */
+    bool solid;             /* closed, with front faces outside */
+    double low[3], high[3]; /* bounding box */
 } EdgeMesh;
 
-/* False: out of memory; *made is empty then. */
+/* Finds the edges of a shape. Returns false if memory runs out, with *made empty. */
 bool edge_mesh_make(const Shape *shape, EdgeMesh *made);
-/* Safe on an empty one. */
+/* Frees the mesh; safe on an empty one. */
 void edge_mesh_free(EdgeMesh *mesh);
 #endif

@@ -1,4 +1,4 @@
-/* Matrices in double become floats of a buffer. */
+/* Converts matrices from double to floats of a buffer. */
 #include "runtime/cache/instances.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include <string.h>

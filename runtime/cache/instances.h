@@ -1,5 +1,5 @@
-/* Per-instance data of programs that draw instances (MatcOptions.instances), as it lies in buffers:
- * std140. */
+/* Per-instance data of programs that draw instances (MatcOptions.instances), in the std140
+ * layout of their buffers. */
 #ifndef MATC_CACHE_INSTANCES_H
 #define MATC_CACHE_INSTANCES_H
 #include "runtime/draw/spaces.h"
@@ -12,18 +12,19 @@ enum { INSTANCE_MATRICES = 0, INSTANCE_NUMBERS = 1 }; /* binding points of stora
 typedef struct {
     float world_from_local[16];
     float world_normal_from_local[3][4];
-    uint32_t material; /* in matc_numbers */
-    float object;      /* its random number */
+    uint32_t material; /* index in matc_numbers */
+    float object;      /* the object's random number */
     uint32_t nothing[2];
 } Instance;
 
-/* The block View. */
+/* The uniform block View. */
 typedef struct {
     float clip_from_world[16];
     float eye_normal_from_world[3][4];
 } InstanceView;
 
-/* The driver draws instances so: OpenGL 4.5, with storage buffers in both stages. */
+/* Reports whether the driver supports such instances: OpenGL 4.5, with storage buffers in both
+ * stages. */
 bool instances_there(const GlContext *gl);
 Instance instance_of(const Scene *scene, int object, int material);
 InstanceView instance_view(const Spaces *spaces);

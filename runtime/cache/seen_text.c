@@ -19,7 +19,7 @@ void seen_text_make(const GlContext *gl, const Set *set, const SeenText *text, S
              targets, made->instances ? "#define SEEN_INSTANCES\n" : "");
 }
 
-/* The text behind its #version. */
+/* Returns the text after its #version line. */
 static const char *rest_of(const char *text)
 {
     const char *end = strchr(text, '\n');

@@ -1,5 +1,5 @@
-/* GLSL around the programs of opaque surfaces: beside the G-buffer they write a word about the
- * triangle that a pixel sees, to the target `seen`. */
+/* GLSL around the programs of opaque surfaces, which then also write a word about the visible
+ * triangle to the target `seen`. */
 #ifndef MATC_CACHE_SEEN_TEXT_H
 #define MATC_CACHE_SEEN_TEXT_H
 #include "runtime/cache/set.h"
@@ -7,14 +7,15 @@
 
 enum { SEEN_TEXT_DEFINED = 96 };
 
-/* Text that writes the data. */
+/* GLSL that writes the word. */
 typedef struct {
-    const char *fragment; /* writes at the location SEEN_TARGET; its main() calls surfaceMain() */
-    bool places;          /* it reads seen_place, the number of the object's place: an input if
-                           * SEEN_INSTANCES          is defined, else a uniform */
+    const char *fragment; /* writes to location SEEN_TARGET; its main() calls surfaceMain() */
+    /* reads seen_place, the index of the object's place: an input if SEEN_INSTANCES is defined,
+     * else a uniform */
+    bool places;
 } SeenText;
 
-/* Texts for the programs of a set; `text` is NULL if nothing is written. */
+/* Texts for the programs of a set; `text` is NULL if programs write no such word. */
 typedef struct {
     const SeenText *text;
     const char *head;
@@ -24,6 +25,6 @@ typedef struct {
 
 void seen_text_make(const GlContext *gl, const Set *set, const SeenText *text,
                     SeenTextAround *made);
-/* Puts a material's programs, each of one piece, between; *around stays until they are compiled. */
+/* Wraps a material's programs, each a single text; *around must live until they are compiled. */
 void seen_text_wrap(const SeenTextAround *around, ProgramText *program);
 #endif

@@ -1,4 +1,5 @@
-/* Ranges of all materials, a layout for them, keys of all programs, groups of one shape, texts. */
+/* Builds a set of programs: value ranges of all materials, a layout for them, keys of all
+ * programs, groups of one shape, texts. */
 #include "runtime/cache/set.h"
 #include "runtime/cache/instances.h"
 #include "compiler/base/hash.h"
@@ -54,20 +55,20 @@ const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
     for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
         if (!strcmp(layout_table[i].name, compile_options->layout))
             return &layout_table[i];
-    return &layout_table[LAYOUT_compact]; /* the default of the targets here */
+    return &layout_table[LAYOUT_compact]; /* the default layout of these targets */
 }
 
-enum { MOST_MEMBERS = 1024 /* of a buffer: every driver has room for 16 KiB */ };
+enum { MOST_MEMBERS = 1024 /* of a buffer: every driver allows 16 KiB */ };
 
 typedef struct {
     GlContext *gl;
     const Scene *scene;
     MatcOptions options;
     Set *set;
-    int *last; /* of a text's programs, by the first */
+    int *last; /* by first program of a text: the last one */
 } Maker;
 
-/* A surface's pass; NULL: it has none of its own. */
+/* Returns the pass that draws an object. */
 static const char *pass_of(const SceneObject *object)
 {
     return object->kind == SCENE_Plane ? "plane" : "gbuffer";
@@ -103,7 +104,8 @@ static bool add_ranges(Maker *m, MatcRanges *ranges)
     return fine;
 }
 
-/* The smallest layout of all materials of surfaces; a scene without any takes the default. */
+/* Chooses the smallest layout that holds all materials of surfaces; a scene without surfaces
+ * uses the default. */
 static bool choose_layout(Maker *m)
 {
     MatcRanges *ranges = malloc(sizeof *ranges);
@@ -119,7 +121,7 @@ static bool choose_layout(Maker *m)
     return fine;
 }
 
-/* Options for one slot, at a point. */
+/* Returns options for the single slot transparency, without antialiasing. */
 static MatcOptions sheet_options(const Maker *m)
 {
     MatcOptions options = m->options;
@@ -150,7 +152,7 @@ static bool packs(const SetProgram *program)
     return !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
 }
 
-/* By how much a surface or a plane is transparent, if that is a constant. */
+/* Finds the transmittance of a surface or a plane if it is constant. */
 static bool find_through(Maker *m, SetProgram *program)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
@@ -164,7 +166,7 @@ static bool find_through(Maker *m, SetProgram *program)
            (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
 }
 
-/* Keys, shapes and numbers; no text yet. */
+/* Adds a program with its key, shape and constants, but without text. */
 static bool add_program(Maker *m, int material, const char *pass)
 {
     Set *set = m->set;
@@ -195,19 +197,20 @@ static bool make_sheet_layout(Maker *m)
     return (set->sheet && matc_layout_ok(set->sheet)) || gl_fail(m->gl, "out of memory");
 }
 
-/* Whether fragment programs read and write images. */
+/* Reports whether fragment programs can read and write images. */
 static bool has_images(const GlContext *gl)
 {
     return gl->major * 10 + gl->minor >= 43 && gl->BindImageTexture && gl->MemoryBarrier;
 }
 
-/* Shadow casters of constant transmittance: planes, and surfaces if techniques read it so. */
+/* Reports whether a shadow caster needs no program since its transmittance is constant: planes,
+ * and surfaces if shadow techniques support that. */
 static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
 {
     return surface->even && (m->set->uses.even || !strcmp(surface->pass, "plane"));
 }
 
-/* Opaque casters cast shadows by depth alone. */
+/* Adds the program that casts a transparent surface's shadows; opaque surfaces need only depth. */
 static bool add_caster(Maker *m, int number)
 {
     Set *set = m->set;
@@ -223,7 +226,7 @@ static bool add_caster(Maker *m, int number)
                        set->uses.casts == SET_CASTS_colored ? "value" : "shadow");
 }
 
-/* Alpha-tested casters have that program already. */
+/* Adds the alpha-tested program for voxels, unless the shadow caster's program is the same. */
 static bool add_cut(Maker *m, int number)
 {
     Set *set = m->set;
@@ -261,8 +264,8 @@ static bool add_programs(Maker *m)
     return fine;
 }
 
-/* The numbers of a place in all programs of a group, as a hash: alike in every material, and which
- * columns are the same. */
+/* A constant of all programs of a group: hash of its values, to find equal columns, and whether
+ * the programs differ. */
 typedef struct {
     Key key;
     bool differs;
@@ -283,8 +286,8 @@ static Column column_of(const Set *set, int first, int place)
     return column;
 }
 
-/* Places at which the group differs become members of the buffer; equal columns are one. The number
- * of members, -1: no memory. */
+/* Finds the constants in which programs of a group differ; these become members of the buffer,
+ * and equal columns share one. Returns the number of members; -1 if memory runs out. */
 static int find_members(const Set *set, int first, int *members, int count)
 {
     Column *columns = calloc((size_t)count + 1, sizeof *columns);
@@ -303,14 +306,15 @@ static int find_members(const Set *set, int first, int *members, int count)
     return found;
 }
 
-/* Programs that are drawn with one text: equal in pass and shape, or, with `numbers`, in keys. */
+/* Reports whether programs can share a text: equal passes and shapes, and, with `numbers`, equal
+ * keys. */
 static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
 {
     return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&
            (!numbers || !strcmp(matc_key(a->program), matc_key(b->program)));
 }
 
-/* Parts a chain of programs into one for each text, in the order of the first ones. */
+/* Splits a chain of programs into one per text, in the order of their first programs. */
 static void part(Maker *m, int first, bool numbers)
 {
     SetProgram *programs = m->set->programs;
@@ -336,7 +340,7 @@ static void part(Maker *m, int first, bool numbers)
     hash_index_free(&heads);
 }
 
-/* All programs in one chain, which is parted. */
+/* Chains all programs, then splits the chain by text. */
 static bool share_texts(Maker *m)
 {
     Set *set = m->set;
@@ -371,14 +375,14 @@ static void number_rows(Set *set, int first)
         set->programs[i].row = rows++;
 }
 
-/* One text for all that share it. */
+/* Compiles one text for all programs that share it. */
 static bool write_text(Maker *m, int first)
 {
     Set *set = m->set;
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
-    if (found > MOST_MEMBERS) { /* only equal programs share */
+    if (found > MOST_MEMBERS) { /* too many: only programs with equal constants share */
         part(m, first, true);
         found = 0;
     }
@@ -410,12 +414,12 @@ bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_opti
 {
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
     *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .uses = uses};
-    maker.options.slot = "transparency"; /* of the pass value */
+    maker.options.slot = "transparency"; /* the slot of the pass value */
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
     maker.options.instances = made->instances;
     maker.options.moved = scene->displaced > 0;
-    maker.options.validate = false; /* the driver does */
+    maker.options.validate = false; /* the driver validates */
     const bool fine = make(&maker);
     free(maker.last);
     if (fine)

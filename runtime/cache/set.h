@@ -1,84 +1,86 @@
-/* A scene's materials as one set: one layout, a program for each material and each pass that draws
- * it; those that differ in numbers only share a text, and take their numbers from a buffer. */
+/* A scene's materials as a set: one layout, and a program for each material and pass. Programs
+ * that differ only in constants share their text, and read the constants from a buffer. */
 #ifndef MATC_CACHE_SET_H
 #define MATC_CACHE_SET_H
 #include "grammar/layout_tables.h"
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
 
-#define SET_SHEET "sheet" /* the pass plane, of transparency alone */
+#define SET_SHEET "sheet" /* the pass plane, with transparency as its only slot */
 
 typedef struct {
     int material; /* in Scene.materials */
-    /* "gbuffer", "plane", "sky"; what casts shadows: "shadow", "value", and of planes SET_SHEET */
+    /* "gbuffer", "plane", "sky"; for shadow casters "shadow", "value", or, for planes,
+     * SET_SHEET. */
     const char *pass;
-    bool transparent; /* at least in places */
-    /* the program with which it casts shadows; -1: none of its own. Of a plane: where its
-     * transparency varies */
+    bool transparent; /* at least in some fragments */
+    /* Index of the program that casts its shadows; -1: none of its own. A plane has one if its
+     * transmittance varies. */
     int caster;
-    /* the program that leaves out where it lets more than half of the light through, the pass
-     * "shadow"; -1: none */
+    /* Index of the alpha-tested program, of the pass "shadow", which discards fragments that
+     * transmit more than half of the light; -1: none. */
     int cut;
-    MatcProgram *program; /* its numbers, textures and uniforms */
-    /* in Set.programs: whose text it is drawn with; itself, or one before it */
+    MatcProgram *program; /* its constants, textures and uniforms */
+    /* Index of the program with the shared text: this one, or an earlier one. */
     int text;
-    int next;         /* that is drawn with it; -1: none */
-    int row;          /* among those of that text */
-    int other;        /* program of the material, from 1; 0: none */
-    bool even;        /* it is transparent by the same everywhere, */
-    float through[3]; /* namely by so much */
+    int next;         /* next program with the same text; -1: none */
+    int row;          /* index among the programs of that text */
+    int other;        /* another program of the material, its index + 1; 0: none */
+    bool even;        /* transmittance is the same everywhere, */
+    float through[3]; /* namely this color */
 } SetProgram;
 
-/* How what is transparent casts shadows. */
+/* How transparent surfaces cast shadows. */
 typedef enum {
-    SET_CASTS_none, /* nothing does */
-    /* as if it were opaque where it lets half of the light through, or less; elsewhere none */
+    SET_CASTS_none, /* not at all */
+    /* Like opaque ones where they transmit at most half of the light; elsewhere not. */
     SET_CASTS_cut,
-    SET_CASTS_colored /* by what it lets through */
+    SET_CASTS_colored /* colored by their transmittance */
 } SetCasts;
 
-/* Programs that exist beside those that draw the picture. */
+/* Programs to make in addition to those that draw the picture. */
 typedef struct {
     SetCasts casts;
-    /* voxels are made: of surfaces whose transparency varies, what is cut away is asked for */
+    /* Voxels exist: alpha-tested programs for surfaces whose transmittance varies. */
     bool cuts;
-    bool even; /* surfaces that are transparent by the same everywhere cast without a program */
+    bool even; /* surfaces of constant transmittance cast shadows without a program */
 } SetUses;
 
 typedef struct {
-    MatcLayout *layout; /* NULL: a named one */
-    /* of the pass SET_SHEET: three floats, what is let through; NULL: nothing is drawn with it */
+    MatcLayout *layout; /* NULL: a built-in layout */
+    /* Layout of the pass SET_SHEET: transmittance as three floats; NULL if no program has that
+     * pass. */
     MatcLayout *sheet;
-    const char *target; /* of the GLSL */
-    /* GLSL that reads back the cases that the materials take; NULL: there is no surface */
+    const char *target; /* the GLSL version, "glsl330" or "glsl450" */
+    /* GLSL that unpacks the layout's cases in use; NULL: the scene has no surface. */
     const char *unpack;
     SetProgram *programs;
-    int *of_material; /* the last program of each, from 1; 0: none */
+    int *of_material; /* by material: its last program, index + 1; 0: none */
     int count;
-    int texts; /* so many different ones */
+    int texts; /* number of different texts */
     SetUses uses;
-    bool instances; /* programs of surfaces draw instances (instances.h) */
+    bool instances; /* programs of surfaces use instancing (instances.h) */
 } Set;
 
-/* `compile` has the choices; its layout NULL: the smallest that holds the scene's materials.
- * Transparent materials of surfaces have programs for these uses. False: see gl->error. *made is
- * empty then. */
+/* Compiles the scene's materials. `compile` has the options; a NULL layout in it selects the
+ * smallest that holds the scene's materials. Transparent surfaces also get the programs for
+ * `uses`. Returns false on failure, with *made empty; see gl->error. */
 bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetUses uses,
               Set *made);
 void set_free(Set *set);
 
-/* Puts the place and the name of a material before what gl->error says of it. False. */
+/* Prepends a material's place and name to gl->error, and returns false. */
 bool set_fail(GlContext *gl, const Scene *scene, int material);
 
-/* The program of a material in a pass; NULL: there is none. */
+/* Returns the program of a material in a pass; NULL if missing. */
 const SetProgram *set_find(const Set *set, int material, const char *pass);
-/* So many programs are drawn with that text. */
+/* Returns the number of programs that share the text. */
 int set_rows(const Set *set, int text);
-/* Texts to draw with. */
+/* Return the shared texts of a program. */
 const char *set_vertex(const Set *set, const SetProgram *program);
 const char *set_fragment(const Set *set, const SetProgram *program);
-/* The layout, of `compile` where it was named there. */
+/* Returns the layout of the set, or the one that `compile` names. */
 const LayoutRow *set_layout(const Set *set, const MatcOptions *compile);
-/* Formats of the G-buffer's targets: NULL behind the last. */
+/* Returns the format of a G-buffer target; NULL after the last. */
 const char *set_format(const Set *set, int target);
 #endif

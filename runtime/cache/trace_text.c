@@ -1,4 +1,5 @@
-/* Line by line: declarations of what goes from stage to stage become those of variables. */
+/* Rewrites the texts line by line: declarations of inputs and outputs between stages become
+ * variables. */
 #include "runtime/cache/trace_text.h"
 #include "gen/render_text.h"
 #include "runtime/draw/field.h"
@@ -13,16 +14,16 @@ enum { ATTRIBUTES = sizeof attributes / sizeof *attributes, NAME = 64, VARYINGS 
 
 typedef struct {
     FILE *to;
-    char varyings[VARYINGS][NAME]; /* whose changes are asked for */
+    char varyings[VARYINGS][NAME]; /* varyings whose derivatives are used */
     int varying_count;
 } Writer;
 
-/* A declaration of a stage: `layout(location = 4) [flat] in vec2 uv;`. */
+/* A stage's input or output, such as `layout(location = 4) [flat] in vec2 uv;`. */
 typedef struct {
     char way[NAME], type[NAME], name[NAME];
 } Declared;
 
-/* The next word of a line; what is behind it. */
+/* Reads the next word of a line, and returns the rest. */
 static const char *read_word(const char *at, char word[NAME])
 {
     at += strspn(at, " ");
@@ -45,7 +46,7 @@ static bool read_declared(const char *line, Declared *made)
     return *at == ';' && (!strcmp(made->way, "in") || !strcmp(made->way, "out"));
 }
 
-/* The rest of a line, with words that stand for what is traced. */
+/* Writes a line with derivatives, built-ins and main() replaced. */
 static void put_line(Writer *w, const char *line, size_t size, bool vertex)
 {
     static const struct {
@@ -74,7 +75,7 @@ static void put_line(Writer *w, const char *line, size_t size, bool vertex)
     }
 }
 
-/* Both changes of one are declared where the fragment program would get it. */
+/* Declares both derivatives of a varying, if the fragment program uses them. */
 static void put_varying(Writer *w, const Declared *of, const char *fragment)
 {
     char asked[2][NAME + 8];
@@ -121,8 +122,8 @@ static void put_functions(Writer *w)
     fputs("}\n", w->to);
 }
 
-/* Attributes have names of their own, since functions and variables of the fragment program may be
- * called the same. */
+/* Declares the attributes under names of their own, since functions and variables of the
+ * fragment program may have the same names. */
 static void put_attributes(FILE *to)
 {
     for (int i = 0; i < ATTRIBUTES; i++)
@@ -130,7 +131,7 @@ static void put_attributes(FILE *to)
                 attributes[i]);
 }
 
-/* Attributes of the mesh, which rays do not know: they have their defaults. */
+/* Sets attributes that ray hits do not have to their defaults. */
 static void put_defaults(FILE *to, const MatcProgram *program)
 {
     for (int i = 0; i < matc_attribute_count(program); i++) {

@@ -3,8 +3,8 @@
  *     #version 450 core
  *     #define main surfaceMain
  *     bool surface_gone = false;
- *     #define discard surface_gone = true      (slopes are undefined behind a discard)
- *     ... what matc wrote, without its #version: void main() { ... fragment0 = ...; }
+ *     #define discard surface_gone = true      (derivatives are undefined after a discard)
+ *     ... matc's text, without its #version: void main() { ... fragment0 = ...; }
  *     #undef main
  *     #undef discard
  *     #define FRAGMENT_DEPTH gl_FragCoord.z
@@ -18,8 +18,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* How what a fragment program gives a target becomes words, and these a texel: %1$d is the target,
- * %2$d its first word. */
+/* By format: GLSL that packs a target's output into words, and unpacks words into a texel; %1$d
+ * is the target, %2$d its first word. */
 static const struct {
     const char *format;
     int words;
@@ -47,7 +47,7 @@ static int packing_of(const char *format)
     return i;
 }
 
-/* Appends to a text; what has no room is cut, which no layout's is. */
+/* Appends to a text; overflow is cut, which happens for no layout. */
 __attribute__((format(printf, 2, 3))) static void put(char *text, const char *format, ...)
 {
     const size_t size = strlen(text);
@@ -67,7 +67,7 @@ int transparency_stride(const Set *set)
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wformat-nonliteral"
-/* One of a target's two texts. */
+/* Appends a packing's text. */
 static void put_target(char *text, const char *format, int target, int word)
 {
     const size_t size = strlen(text);
@@ -127,7 +127,7 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way,
     }
 }
 
-/* Where instances are peeled, the vertex program tells which one it is. */
+/* Depth peeling with instancing: the vertex program passes the instance on. */
 static const char vertex_tail[] = "#undef main\nflat out uint peel_object;\nvoid main()\n{\n    "
                                   "surfaceMain();\n    peel_object = "
                                   "matc_instance;\n}\n";
@@ -150,7 +150,7 @@ void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *pr
     memcpy(program->vertex, vertex_pieces, sizeof vertex_pieces);
 }
 
-/* Ends a program that writes to images and buffers. */
+/* Appends an end that writes to images and buffers. */
 static void wrap_end(const GlContext *gl, const char *defined, const char *end,
                      ProgramText *program)
 {

@@ -1,4 +1,4 @@
-/* Sums in double, rounded once. */
+/* Matrices and rays are computed in double and rounded once. */
 #include "runtime/cache/view_space.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
@@ -25,9 +25,9 @@ static void look(const SceneCamera *camera, double m[16])
     m[15] = 1;
 }
 
-/* Reversed: depth 1 is nearest. With perspective it is near / distance, and 0 infinitely far; z of
- * clip space is that, or, from -1 to 1, twice that less 1, times w. Orthographic: 1 - distance /
- * depth. */
+/* Projection with reversed depth: 1 is nearest. In perspective depth is near / distance, 0 at
+ * infinity; clip space z is depth, or, for the range -1 to 1, twice depth minus 1, times w.
+ * Orthographic: 1 - distance / depth. */
 static void project(const SceneCamera *camera, const double half[2], bool zero_to_one, double m[16])
 {
     const double scale = zero_to_one ? 1 : 2;
@@ -37,11 +37,11 @@ static void project(const SceneCamera *camera, const double half[2], bool zero_t
     if (camera->kind == SCENE_Perspective) {
         m[11] = -1;
         m[14] = scale * camera->near;
-        m[10] = zero_to_one ? 0 : 1; /* less w, which is -z */
+        m[10] = zero_to_one ? 0 : 1; /* minus w, which is -z */
     } else {
         m[15] = 1;
         m[10] = scale / camera->depth;
-        m[14] = 1; /* that, or 2 less 1 */
+        m[14] = 1; /* 1, or 2 minus 1 */
     }
 }
 
@@ -86,7 +86,7 @@ void view_space_place(ViewSpace *space, const int size[2], const int at[2])
         space->ray[2 + i] = (float)(size[i] - 2 * at[i]);
 }
 
-/* The plane's point on the line through `at` along the view. */
+/* Moves `at` along the view direction onto the plane. */
 static void meet(const SceneCamera *camera, const double normal[3], const double origin[3],
                  double at[3])
 {
@@ -101,7 +101,7 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
 {
     const double edge_on = 1e-6, shorter = size[0] < size[1] ? size[0] : size[1], *m = plane->m;
     const double *axes[3] = {camera->back, camera->right, camera->up};
-    /* the middle of the picture, of its right side, of its upper side */
+    /* Centers of the picture, of its right border, and of its upper border. */
     double normal[3], points[3][3];
     vec3_cross(m, m + 4, normal);
     vec3_normalize(normal);
@@ -117,7 +117,7 @@ void view_space_parallels(const SceneCamera *camera, const int size[2], const Sc
     for (int i = 0; i < 3; i++) {
         const double back = seen ? camera->back[i] * camera->half : normal[i];
         spaces->rays[0][i] = (float)((seen ? points[0][i] : m[12 + i]) + back);
-        /* edge-on: away from it */
+        /* edge-on: rays lead away from the plane */
         spaces->rays[1][i] = (float)(seen ? points[0][i] - spaces->rays[0][i] : back);
         spaces->rays[2][i] = (float)(seen ? points[1][i] - points[0][i] : 0);
         spaces->rays[3][i] = (float)(seen ? points[2][i] - points[0][i] : 0);
@@ -133,7 +133,7 @@ static void to_eye(const ViewSpace *space, const double from[3], double w, float
     out[3] = (float)w;
 }
 
-/* `light` was cut, if it has an extent. */
+/* Writes a light's texels; an area light must have been cut to a finite part (scene_area.h). */
 static void put_light(const ViewSpace *space, const SceneLight *light, float out[LIGHT_TEXELS][4])
 {
     const LightKind *row = light_kind_of(light);
