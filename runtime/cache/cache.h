@@ -10,8 +10,7 @@
 #include "runtime/displace/displaced.h"
 #include "runtime/gl/mesh.h"
 
-/* What a material's program draws a surface into: shadow maps, voxels (alpha-tested), or the
- * picture. */
+/* Target of a material's program: shadow maps, voxels (alpha-tested surfaces), or the picture. */
 typedef enum { CACHE_USE_cast, CACHE_USE_cut, CACHE_USES, CACHE_USE_seen = CACHE_USES } CacheUse;
 
 /* Materials that differ only in constants: one program with the same textures and uniforms. */

@@ -1,5 +1,5 @@
-/* Backdrop of pixels without a surface: the pass tone shows it as it is, and the pass light adds it
- * behind transparent surfaces. */
+/* Backdrop of pixels without a surface: the pass tone shows it as it is, and the pass light adds
+ * it behind transparent surfaces. */
 #include "gen/render_text.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
@@ -25,7 +25,7 @@ const char *backdrop_light_text(const Render *render)
 void backdrop_set(const Render *render, bool light, ScreenPass *pass)
 {
     enum { TILE = 16 };
-    const double most = 1e4; /* a half float holds what it is times */
+    const double most = 1e4; /* keeps the scaled backdrop within half floats */
     const Scene *scene = render->scene;
     const bool tiles = scene->tiles && (light || !scene->glow);
     const double share = 1 / scene->exposure;

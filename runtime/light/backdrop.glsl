@@ -1,9 +1,9 @@
 // Backdrop radiance, linear, of pixels without a surface: tiles, or a glow, by the formulas of
-// scene.def. A place is the center of a sample in the picture.
+// scene.def. A position is the center of a sample in the picture.
 layout(std140) uniform Backdrop {
     vec4 backdrop_place; // the tile's corner in the picture, and the picture's size
-    float backdrop_tile; // edge of one
-    float backdrop_share; // of it that is light: what exposure is to make the same of
+    float backdrop_tile; // edge of a tile; 0: a glow
+    float backdrop_share; // factor that exposure will cancel
 };
 #define BACKDROP
 

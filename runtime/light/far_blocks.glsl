@@ -1,15 +1,15 @@
-// Blocks of pixels, and what is kept of them between dispatches, as far.layout.def says: the groups
-// of their pixels, sums of far lights in terms of the series and of gloss (far_lobe.glsl), and
-// which lights are near: a pixel sums these by itself. Before it stand FAR_LIGHTS, how many lights
-// there are at most, 32 times a power of two, the numbers of words that follow from it
-// (LightFarWords), and FAR_OTHERS, if not all are plain.
+// Blocks of pixels, and their data between dispatches, laid out by far.layout.def: the groups of
+// their pixels, sums of distant lights as terms of a series and of gloss (far_lobe.glsl), and the
+// set of near lights, which each pixel sums itself. Preceded by FAR_LIGHTS, the capacity in lights,
+// 32 times a power of two; the numbers of words that follow from it (LightFarWords); and
+// FAR_OTHERS, if some lights are not plain.
 layout(std140) uniform FarBudget {
-    float far_relative; // to a pixel's light, that its sum may be off
-    float far_absolute; // the same, besides, in light
-    int far_row;        // blocks
+    float far_relative; // max error relative to a pixel's light
+    float far_absolute; // max absolute error in addition
+    int far_row;        // number of blocks in a row
 };
 
-// It sends back light of lamps.
+// Reports whether the surface reflects or transmits light of lamps.
 bool farReflects(Lit m)
 {
     return any(greaterThan(surfaceEven(m) + surfaceGloss(m), vec3(0.0))) || surfaceLetsThrough(m);

@@ -1,8 +1,7 @@
-// A group of pixels of a block: those that lie near each other and are alike, as pass_groups.glsl
-// leaves them where pass_gather.glsl puts sums. Before it stand lighting.glsl, far_terms.glsl and
-// far_blocks.glsl, and FAR_INVOCATIONS, the invocations that a pass has for a group: some software
-// renderers go through what invocations share for one after the other, so that few are faster
-// there.
+// A group of pixels of a block, which are close to each other and have similar surfaces: written by
+// pass_groups.glsl, later replaced by the sums of pass_gather.glsl. Preceded by lighting.glsl,
+// far_terms.glsl and far_blocks.glsl, and FAR_INVOCATIONS, the invocations per group: some software
+// renderers serialize accesses to shared memory, so that few invocations are faster there.
 layout(std430, binding = FAR_WORDS_BINDING) buffer FarWords {
     uint far_words[];
 };
@@ -13,12 +12,13 @@ layout(std430, binding = FAR_NUMBERS_BINDING) buffer FarNumbers {
 
 const float NEVER = 1e30;
 
-// The centre of its points' box, and the distance of its corners, less than 0: there is none; the
-// seed's normal, and the cone of all around it, n.(p - c) at most and at least; the seed's mirrored
-// view, and the cone of all around it; of its surfaces the most and the least that is even, the
-// most that is not, and the least exponent of that. What far_lobe.glsl asks: how far mirrored views
-// turn and normals lean from the seed's, and the most by which exponents change a power of a
-// cosine.
+// Bounds of a group's pixels. centre, radius: bounding box of the points, and distance of its
+// corners; radius < 0: no group. axis, cosine, sine: cone of normals around the seed's. above,
+// below: max and min of n.(p - c). view, mirror: cone of mirrored views around the seed's. even,
+// dim: max and min diffuse reflectance; gloss: max specular reflectance; exponent: min exponent of
+// gloss. behind: some surface transmits light.
+// For far_lobe.glsl: turn and lean are the max deviations of mirrored views and normals from the
+// seed's, and spread is the max change of a power of a cosine by the range of exponents.
 struct Group {
     vec3 centre, axis, view;
     float radius, cosine, sine, above, below, mirror, exponent;
@@ -29,12 +29,12 @@ struct Group {
 
 int farBlock() { return int(gl_WorkGroupID.y) * far_row + int(gl_WorkGroupID.x); }
 
-// Where the numbers of a group begin, and its bits.
+// First float of a group's numbers, and first word of its bits.
 int farPlace(int number) { return (farBlock() * FAR_GROUPS + number) * FAR_TEXELS * 4; }
 int farBits(int number) { return farBlock() * FAR_WORDS + FAR_MAP + number * FAR_MARKS; }
 
-// The cosines that a direction can have with one that is within an angle of an axis: x the least, y
-// the most.
+// Range of cosines between a direction and all directions in a cone: x the min, y the max. `along`
+// is the cosine to the cone's axis.
 vec2 farCosines(float along, float cosine, float sine)
 {
     float aside = sqrt(max(1.0 - along * along, 0.0)) * sine;

@@ -1,13 +1,15 @@
-// A light as a group of pixels sees it, for pass_near.glsl and pass_gather.glsl, each group having
-// invocations of its own. Before it stand lighting.glsl, far_group.glsl and far_lobe.glsl.
+// A light as bounded for a group of pixels, for pass_near.glsl and pass_gather.glsl, with one work
+// group per group of pixels. Preceded by lighting.glsl, far_group.glsl and far_lobe.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
-const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1; // invocations; between rows of parts of sums, so that neighbours in a column are in other banks
+// GROUP: invocations; PITCH: row length of partial sums, which puts neighbors in a column into
+// different memory banks
+const int GROUP = FAR_INVOCATIONS, PITCH = GROUP + 1;
 
-shared float far_group[GROUP_NUMBERS]; // as pass_groups.glsl keeps it
+shared float far_group[GROUP_NUMBERS]; // the layout of pass_groups.glsl
 
 int farCount() { return light_plain + light_points; }
 
-// Least and greatest share that a spot's cone lets through, from the group.
+// Min and max transmittance of a spot's cone over the group.
 vec2 farCone(int light, vec3 way, float ratio)
 {
     vec2 cone = lightTexel(light, LIGHT_CONE).xy;
@@ -42,7 +44,7 @@ Far farLight(int light, Group group)
     return far;
 }
 
-// No pixel of the group sees it.
+// Reports whether the light reaches no pixel of the group.
 bool farIsDark(Far far, Group group) { return far.power == vec3(0.0) || (far.most <= 0.0 && !group.behind); }
 
 vec3 farTake(int i) { return vec3(far_group[i], far_group[i + 1], far_group[i + 2]); }

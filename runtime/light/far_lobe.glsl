@@ -1,44 +1,46 @@
-// Gloss of a light that is taken together, for pass_near.glsl and pass_gather.glsl. Before it stand
-// far_terms.glsl and far_group.glsl.
+// Gloss of distant lights that are summed together, for pass_near.glsl and pass_gather.glsl.
+// Preceded by far_terms.glsl and far_group.glsl.
 
-// A light as the group sees it: the way to the centre, of length 1; the group's radius over its
-// distance, 0 if that is infinite, and the most that a point is above or below the centre, along
-// its normal, over the distance; what arrives at the centre; of n.(l - p) over the distance the
-// least and the most at the group's points, and the most on ways from the centre to them; whether
-// it shines on all of the group alike and without shadows.
+// Bounds of a light for a group of pixels. way: unit direction from the center; power: irradiance
+// at the center; ratio: the group's radius over the light's distance, 0 if directional; lift: max
+// distance of a point from the center along its normal, over the light's distance; least, most:
+// range of n.(l - p) over the distance at the group's points; high: max of the cosine along the
+// segments from the center to the points; whole: it lights the whole group equally and without
+// shadows.
 struct Far {
     vec3 way, power;
     float ratio, lift, least, most, high;
     bool whole;
 };
 
-const float NEAREST = 0.6; // times a light's distance, the group's radius is less where the light is far
+const float NEAREST = 0.6; // max ratio of the group's radius to the distance of a far light
 
 bool farExpands(Far far) { return far.whole && far.ratio <= NEAREST && far.least >= 0.0; }
 
-// Gloss 1 sends back F = A B^k of a light's power, where A = n.L d^2 / |l - p|^2, B = max(r.L, 0),
-// L is the direction from p to l, and r the mirrored view. From the centre and the seed's r to a
-// point and its r F is a function of one number from 0 to 1: F(0) + F'(0) is linear in both, so
-// that lights add up in seven numbers for each lane, and what is left out is half of the greatest
-// F'' at most. With q = |p - c| / d at most, s = 1 / (1 - q), e = q s:
-//   A  <= H = s^2 times the greatest n.L
-//   A' <= s^3 lift + 3 e H, and A'' <= 6 q s^4 lift + 12 e^2 H: slopes of n.w / |w|^3, where n.w
-//   itself changes by `lift` at most
-//   B  <= the greatest cosine; B' <= (t + e) sin, t = |r - r0|: only what is across L turns it; B''
-//      <= 2 t e + 2 / sqrt(3) e^2, as L'' is at most
-//   F'' = B^k (A'' + 2 A' k B'/B + A (k (k - 1) (B'/B)^2 + k B''/B)), for k from 2 on
-// Normals that lean by |n - a| from the seed's a change what is linear by as much of it, and
+// Gloss of reflectance 1 reflects F = A B^k of a light's power, where A = n.L d^2 / |l - p|^2, B =
+// max(r.L, 0), L is the direction from p to l, and r the mirrored view. On the path from the center
+// and the seed's r to a point and its r, F is a function of one parameter from 0 to 1. F(0) + F'(0)
+// is linear in both, so that lights add up in seven numbers per color component; the remainder is
+// at most half of the max F''. With q = |p - c| / d at most, s = 1 / (1 - q), e = q s:
+//   A  <= H = s^2 times the max n.L
+//   A' <= s^3 lift + 3 e H, and A'' <= 6 q s^4 lift + 12 e^2 H: derivatives of n.w / |w|^3, where
+//   n.w itself changes by at most `lift`
+//   B  <= the max cosine; B' <= (t + e) sin, t = |r - r0|: only the part across L turns B; B'' <= 2
+//   t e + 2 / sqrt(3) e^2, a bound of L''
+//   F'' = B^k (A'' + 2 A' k B'/B + A (k (k - 1) (B'/B)^2 + k B''/B)), for k >= 2
+// Normals that deviate by |n - a| from the seed's a change the linear part by as much of it, and
 // exponents from k to k + x change F by x / (2.718 k) of H. For example a lamp straight above, r =
-// n = L, k = 2, and a point at q = 0.1 across: F is 1.01^(-5/2) = 0.975, what is linear 1, and the
-// bound of 0.025 is 0.119, as it knows no direction of p - c.
+// n = L, k = 2, and a point at q = 0.1 to the side: F is 1.01^(-5/2) = 0.975, the linear part 1;
+// the error of 0.025 is within its bound of 0.119, which ignores the direction of p - c.
 struct Lobe {
-    float most, rest; // to gloss 1, of a light's power: the most, and how much what is linear is off
+    float most, rest; // for gloss 1 and power 1: max of F, and max error of its linear part
 };
 
 Lobe farLobe(Far far, Group group)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q), k = group.exponent;
-    float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x; // of the angles' sum
+    // cosine of the sum of the angles
+    float mirror = farCosines(group.mirror, sqrt(1.0 - q * q), q).x;
     vec2 cosines = farCosines(dot(far.way, group.view), mirror, sqrt(max(1.0 - mirror * mirror, 0.0)));
     if (cosines.y <= 0.0) return Lobe(0.0, 0.0);
     float along = max(cosines.y, 1e-6), power = pow(along, k), square = nearer * nearer;
@@ -53,7 +55,7 @@ Lobe farLobe(Far far, Group group)
     return Lobe(most, power * (curved + leaning) + a * group.spread);
 }
 
-// F(0), its slope along u = (p - c) / radius, and along r - r0.
+// Adds F(0), its gradient along u = (p - c) / radius, and along r - r0.
 void farAddLobe(Far far, Group group, inout vec3 sums[FAR_LOBES])
 {
     float height = dot(group.axis, far.way), along = max(dot(group.view, far.way), 1e-30);

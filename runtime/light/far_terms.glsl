@@ -1,32 +1,34 @@
-// The light of many points around c, at points p that are nearer to c than any of them. Without the
-// cosine's clamp, a lamp at l gives a surface n.V, where V = (l - p) / |l - p|^3 is the slope of 1
-// / |l - p|, in p. With u = p - c and d = |l - c| that is a sum over k from 0 on of |u|^k / d^(k +
-// 1) P_k(cos(u, l - c)), and P_k a sum of products of 2 k + 1 harmonics of each direction: so lamps
-// add up in their harmonics alone. FAR_TERMS are those of k = 1 to N = 6. What is left out: the
-// slope of |u|^k P_k is at most k |u|^(k - 1) (Bernstein's and Szego's inequality for P_k as a
-// polynomial of the angle's cosine), and with q = |u| / d the sum of k q^(k - 1) from N + 1 on is
-// q^N (N + 1 - N q) / (1 - q)^2, times 1 / d^2.
-// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): 1 is the truth, and 1/4 (1 + 2/2 +
-// 3/4 + 4/8 + 5/16 + 6/32) = 0.9375; left out is 0.0625, and the bound says (7 - 3) / 64 / (1/4) /
-// 4 = 0.0625: so it is met where all lie on one line.
+// Far-field expansion: the light of many points around c, at points p that are nearer to c than any
+// of them. Without the cosine's clamp, a lamp at l gives a surface n.V, where V = (l - p) / |l -
+// p|^3 is the gradient of 1 / |l - p| in p. With u = p - c and d = |l - c| that is a sum over k
+// from 0 on of |u|^k / d^(k + 1) P_k(cos(u, l - c)), and P_k is a sum of products of 2 k + 1
+// harmonics of each direction: so lamps add up in their harmonics alone. FAR_TERMS are those of k =
+// 1 to N = 6. Remainder: the gradient of |u|^k P_k is at most k |u|^(k - 1) (Bernstein's and
+// Szego's inequality for P_k as a polynomial of the angle's cosine), and with q = |u| / d the sum
+// of k q^(k - 1) from N + 1 on is q^N (N + 1 - N q) / (1 - q)^2, times 1 / d^2.
+// For example a lamp at (0, 0, 2), u = (0, 0, 1), n = (0, 0, 1): the exact value is 1, and 1/4 (1 +
+// 2/2 + 3/4 + 4/8 + 5/16 + 6/32) = 0.9375; the error of 0.0625 equals the bound (7 - 3) / 64 /
+// (1/4) / 4, which is tight if all lie on one line.
 //
-// Harmonics are complex, real and imaginary part in a vec2, as recurrences have them (Epton and
+// Harmonics are complex, real and imaginary part in a vec2, by these recurrences (Epton and
 // Dembart, 1995; P_km without (-1)^m):
-//   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!, and S_km(w) = (k - m)! P_km(cos t) e^(i m f)
-//   of a direction w 1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im
-//   S_km), m from 1 to k, where u is in units of the greatest |u| along z: ((k + 1)^2 - m^2)
-//   R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k + 1) z S_km - (k^2 - m^2)
-//   S_(k-1)m slopes: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy)
-//   R_km = -R_(k-1)(m+1)
+//   R_km(u) = |u|^k P_km(cos t) e^(i m f) / (k + m)!
+//   S_km(w) = (k - m)! P_km(cos t) e^(i m f), for a direction w
+//   1 / |l - p| = sum of q^k / d (R_k0 S_k0 + 2 Re R_km Re S_km + 2 Im R_km Im S_km), m from 1 to
+//   k, where u is in units of the max |u|
+//   along z: ((k + 1)^2 - m^2) R_(k+1)m = (2 k + 1) z R_km - |u|^2 R_(k-1)m, and S_(k+1)m = (2 k +
+//   1) z S_km - (k^2 - m^2) S_(k-1)m
+//   gradients: d/dz R_km = R_(k-1)m, (d/dx - i d/dy) R_km = R_(k-1)(m-1), (d/dx + i d/dy) R_km =
+//   -R_(k-1)(m+1)
 #include "far.layout.def"
-// By name: a loop that some compiler leaves as it is would keep an array in memory.
+// Unrolled by macros: a compiler that keeps a loop would put the array into memory.
 #define FAR_EACH_OF_24(f, k)                                                                                           \
     f(k) f(k + 1) f(k + 2) f(k + 3) f(k + 4) f(k + 5) f(k + 6) f(k + 7) f(k + 8) f(k + 9) f(k + 10) f(k + 11) f(k + 12)  \
         f(k + 13) f(k + 14) f(k + 15) f(k + 16) f(k + 17) f(k + 18) f(k + 19) f(k + 20) f(k + 21) f(k + 22) f(k + 23)
 #define FAR_EACH(f) FAR_EACH_OF_24(f, 0) FAR_EACH_OF_24(f, 24)
 #define FAR_EACH_LOBE(f) f(0) f(1) f(2) f(3) f(4) f(5) f(6)
 
-// More or less than what the terms give, at most, of a lamp that gives 1 at c.
+// Max error of the terms, for a lamp of irradiance 1 at c.
 float farLeftOut(float q)
 {
     float nearer = 1.0 / (1.0 - q), qq = q * q;
@@ -38,7 +40,7 @@ vec2 farTimes(vec2 a, vec2 b) { return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a
 #define FAR_ADD(at, s) sums[at] += p * (s);
 #define FAR_ADD2(at, s) sums[at] += pp * (s).x; sums[at + 1] += pp * (s).y;
 
-// A lamp that gives `power` at c, from the direction w, where the greatest |u| is `ratio` of its
+// Adds a lamp of irradiance `power` at c, from the direction w; `ratio` is the max |u| over its
 // distance.
 void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])
 {
@@ -74,7 +76,7 @@ void farAdd(vec3 w, float ratio, vec3 power, inout vec3 sums[FAR_TERMS])
     FAR_ADD2(46, 11.0 * farTimes(xy, s55))
 }
 
-// Along n: of R_k0, by those of k - 1; of R_km.
+// Derivatives along n: of R_k0, from terms of degree k - 1; of R_km.
 float farSlope(vec3 n, float same, vec2 above) { return n.z * same - dot(n.xy, above); }
 
 vec2 farSlope(vec3 n, vec2 below, vec2 same, vec2 above)
@@ -85,7 +87,7 @@ vec2 farSlope(vec3 n, vec2 below, vec2 same, vec2 above)
 #define FAR_SLOPE(at, same, above) slopes[at] = farSlope(n, same, above);
 #define FAR_SLOPE2(at, below, same, above) slope = farSlope(n, below, same, above); slopes[at] = slope.x; slopes[at + 1] = slope.y;
 
-// The harmonics' slopes along n, at u, which is of length 1 at most.
+// Derivatives of the harmonics along n, at u, whose length is at most 1.
 void farSlopes(vec3 u, vec3 n, out float slopes[FAR_TERMS])
 {
     const vec2 NONE = vec2(0.0);

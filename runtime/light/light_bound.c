@@ -1,62 +1,63 @@
-/* Many lights: which are summed at each pixel, and which are taken together, so that the picture as
- * it is shown is within half a step of 8 bits, 1/510, of the sum of all. pass_groups.glsl,
- * pass_near.glsl and pass_gather.glsl do it, for each block of 32 x 32 pixels by itself:
+/* Light clustering with an error bound: which lights are summed at each pixel, and which are
+ * summed together per group of pixels, so that the displayed picture is within half a step of 8
+ * bits, 1/510, of the sum of all lights. pass_groups.glsl, pass_near.glsl and pass_gather.glsl
+ * compute it, for each block of 32 x 32 pixels:
  *
- *  1. Pixels that lie near each other are a group, with a centre c, a greatest distance from it, a
- *     cone of normals. Most blocks have one; a
- *     block that shows a box has one for each side, as a light that one side sees another may not.
- *  2. A light that all of the group sees whole is a series around c (far_terms.glsl), whose rest is
- *     bounded; one that no pixel sees is nothing; any
- *     other is bounded by the most that it can give. Gloss of a light that is taken together is
- *         linear around c (far_lobe.glsl) or left out, whichever
- *     has the lesser bound.
- *  3. E, what all whole lights give at least to each pixel, is a lower bound of the light. The
- *     bounds of what is taken together, the smallest first,
- *     may sum up to r E + a; what does not go into that is summed at each pixel.
+ *  1. Pixels that are close to each other form a group, with a center c, a radius, and a cone of
+ *     normals. Most blocks have one; a block that shows a box has one for each side, as a light
+ *     may reach only one side.
+ *  2. A light that reaches the whole group is expanded in a series around c (far_terms.glsl),
+ *     whose remainder is bounded; a light that reaches no pixel is dropped; any other is bounded
+ *     by its max. Gloss of a light that is summed together is linear around c (far_lobe.glsl) or
+ *     omitted, whichever has the smaller bound.
+ *  3. E, the min over pixels of all lights that reach the whole group, is a lower bound of a
+ *     pixel's light. Lights are summed together in order of their bounds, smallest first, while
+ *     the bounds sum up to at most r E + a; each pixel sums the remaining lights itself.
  *
- * A pixel's light L is then off by r L + a at most, in each lane, whatever its colour is. r and a
- * are such that this is less than a step's half after exposure, tone mapping m and the encoding e
- * as sRGB. Edges and samples mix pixels by shares s once they are mapped, before e: if y = m(L) is
- * off by d(y), the mixture is off by the sum of s d(y). Let D be a concave function that is nowhere
- * less than d: then that is D(y) at most, of the mixture's y, and all that is to be shown is e(y) -
- * e(y - D(y)) <= 1/510; upwards e rises less, since it is concave.
+ * The error of a pixel's light L is then at most r L + a in each color component. r and a are
+ * such that the error is less than half a step after exposure, tone mapping m and the encoding e
+ * as sRGB. Edges and samples mix pixels by shares s after tone mapping, before e: if y = m(L)
+ * has an error of d(y), the mixture has the sum of s d(y). Let D be a concave function with D >=
+ * d: then the error is at most D(y) of the mixture's y, and it remains to show e(y) - e(y -
+ * D(y)) <= 1/510; upwards e rises less, since it is concave.
  *
- *   Clamp: D(y) = r y + a, also where it is cut at 1. y e'(y) is 0.44 at most, where y is 1, and e'
- *   is 12.92 at most: 0.9 of half a step over each
- *      is their share, and leaves room for squares of r below.
- *   Shoulder: the same. m is concave and m(L) <= L, so that m(L) - m(L - d) <= m(L) d / L, which is
- *   r m(L) + a at most for d = r L + a. Exponential: a lane x of the greatest g is shown as y = x
- *   h(g), h(g) = (1 - exp(-g)) / g, and g h'(g) lies between -h(g) and 0. With s = -g h'(g) / h(g),
- *      y is off by h (r x + a) + x h s (r g + a) / g <= 2 r y + a h (1 + s), and h (1 + s) <= 1: so
- *          D(y) = 2 r y + a, where r is half of Clamp's.
- *   Linear: y = x / g with g the greatest lane of the picture, both off by r: D(y) = 2 r y / (1 -
- *   r). a is 0, as a / g has no bound. Filmic: D(y) is the lesser of 2.6 r y + 0.6 a and 0.85 r y +
- *   3.65 a.
- *   OpenEXR as halves, which are light itself: steps of 2^-11 of it at least, so r is 0.9 / 2^12,
- *   and a is 0.
+ *   Clamp: D(y) = r y + a, also if y is clamped to 1. y e'(y) is at most 0.44, at y = 1, and e'
+ *   is at most 12.92: r and a are 0.9 of half a step over each, which leaves a margin for
+ *   squares of r below.
+ *   Shoulder: as Clamp. m is concave and m(L) <= L, so that m(L) - m(L - d) <= m(L) d / L, which
+ *   is at most r m(L) + a for d = r L + a.
+ *   Exponential: a component x of the max g is mapped to y = x h(g), h(g) = (1 - exp(-g)) / g,
+ *   and g h'(g) lies between -h(g) and 0. With s = -g h'(g) / h(g), the error of y is h (r x +
+ *   a) + x h s (r g + a) / g <= 2 r y + a h (1 + s), and h (1 + s) <= 1: so D(y) = 2 r y + a,
+ *   and r is half of Clamp's.
+ *   Linear: y = x / g with g the max component of the picture, both with a relative error of r:
+ *   D(y) = 2 r y / (1 - r). a is 0, as a / g has no bound.
+ *   Filmic: D(y) is the lesser of 2.6 r y + 0.6 a and 0.85 r y + 3.65 a.
+ *   OpenEXR with half floats stores light itself: relative steps of at least 2^-11, so r is 0.9
+ *   / 2^12, and a is 0.
  *
- * ReinhardDevlin stretches what it maps from its least to its greatest, and Drago counts the pixels
- * that are brighter than some: both may jump. What has steps of 1/65535, or none, would leave
- * hardly a light far.
+ * ReinhardDevlin stretches the range between the picture's min and max, and Drago counts the
+ * pixels above a threshold: both may jump. With steps of 1/65535, or none, hardly any light
+ * would be far.
  *
- * tests/renderer/light/test_light_bound.c proves what is said of e and of Filmic, by intervals and
- * by the signs of polynomials, and tries the rest; test_far_terms.c tries the bounds of the series
- * and of gloss. */
+ * tests/renderer/light/test_light_bound.c proves the claims about e and Filmic, by intervals and
+ * by the signs of polynomials, and tries the others; test_far_terms.c tries the bounds of the
+ * series and of gloss. */
 #include "runtime/light/light_far.h"
 #include "runtime/shadow/shadow.h"
 #include <string.h>
 
 enum {
-    LEAST_HARDWARE = 128, /* lights from which on it takes less time */
+    LEAST_HARDWARE = 128, /* min number of lights at which clustering is faster */
     LEAST_SOFTWARE = 256,
-    MOST = 4096,        /* whose bits an invocation group has room for */
-    BINDINGS = 6,       /* points at which storage buffers are bound: 4 and 5 */
-    STORAGE_BLOCKS = 3, /* of a program: two, and lists of what is transparent in shadow maps */
-    /* of a program: six of a G-buffer, depth, lights, a sky, shadows, and the two buffers */
+    MOST = 4096,        /* bits that fit into shared memory of a work group */
+    BINDINGS = 6,       /* needed bindings of storage buffers: up to point 5 */
+    STORAGE_BLOCKS = 3, /* per program: two, and lists of transparent shadow casters */
+    /* Needed per program: six of a G-buffer, depth, lights, a sky, shadows, and the two buffers. */
     TEXTURES = 18
 };
 
-/* Clamp's, with exposure 0, and which part of them another takes. */
+/* Budgets of Clamp at exposure 0, and factors on them for other tone mappings. */
 static const double relative = .9 / .4398 / 510, absolute = .9 / 12.92 / 510,
                     relative_of_halves = .9 / 4096;
 static const struct {
@@ -108,7 +109,7 @@ bool light_far_check(GlContext *gl, const RenderOptions *options)
            gl_fail(gl, "lights are auto, all or bounded, not '%s'", options->lights);
 }
 
-/* The picture has 8 bits or halves, and nothing else is asked for. */
+/* Reports whether the picture has 8 bits or half floats, and is the requested view. */
 static bool is_shown(const RenderOptions *options)
 {
     return !options->deep && (!options->view || !strcmp(options->view, "shown"));
@@ -123,7 +124,7 @@ static bool has_buffers(const GlContext *gl)
     return blocks >= STORAGE_BLOCKS && bindings >= BINDINGS && textures >= TEXTURES;
 }
 
-/* Reason why it cannot be used, even on request. */
+/* Returns the reason why clustering cannot be used, even on request; NULL if it can. */
 static const char *find_lack(const Render *render, int count)
 {
     double budget[2];

@@ -1,16 +1,16 @@
-/* Data for the passes gather and light with many lights: constants of the GLSL, error budgets, the
- * buffers of light_room.c. */
+/* Inputs of the passes gather and light for light clustering: constants of the GLSL, error
+ * budgets, the buffers of light_room.c. */
 #include "runtime/light/light_far.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/light/lighting.h"
 #include <stdio.h>
 
 enum { NUMBERS_BINDING = 5, WORDS_BINDING = 4 };
-/* Work group sizes for groups of pixels or lights. Summing a series uses few invocations: each
- * needs many registers, and sums wait for one warp only. */
+/* Work group sizes. Summing a series uses few invocations: each needs many registers, and sums
+ * wait for one warp only. */
 static const int invocations_hardware[] = {
     [LIGHT_FAR_groups] = 64, [LIGHT_FAR_near] = 64, [LIGHT_FAR_gather] = 32, [LIGHT_FAR_light] = 0};
-enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's lanes */ };
+enum { INVOCATIONS_SOFTWARE = 8 /* llvmpipe's SIMD width */ };
 enum { TEXELS_UNIT = LIGHTING_FREE_UNIT, BITS_UNIT };
 
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS])
@@ -27,7 +27,8 @@ void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_
              words.tops, words.near, words.marks, words.block, NUMBERS_BINDING, WORDS_BINDING);
 }
 
-/* Behind transparent layers what is relative stays so, and what is not may grow. */
+/* Sets the error budget. Under transparent layers a relative error stays the same, but an
+ * absolute one may grow, so none is allowed. */
 void light_far_set(const Render *render, ScreenPass *pass)
 {
     const bool covered = transparency_is(render, render->transparency);

@@ -1,44 +1,48 @@
-/* Many lights: which are far from a block of pixels and are taken together (light_bound.c), what is
- * kept of that (light_room.c), and what the passes gather and light go by (light_far.c). */
+/* Light clustering for many lights: which lights are far from a block of pixels and summed
+ * together (light_bound.c), storage of the results (light_room.c), and inputs of the passes
+ * gather and light (light_far.c). */
 #ifndef MATC_RENDER_LIGHT_FAR_H
 #define MATC_RENDER_LIGHT_FAR_H
 #include "gen/far_layout.h"
 #include "runtime/light/light_state.h"
 #include "runtime/frame/frame.h"
 
-/* The choice can be met; why far ones are not taken together, NULL: they are. */
+/* Checks the option `lights`; returns the reason why distant lights are not summed together,
+ * NULL if they are; reports whether they are. */
 bool light_far_check(GlContext *gl, const RenderOptions *options);
 const char *light_far_lacks(const Render *render);
 bool light_far_used(const Render *render);
-/* Lights, at most: programs are shared by numbers of lights that are near. A multiple of 32. */
+/* Returns the capacity in lights, a power of two and a multiple of 32. Programs are shared by
+ * all numbers of lights up to it. */
 int light_far_most(const Render *render);
-/* Error budget of light at exposure 0: relative, and absolute; `linear`: for a picture of light in
- * half floats. False: none is allowed. */
+/* Returns the error budget of light at exposure 0: relative, and absolute; `linear`: for a
+ * picture of light in half floats. False if no error is allowed. */
 bool light_far_budget(SceneKind tone, bool linear, double budget[2]);
-/* Blocks in a row of so many pixels. */
+/* Returns the number of blocks in a row of pixels. */
 int light_far_blocks(int pixels);
-/* Words of a group: a bit for each light that is near, in `bits` words behind `tops` words with a
- * bit for each of them that is not 0; from `near` to `marks` a bit for each far light whose gloss
- * is expanded. `block`: words of a block. */
+/* Words of a group of pixels: `tops` words with a bit for each nonzero word of `bits`; `bits`
+ * words with a bit for each near light; from `near` to `marks` a bit for each distant light
+ * whose gloss is expanded. `block`: words of a block. */
 typedef struct {
     int bits, tops, near, marks, block;
 } LightFarWords;
 LightFarWords light_far_words(const Render *render);
-/* Buffers beside the plan's light: bytes of a pixel, rounded up, or 0; the edge of the blocks of
- * pixels, or 1; the most rows of a tile of that width; a line on them, once they exist. */
+/* Buffers of light clustering: bytes per pixel, rounded up, or 0 if unused; edge of the blocks
+ * in pixels, or 1; max rows of a tile of a given width; a line for --stats; creation and
+ * deletion. */
 int light_far_bytes(const Render *render);
 int light_far_block(const Render *render);
 int light_far_rows(const Render *render, int width);
 void light_far_put(Text *out, const Render *render);
 bool light_far_make(Render *render);
 void light_far_delete(Render *render);
-/* Sorts so many lights of two texels, the first of which begins with a place, so that neighbours in
- * space are neighbours. False: out of memory. light_order.c */
+/* Sorts lights of two texels, the first of which begins with a position, so that lights close in
+ * space are close in the array. False if memory runs out. light_order.c */
 bool light_order(float (*lights)[LIGHT_PLAIN_TEXELS][4], int count);
-/* Constants of the GLSL of both passes; uniforms of one; bindings for the pass gather, and for the
- * pass light. */
+/* Inputs of the passes: constants of the GLSL; uniforms; bindings for the pass gather, and for
+ * the pass light. */
 enum { LIGHT_FAR_DEFINITIONS = 512 };
-/* in this order */
+/* The programs in the order of a frame. */
 typedef enum { LIGHT_FAR_groups, LIGHT_FAR_near, LIGHT_FAR_gather, LIGHT_FAR_light } LightFarUse;
 void light_far_define(const Render *render, LightFarUse use, char defined[LIGHT_FAR_DEFINITIONS]);
 void light_far_set(const Render *render, ScreenPass *pass);

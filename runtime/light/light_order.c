@@ -1,22 +1,22 @@
-/* Many lights by where they are: Morton's curve, on which neighbours in space are mostly
- * neighbours. Lights that are near a group of pixels then share few of the words that
- * far_blocks.glsl has their bits in, and a pixel reads no more.
+/* Sorts many lights along Morton's curve, on which points close in space are mostly close.
+ * Lights near a group of pixels then share few of the words with their bits (far_blocks.glsl),
+ * and a pixel reads fewer words.
  *
- *     a cell's number has the bits of its places along x, y, z in turns: cell (3, 0, 1) is binary
- *         001 101, 13, where bits of z, y, x stand in this order */
+ *     A cell's number interleaves the bits of its coordinates x, y, z: cell (3, 0, 1) is binary
+ *         001 101, 13, in the bit order z, y, x. */
 #include "runtime/light/light_far.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { BITS = 10 /* of a cell, along an axis */ };
+enum { BITS = 10 /* bits of a cell's coordinate */ };
 
 typedef struct {
     float texels[LIGHT_PLAIN_TEXELS][4];
     uint32_t cell;
 } Placed;
 
-/* Lights of one cell by their numbers, so that no other order is possible. */
+/* Sorts by cell; lights of one cell by their texels, which makes the order unique. */
 static int compare(const void *left, const void *right)
 {
     const Placed *a = left, *b = right;

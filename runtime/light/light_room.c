@@ -1,12 +1,12 @@
-/* Storage of the pass gather for the pass light, by blocks of pixels (light_bound.c): two buffers,
- * and their sizes. */
+/* Storage of light clustering between the passes gather and light, by blocks of pixels
+ * (light_bound.c): two buffers, and their sizes. */
 #include "runtime/light/light_far.h"
 #include <limits.h>
 
 enum { GROUPS = LIGHT_FAR_GROUPS, TEXELS = LIGHT_FAR_TEXELS };
 _Static_assert((int)LIGHT_FAR_GROUP_NUMBERS <= 4 * (int)TEXELS, "both are kept in one place");
 
-/* Of a block. */
+/* per block */
 static const size_t numbers_bytes = GROUPS * TEXELS * 4 * sizeof(float);
 
 LightFarWords light_far_words(const Render *render)
@@ -72,7 +72,7 @@ void light_far_put(Text *out, const Render *render)
         text_format(out, "%-8s  %-24s  not there\n", "far", "two buffers");
 }
 
-/* Makes a buffer of so many bytes for each block. */
+/* Makes a buffer with a number of bytes per block. */
 static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
 {
     const GlContext *gl = render->gl;
@@ -83,7 +83,7 @@ static void make_buffer(const Render *render, size_t bytes, GLuint *buffer)
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }
 
-/* A buffer as a texture. */
+/* Makes a buffer texture. */
 static void make_view(const Render *render, GLenum format, GLuint buffer, GLuint *view)
 {
     const GlContext *gl = render->gl;

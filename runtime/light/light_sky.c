@@ -1,11 +1,11 @@
-/* The sky as a light: its program is drawn into the faces of a cube around the world's origin,
- * which is read back and summed. The GLSL is light_sky.glsl.
+/* The sky as a light: its program is drawn into the faces of a cube map around the world's
+ * origin, which is read back and integrated. The GLSL is light_sky.glsl.
  *
- * Irradiance over pi is the sum over bands l of (2l+1)/(4 pi) A_l/pi P_l(n.u), times the radiance
- * from u, integrated; A_l = pi, 2 pi/3, pi/4, -pi/24, pi/64 for l = 0, 1, 2, 4, 6, and 0 for other
- * odd ones (Ramamoorthi and Hanrahan 2001). Of the even ones, each power (n.u)^2m becomes (n.u)^2m
- * |n|^(6-2m), since |n| is 1, so that they are one polynomial in n, all of whose 28 terms are of
- * degree 6. */
+ * Irradiance / pi is the sum over bands l of (2l+1)/(4 pi) A_l/pi times the integral of P_l(n.u)
+ * times the radiance from u; A_l = pi, 2 pi/3, pi/4, -pi/24, pi/64 for l = 0, 1, 2, 4, 6, and 0
+ * for other odd l (Ramamoorthi and Hanrahan 2001). In the even bands each power (n.u)^2m becomes
+ * (n.u)^2m |n|^(6-2m), since |n| is 1, so that together they are one polynomial in n, all of
+ * whose 28 terms have degree 6. */
 #include "runtime/light/lighting.h"
 #include <math.h>
 #include <stdlib.h>
@@ -18,13 +18,14 @@ enum { FACE = SKY_FACE, FACES = 6, DEGREE = 6, POWERS = DEGREE + 1 };
 static const double bands[] = {1 / (4 * PI), 1 / (2 * PI), 5 / (16 * PI), -3 / (32 * PI),
                                13 / (256 * PI)};
 
-/* A polynomial in x, y, z of one degree: [i][j] belongs to x^i y^j z^(degree-i-j); and lanes. */
+/* A homogeneous polynomial in x, y, z: [i][j] belongs to x^i y^j z^(degree-i-j); the last index
+ * is the color component. */
 typedef double Polynomial[POWERS][POWERS][3];
 
 /* Integrals of radiance times powers of the direction: of each even degree, and of degree 1. */
 typedef struct {
     Polynomial even[DEGREE / 2 + 1];
-    double odd[3][3]; /* [axis][lane] */
+    double odd[3][3]; /* [axis][color component] */
 } Moments;
 
 bool light_sky_shines(const Scene *scene)
@@ -33,14 +34,14 @@ bool light_sky_shines(const Scene *scene)
     return scene->sky >= 0 && of[0] + of[1] + of[2] > 0;
 }
 
-/* Columns of OpenGL's table of cube faces: to the middle, and along s and t. */
+/* OpenGL's table of cube faces: direction to the center, and along s and t. */
 static const double faces[FACES][3][3] = {
     {{1, 0, 0}, {0, 0, -1}, {0, -1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
     {{0, 1, 0}, {1, 0, 0}, {0, 0, 1}},   {{0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
     {{0, 0, 1}, {1, 0, 0}, {0, -1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
 };
 
-/* u^2m times the factor, all terms of the degree. */
+/* Adds all products of powers of u with the degree, times `light`. */
 static void add_powers(const double u[3], int degree, const double light[3], Polynomial sum)
 {
     double powers[3][POWERS];
@@ -57,7 +58,7 @@ static void add_powers(const double u[3], int degree, const double light[3], Pol
         }
 }
 
-/* Only of degree 6: lower ones follow, |u| being 1. */
+/* Integrates a face: degree 6 and degree 1. Lower even degrees follow from 6, since |u| is 1. */
 static void add_face(const double face[3][3], const float *rgba, Moments *moments)
 {
     for (int i = 0; i < FACE * FACE; i++) {
@@ -75,7 +76,8 @@ static void add_face(const double face[3][3], const float *rgba, Moments *moment
     }
 }
 
-/* Moments of degree d from those of d + 2: the sum over axes of one that has their square. */
+/* Computes moments of degree d from those of d + 2: the sum over axes of the moments with that
+ * axis squared. */
 static void lower_degree(Polynomial from, int degree, Polynomial to)
 {
     for (int i = 0; i <= degree; i++)
@@ -84,7 +86,7 @@ static void lower_degree(Polynomial from, int degree, Polynomial to)
                 to[i][j][lane] = from[i + 2][j][lane] + from[i][j + 2][lane] + from[i][j][lane];
 }
 
-/* From degree d to d + 2. */
+/* Multiplies by x^2 + y^2 + z^2: degree d becomes d + 2. */
 static void multiply_by_square(Polynomial p, int degree)
 {
     Polynomial product = {{{0}}};
@@ -100,7 +102,7 @@ static void multiply_by_square(Polynomial p, int degree)
 
 static double factorial(int n) { return n < 2 ? 1 : n * factorial(n - 1); }
 
-/* The integral of radiance times (n.u)^degree, in n, times a factor. */
+/* Adds the integral of radiance times (n.u)^degree, as a polynomial in n, times a factor. */
 static void add_power(Polynomial moments, int degree, double factor, Polynomial sum)
 {
     for (int i = 0; i <= degree; i++)
@@ -112,7 +114,7 @@ static void add_power(Polynomial moments, int degree, double factor, Polynomial 
         }
 }
 
-/* In the order in which the GLSL reads them. */
+/* Writes the coefficients in the order of the GLSL. */
 static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_WORLD][4])
 {
     int at = 0;
@@ -129,7 +131,7 @@ static void put_numbers(Polynomial even, double odd[3][3], float out[SKY_WORLD][
 static void make_numbers(Moments *m, float out[SKY_WORLD][4])
 {
     const double b0 = bands[0], b2 = bands[2], b4 = bands[3], b6 = bands[4];
-    /* Legendre's polynomials, by powers of n.u: 0, 2, 4, 6 */
+    /* coefficients of (n.u)^0, 2, 4, 6 in the weighted sum of Legendre polynomials */
     const double powers[] = {b0 - b2 / 2 + 3 * b4 / 8 - 5 * b6 / 16,
                              3 * b2 / 2 - 30 * b4 / 8 + 105 * b6 / 16, 35 * b4 / 8 - 315 * b6 / 16,
                              231 * b6 / 16};
@@ -144,7 +146,7 @@ static void make_numbers(Moments *m, float out[SKY_WORLD][4])
     put_numbers(sum, m->odd, out);
 }
 
-/* Draws the sky's face of a cube map, and reads it. */
+/* Draws the sky into a face of the cube map, and reads it back. */
 static bool draw_face(Render *render, int face, const Framebuffer *target, float *rgba)
 {
     GlContext *gl = render->gl;
@@ -163,7 +165,7 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
     screen_draw(gl, &render->screen);
     if (!framebuffer_read(gl, target, 0, rgba))
         return false;
-    /* what a half float holds, and no more; not a number is black */
+    /* clamps to the range of half floats; NaN becomes black */
     for (int i = 0; i < 4 * FACE * FACE; i++)
         rgba[i] = rgba[i] > 0 ? fminf(rgba[i], 65504) : 0;
     for (int i = 0; i < 4 * FACE * FACE; i += 4)

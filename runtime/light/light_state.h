@@ -1,4 +1,4 @@
-/* State of light: data of the passes in runtime/light. */
+/* State of the passes in runtime/light. */
 #ifndef MATC_LIGHT_LIGHT_STATE_H
 #define MATC_LIGHT_LIGHT_STATE_H
 #include "gen/sky_layout.h"
@@ -7,32 +7,32 @@
 #include "runtime/draw/screen_pass.h"
 #include "runtime/scene/scene.h"
 
-/* Numbers of lights, view_space_lights: light_table.c. */
+/* Texels of all lights, as view_space_lights() computes them: light_table.c. */
 typedef struct {
     float (*texels)[4];
-    int count;      /* of texels, counted up to a power of two */
-    GLuint texture; /* with them; 0: a block of each program's own has them */
+    int count;      /* number of texels, rounded up to a power of two */
+    GLuint texture; /* holds the texels; 0: each program has them in a uniform block */
 } LightTable;
 
 typedef struct {
-    GLuint map; /* a cube, in the world's axes, with mipmaps; 0: no sky shines */
-    float irradiance[SKY_WORLD][4]; /* the first numbers of sky.layout.def */
-    bool uneven;                    /* it is not the same from everywhere, */
-    float first[3];                 /* as it is in one place */
+    GLuint map; /* a cube map in world space, with mipmaps; 0: no sky gives light */
+    float irradiance[SKY_WORLD][4]; /* the first elements of sky.layout.def */
+    bool uneven;                    /* radiance differs by direction, */
+    float first[3];                 /* from this value of the first texel */
 } SkyLight;
 
-/* State of pass_gather.c, for many lights. */
+/* State of pass_gather.c, for light clustering. */
 typedef struct {
-    ScreenPass groups, near, gather; /* one after the other */
+    ScreenPass groups, near, gather; /* run in this order */
     GLuint numbers, words;           /* storage buffers of far_blocks.glsl */
-    GLuint texels, bits;             /* the same as textures, which the pass light reads */
+    GLuint texels, bits;             /* the buffers as buffer textures, for the pass light */
 } FrameFar;
 
 struct FrameLight {
     ScreenPass pass;
     FrameFar far;
     LightTable table;
-    int counts[VIEW_SPACE_SECTIONS]; /* of lights */
+    int counts[VIEW_SPACE_SECTIONS]; /* number of lights by section */
     SkyLight sky;
 };
 #endif

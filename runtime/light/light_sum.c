@@ -1,4 +1,4 @@
-/* The GLSL that sums over kinds of lights, composed for a scene from the texts of its kinds.
+/* Composes the GLSL that sums over kinds of lights, from the texts of the scene's kinds.
  *
  *     Area lights and a Hemisphere give
  *     layout(std140) uniform LightKinds { int light_kinds; int light_Area; };
@@ -18,9 +18,9 @@ enum { LIGHT_SUM_NAME = 64 };
 
 static bool is_around(const LightKind *row) { return row->from >= LIGHT_FROM_around; }
 
-/* A kind is summed if the scene has such lights, and it has a GLSL; one that has a place only if
- * `places`. Light from around that does not vary by direction is always summed: it costs next to
- * nothing, and scenes with and without it have the same program. */
+/* Reports whether a kind is summed: the scene has such lights, the kind has GLSL, and it is
+ * ambient or `places` is set. Ambient light that does not vary by direction is always summed: it
+ * costs almost nothing, and scenes with and without it share a program. */
 static bool is_summed(const Render *render, const LightKind *row, bool places)
 {
     const Scene *scene = render->scene;
@@ -48,7 +48,7 @@ static void put(char composed[LIGHT_SUM_TEXT], const char *before, const char *n
     (void)more;
 }
 
-/* One line for each kind that is summed: the number of its lights, or its sum. */
+/* Declares a uniform for each kind with a position: the number of its lights. */
 static void put_numbers(const Render *render, char composed[LIGHT_SUM_TEXT])
 {
     const char *head = "layout(std140) uniform LightKinds {\n    int light_",
@@ -99,7 +99,7 @@ void light_sum_set(const Render *render, ScreenPass *pass)
         float numbers[VIEW_SPACE_AROUND][4];
         snprintf(count, sizeof count, "light_%s", light_kind_name(row));
         view_space_around(&render->space, render->scene, row, numbers);
-        if (row->from == LIGHT_FROM_around) /* a program has the block, or sums none of the kind */
+        if (row->from == LIGHT_FROM_around) /* a program has the block, or does not sum the kind */
             material_write(&pass->material, light_kind_name(row), numbers, sizeof numbers);
         else if (row->glsl && !is_around(row))
             material_set_number(&pass->material, count,

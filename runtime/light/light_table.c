@@ -1,6 +1,6 @@
-/* Numbers of lights on the driver's side: as a block of each program that lights, where the
- * driver's blocks have room for them all, else as a texture; so, too, for the pass gather, whose
- * invocations read different lights, which a block gives one after the other. */
+/* Texels of lights on the GPU: a uniform block of each program that lights, if the driver's
+ * limit allows, else a texture. The pass gather always takes the texture, since its invocations
+ * read different lights, which a block serializes. */
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
 #include "runtime/shadow/shadow.h"
@@ -9,7 +9,7 @@
 
 enum { LEAST = 16 /* texels */ };
 
-/* Programs are shared by numbers of lights that are near. */
+/* Rounds up to a power of two, so that programs are shared by similar numbers of lights. */
 static int room_for(int texels)
 {
     int room = LEAST;
@@ -25,7 +25,8 @@ static bool write_texture(Render *render, int unit)
                               .height = (lights->count + LIGHT_ROW - 1) / LIGHT_ROW,
                               .lanes = 4,
                               .floats = lights->texels[0]};
-    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it */
+    /* making a texture binds it to this unit */
+    render->gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
     if (lights->texture)
         texture_rewrite(render->gl, lights->texture, &spec);
     else
@@ -33,7 +34,8 @@ static bool write_texture(Render *render, int unit)
     return lights->texture != 0;
 }
 
-/* A driver's least is 16 KiB; 64 KiB are usual, which are 2048 plain lights. */
+/* Reports whether all texels fit into a uniform block. Drivers allow at least 16 KiB; 64 KiB are
+ * usual, which are 2048 plain lights. */
 static bool fits_block(const Render *render)
 {
     GLint most = 0;
@@ -81,7 +83,7 @@ void light_table_set(const Render *render, int unit, ScreenPass *pass)
     const LightTable *lights = &render->light->table;
     if (lights->texture)
         screen_pass_sampler(pass, "light_lights", unit);
-    if (fits_block(render)) /* a program has the one or the other */
+    if (fits_block(render)) /* a program has either the block or the texture */
         material_write(&pass->material, "Lights", lights->texels,
                        (size_t)lights->count * sizeof *lights->texels);
 }

@@ -1,15 +1,15 @@
-/* Inputs of every pass that lights surfaces: the GLSL between the unpacking of a Surface and the
- * pass's own, numbers, textures. */
+/* Inputs of every pass that lights surfaces: GLSL between the unpacking of a Surface and the
+ * pass's own, uniforms, textures. */
 #include "runtime/light/lighting.h"
 #include "gen/render_text.h"
 #include "runtime/shadow/shadow.h"
 #include <stdio.h>
 
-/* Units behind those of the G-buffer. */
+/* Units after those of the G-buffer. */
 enum { DEPTH_UNIT = FRAMEBUFFER_COLORS, LIGHTS_UNIT, SKY_UNIT, SHADOW_UNIT };
 _Static_assert(SHADOW_UNIT + SHADOW_UNITS == LIGHTING_UNITS, "units");
 
-/* Replacement of a layout if no surface has one. */
+/* Used instead of a layout if the scene has no surface. */
 static const char no_surface[] = "struct Surface { float nothing; };\nSurface unpackSurface(ivec2 "
                                  "pixel) { return Surface(0.0); }\n";
 
@@ -54,7 +54,7 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     shadow_set(render, SHADOW_UNIT, pass);
 }
 
-/* The driver's words are of texts that it put together from several. */
+/* Prepends the surface model's name: the driver's message refers to a text composed of several. */
 static bool fail_model(const Render *render)
 {
     char why[sizeof render->gl->error];
@@ -64,7 +64,8 @@ static bool fail_model(const Render *render)
 
 bool lighting_lights(Render *render) { return light_table_write(render, LIGHTS_UNIT); }
 
-/* Adds the unpacking of a Surface, and its model behind the kinds of light that it needs. */
+/* Adds the unpacking of a Surface, and the surface model, preceded by the kinds of light that it
+ * needs. */
 static void add_surface(const Render *render, bool places, ScreenPassText *text)
 {
     screen_pass_add(text, render->set.unpack ? render->set.unpack : no_surface);
@@ -74,13 +75,13 @@ static void add_surface(const Render *render, bool places, ScreenPassText *text)
     screen_pass_add_all(text, render->surface->more, SURFACE_MODEL_MORE);
 }
 
-/* The sum over lights, and what it leaves to others. */
+/* Adds the sum over lights, with definitions for the part that later passes add. */
 static void add_lighting(const Render *render, LightingOf of, char composed[LIGHT_SUM_TEXT],
                          ScreenPassText *text)
 {
     const bool places = of != LIGHTING_around;
     if (of == LIGHTING_nodes)
-        screen_pass_add(text, "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* of pixels */);
+        screen_pass_add(text, "#define LIGHT_AROUND_LATER\n#undef SHADOW_SHEETS\n" /* per pixel */);
     else if (of == LIGHTING_nearest && scene_indirect_is(render->scene))
         screen_pass_add(text, "#define LIGHT_AROUND_LATER\n");
     screen_pass_add(text, backdrop_light_text(render));

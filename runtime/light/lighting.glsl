@@ -1,5 +1,5 @@
-// Light that a surface sends to the eye, summed over all lights, in eye space: for every pass that
-// lights surfaces. view_space.h describes the block and the texels. Before it stand the texts that
+// Radiance that a surface sends to the eye, summed over all lights, in eye space: for every pass
+// that lights surfaces. view_space.h describes the block and the texels. Preceded by the texts that
 // declare Surface and the surface model.
 #include "light.layout.def"
 
@@ -9,8 +9,8 @@ layout(std140) uniform Light {
     int light_plain, light_points;
 };
 
-// LIGHT_BLOCK texels of all lights, as a block: all pixels read the same one at a time, which takes
-// less than a texture does.
+// LIGHT_BLOCK texels of all lights in a uniform block: all pixels read the same texel at a time,
+// which is faster than from a texture.
 #ifdef LIGHT_BLOCK
 layout(std140) uniform Lights {
     vec4 light_texels[LIGHT_BLOCK];
@@ -23,14 +23,14 @@ uniform sampler2D light_lights;
 vec4 lightNumbers(int texel) { return texelFetch(light_lights, ivec2(texel % LIGHT_ROW, texel / LIGHT_ROW), 0); }
 #endif
 
-// A light's texel, LIGHT_PLACE and so on; plain ones have fewer, and come first.
+// A light's texel, LIGHT_PLACE and so on; plain lights have fewer texels and come first.
 vec4 lightTexel(int light, int texel)
 {
     int others = LIGHT_TEXELS * light - (LIGHT_TEXELS - LIGHT_PLAIN_TEXELS) * light_plain;
     return lightNumbers((light < light_plain ? LIGHT_PLAIN_TEXELS * light : others) + texel);
 }
 
-// Irradiance at a point by a point light without shadows, and its direction l.
+// Irradiance at a point from a point light without shadows, and the direction l to it.
 vec3 lightPlain(int light, vec3 point, out vec3 l)
 {
     vec3 way = lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_PLACE).xyz - point;
@@ -39,7 +39,7 @@ vec3 lightPlain(int light, vec3 point, out vec3 l)
     return lightNumbers(LIGHT_PLAIN_TEXELS * light + LIGHT_POWER).xyz * (over * over);
 }
 
-// Irradiance at a point by any other light.
+// Irradiance at a point from any other light.
 vec3 lightAt(int light, vec3 point, out vec3 l)
 {
     vec4 place = lightTexel(light, LIGHT_PLACE);
@@ -51,7 +51,7 @@ vec3 lightAt(int light, vec3 point, out vec3 l)
     return lightTexel(light, LIGHT_POWER).xyz * (s * s * (3.0 - 2.0 * s) / (place.w > 0.0 ? square : 1.0));
 }
 
-// Where nothing is.
+// Radiance of a pixel without a surface.
 vec4 lightOfNothing(ivec2 pixel)
 {
 #ifdef BACKDROP
@@ -61,21 +61,21 @@ vec4 lightOfNothing(ivec2 pixel)
 #endif
 }
 
-// A surface, as a pixel sees it.
+// A visible surface point.
 struct Seen {
     ivec2 pixel;
     vec3 point;
-    float pixelSize; // of a pixel, there
+    float pixelSize; // width of a pixel at the point, in eye-space units
     Lit m;
 };
 
-// The way to the eye, through that pixel.
+// Unit direction to the eye, through a pixel.
 vec3 lightToEye(ivec2 pixel)
 {
     return light_view.y > 0.0 ? vec3(0.0, 0.0, 1.0) : normalize(vec3((light_ray.zw - vec2(2 * pixel + 1)) * light_ray.xy, 1.0));
 }
 
-// The surface whose depth is `depth`, which is greater than 0.
+// Returns the surface point of a pixel; depth > 0.
 Seen lightSeen(ivec2 pixel, float depth, Surface surface)
 {
     bool orthographic = light_view.y > 0.0;
@@ -87,8 +87,8 @@ Seen lightSeen(ivec2 pixel, float depth, Surface surface)
     return Seen(pixel, point, 2.0 * light_ray.x * (orthographic ? 1.0 : -point.z), surfaceLit(surface, lightToEye(pixel)));
 }
 
-// Where lists of shadows are in parts, this is one of several runs, which add up: all that reads no
-// list is lit in the first.
+// With tiled shadow lists the pass runs several times, and results add up: light that reads no list
+// is added in the first run.
 bool lightIsFirst()
 {
 #ifdef SHADOW_PARTS
@@ -104,15 +104,14 @@ vec3 lightOver(vec3 through)
     return lightIsFirst() ? through : vec3(1.0);
 }
 
-// Light from all around that it reflects, unshadowed; a sum over kinds of lights, composed by
-// light_sum.c.
+// Reflected ambient light, unshadowed; a sum over kinds of lights, composed by light_sum.c.
 vec3 lightAround(Seen seen);
 
-// The sum, and what it sends of lights of kinds that have a GLSL and a place; composed, too.
+// Adds the reflected light of kinds with GLSL and a position; composed, too.
 vec3 lightFromKinds(vec3 sum, Seen seen);
 
-// Light from all around that it reflects, without lights of one direction. Light that ambient
-// occlusion dims is added later.
+// Emission and ambient light, plus light of kinds with GLSL. Ambient light that ambient occlusion
+// dims is added later.
 vec3 lightEven(Seen seen)
 {
 #ifdef LIGHT_AROUND_LATER
@@ -173,7 +172,7 @@ vec3 lightFromAll(Seen seen)
     return sum;
 }
 
-// All of it.
+// Light of all lights.
 vec3 lightOf(ivec2 pixel, float depth, Surface surface)
 {
     Seen seen = lightSeen(pixel, depth, surface);

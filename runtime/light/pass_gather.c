@@ -1,8 +1,8 @@
-/* The pass gather: from the G-buffer, depth and lights to what far lights give together to each
- * block of pixels, and which are near, as light_bound.c says. Three dispatches: pass_groups.glsl
- * finds groups of pixels; pass_near.glsl goes through the lights for each group by itself, and says
- * which are near; pass_gather.glsl sums the others. So what sums, which needs many registers, has
- * to do nothing else. light_room.c has the buffers. */
+/* The pass gather: light clustering, from the G-buffer, depth and lights to the sums of distant
+ * lights and the sets of near lights for each block of pixels (light_bound.c). Three dispatches:
+ * pass_groups.glsl finds groups of pixels; pass_near.glsl selects each group's near lights;
+ * pass_gather.glsl sums the others. The sum has a dispatch of its own since it needs many
+ * registers. light_room.c has the buffers. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
 #include "runtime/light/lighting.h"
@@ -12,7 +12,7 @@ static bool pass_gather_needed(const Render *render)
     return render->scene && light_far_used(render);
 }
 
-/* `texts` stand behind what all have, the pass's own last. */
+/* Makes one of the programs. `texts` follow the common text, the pass's own last. */
 static bool make(Render *render, LightFarUse use, const char *const texts[3], ScreenPass *made)
 {
     char defined[LIGHT_FAR_DEFINITIONS];

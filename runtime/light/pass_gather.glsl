@@ -1,11 +1,11 @@
-// Before the pass light where lights are many: for each group of a block's pixels, what far lights
-// give together. pass_near.glsl has said which these are. Before it stands far_light.glsl.
+// The third dispatch of the pass gather: for each group of a block's pixels, sums the distant
+// lights that pass_near.glsl selected. Preceded by far_light.glsl.
 const int ROWS = FAR_TERMS + FAR_LOBES;
 
-shared float far_parts[ROWS * PITCH]; // of the sums of a lane, a row for each
+shared float far_parts[ROWS * PITCH]; // partial sums of a color component, a row for each term
 shared float far_sums[3 * ROWS];
 
-// Sums of one lane over the invocations.
+// Sums a color component over the invocations.
 void farSum(int lane)
 {
     barrier();
@@ -18,7 +18,7 @@ void farSum(int lane)
     barrier();
 }
 
-// The series of what is far, and its gloss.
+// Sums the series of distant lights, and their gloss.
 void farGather(Group group, int number)
 {
     vec3 sums[FAR_TERMS], lobes[FAR_LOBES];
@@ -46,9 +46,9 @@ void farGather(Group group, int number)
     }
 }
 
-// -- what is kept
+// -- results
 
-// The numbers from FAR_GLOSS on.
+// Returns number i from FAR_GLOSS on.
 float farGlossNumber(Group group, int i)
 {
     int lane = i / 4 % 3, kind = i / 12, k = i % 4;

@@ -1,22 +1,24 @@
-// Before the pass gather: groups of a block's pixels, and bounds of what they are. Before it stands
-// far_group.glsl.
+// The first dispatch of the pass gather: groups of a block's pixels, and bounds of their surfaces.
+// Preceded by far_group.glsl.
 layout(local_size_x = FAR_INVOCATIONS) in;
 uniform sampler2D light_depth;
 
-const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP; // invocations; sets of pixels that one goes through
-const int PIXELS = FAR_SPAN * FAR_SPAN;                  // of a set: 8 apart, so that neighbours are of neighbouring invocations
+// invocations; sets of pixels per invocation
+const int GROUP = FAR_INVOCATIONS, SETS = FAR_MAP / GROUP;
+// per set: 8 apart, so that adjacent pixels belong to adjacent invocations
+const int PIXELS = FAR_SPAN * FAR_SPAN;
 
-// The pixel that a group is made around: its point, normal and mirrored view, and the exponent of
+// The pixel around which a group is built: its point, normal and mirrored view, and the exponent of
 // its gloss.
 struct Seed {
     vec3 point, axis, mirror;
     float exponent;
 };
 
-shared uint far_nearest, far_owner; // its depth, and its number
+shared uint far_nearest, far_owner; // the seed's depth, and its pixel number
 shared Seed far_seed;
 
-// The greatest of what all invocations see of some numbers, as unsigned integers of the same order.
+// Maxima over all invocations, of floats mapped to unsigned integers of the same order.
 const int LOW = 0, HIGH = 3, NORMAL = 6, ABOVE = 7, BELOW = 8, MIRROR = 9, EVEN = 10, DIM = 13, GLOSS = 16, BROAD = 19,
           SHARP = 20, BEHIND = 21, BOUNDS = 22;
 shared uint far_bounds[BOUNDS];
@@ -46,7 +48,7 @@ vec3 farBound3(int bound) { return vec3(farBound(bound), farBound(bound + 1), fa
 
 // -- pixels
 
-// The set that is this invocation's i-th.
+// This invocation's i-th set.
 int farSet(int i) { return i * GROUP + int(gl_LocalInvocationIndex); }
 
 ivec2 farPixel(int set, int k)
@@ -64,7 +66,7 @@ Seen farSeen(int set, int k)
 
 uint farNumber(int set, int k) { return uint(k * FAR_MAP + set); }
 
-// Those of a set's pixels at which there is a surface that sends back light of lamps, as bits.
+// Returns the pixels of a set with a surface that reflects or transmits light of lamps, as bits.
 uint farBegin(int set)
 {
     uint waiting = 0u;
@@ -74,7 +76,7 @@ uint farBegin(int set)
     return waiting;
 }
 
-// -- the group
+// -- groups
 
 void farClear()
 {
@@ -87,8 +89,8 @@ void farClear()
     barrier();
 }
 
-// The nearest pixel that waits; of those at one depth the first. It tells the others its point.
-// False: none waits.
+// Selects the nearest waiting pixel as seed; among pixels of equal depth the one with the smallest
+// number. Its invocation shares the seed. Returns false if no pixel waits.
 bool farFindSeed(uint waiting[SETS])
 {
     float nearest = 0.0;
@@ -115,7 +117,7 @@ bool farFindSeed(uint waiting[SETS])
 
 bool farShines(Lit m) { return any(greaterThan(surfaceGloss(m), vec3(0.0))); }
 
-// It is near the seed, looks in a direction not far from its, and shines like it.
+// Reports whether a pixel is close to the seed and has a similar normal and gloss.
 bool farIsAlike(Seen seen, Seed seed)
 {
     const float reach = 4.0 * float(FAR_BLOCK), turn = 0.8, sharper = 0.2;
@@ -123,12 +125,12 @@ bool farIsAlike(Seen seen, Seed seed)
            (!farShines(seen.m) || abs(surfaceExponent(seen.m) - seed.exponent) <= sharper * seed.exponent);
 }
 
-// Takes those that wait and are like the seed into the group of that number, the last of which
-// takes all. Each invocation puts its pixels together before it tells the others of them.
+// Moves waiting pixels that are similar to the seed into a group; the last group takes all
+// remaining ones. Each invocation combines its own pixels before it updates the shared bounds.
 void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
 {
     bool last = group == FAR_GROUPS - 1, some = false;
-    Seed seed = far_seed; // read once: some drivers read what is shared one invocation after the other
+    Seed seed = far_seed; // one read: some drivers serialize reads of shared memory
     vec3 high = vec3(-NEVER), low = high, even = high, dim = high, gloss = high;
     float normal = -NEVER, above = normal, below = normal, mirror = normal, broad = normal, sharp = normal, behind = 0.0;
     for (int i = 0; i < SETS; i++)
@@ -169,7 +171,8 @@ void farSpread(int group, inout uint waiting[SETS], inout uint map[SETS])
     farRaise(BEHIND, behind);
 }
 
-// Heights over the seed become heights over the centre, which lies by n.(c - s) higher.
+// Computes the group's bounds. Heights above the seed are converted to heights above the center by
+// subtracting n.(c - s).
 Group farFindGroup()
 {
     const float rounding = 1e-6;
@@ -197,7 +200,7 @@ Group farFindGroup()
     return group;
 }
 
-// -- what is kept
+// -- results
 
 void farPut(int at, vec3 numbers)
 {

@@ -1,5 +1,5 @@
 /* The pass light: deferred shading, from the G-buffer, depth and lights to radiance. Its GLSL is
- * pass_light.glsl, behind lighting.glsl; with many lights it is pass_light_far.glsl, which reads
+ * pass_light.glsl, after lighting.glsl; with many lights it is pass_light_far.glsl, which reads
  * the light clusters of the pass gather. */
 #include "gen/render_text.h"
 #include "runtime/light/light_far.h"
@@ -37,7 +37,7 @@ static void pass_light_draw(Render *render)
     const LightingSource source = {FRAME_TARGET_gbuffer, FRAME_TARGET_depth, 0};
     if (render->light->far.numbers)
         light_far_bind_read(render);
-    if (render->parted) { /* parts add up */
+    if (render->parted) { /* runs over tiled lists add up */
         framebuffer_use(render->gl, &render->targets.draws[FRAME_DRAW_light]);
         render->gl->ClearBufferfv(GL_COLOR, 0, (const float[4]){0});
     }

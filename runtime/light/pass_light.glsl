@@ -1,4 +1,4 @@
-// The pass light, deferred shading of every pixel. Before it stands lighting.glsl.
+// The pass light, deferred shading of every pixel. Preceded by lighting.glsl.
 uniform sampler2D light_depth;
 
 #ifdef SHADOW_PARTS

@@ -1,16 +1,17 @@
-// The pass light where lights are many: what is far as pass_gather.glsl has summed it for the
-// pixel's group, what is near by itself. Before it stand lighting.glsl, far_terms.glsl and
+// The pass light with light clustering: distant lights by the sums of pass_gather.glsl for the
+// pixel's group, near lights one by one. Preceded by lighting.glsl, far_terms.glsl and
 // far_blocks.glsl.
 uniform sampler2D light_depth;
 
-uniform samplerBuffer far_texels; // the buffers as textures: some software renderers read a storage buffer for one pixel after the other
+// buffer textures: some software renderers serialize reads of storage buffers
+uniform samplerBuffer far_texels;
 uniform usamplerBuffer far_bits;
 
 vec4 farTexel(int i) { return texelFetch(far_texels, i); }
 
 uint farWord(int i) { return texelFetch(far_bits, i).x; }
 
-// Light that falls on a surface, at a point and with a normal.
+// Irradiance of distant lights at a point with a normal.
 vec3 farIrradiance(int at, vec3 point, vec3 normal)
 {
     vec4 centre = farTexel(at + FAR_CENTER);
@@ -27,7 +28,7 @@ vec3 farIrradiance(int at, vec3 point, vec3 normal)
 }
 
 #ifdef SURFACE_HAS_specular
-// Gloss by light 1, for a point and a mirrored view.
+// Gloss of distant lights for reflectance 1, at a point with a mirrored view.
 vec3 farGloss(int at, vec3 point, vec3 mirror)
 {
     vec4 centre = farTexel(at + FAR_CENTER), u = vec4((point - centre.xyz) * centre.w, 1.0);
@@ -38,7 +39,7 @@ vec3 farGloss(int at, vec3 point, vec3 mirror)
 }
 #endif
 
-// The group of its block that a pixel is in, as pass_groups.glsl counts pixels: those of an
+// Group of a pixel in its block, by the pixel numbers of pass_groups.glsl: the pixels of an
 // invocation are 8 apart.
 int farGroup(int block, ivec2 pixel)
 {
@@ -47,11 +48,11 @@ int farGroup(int block, ivec2 pixel)
 }
 
 #ifdef FAR_OTHERS
-// The lowest n bits.
+// Mask of the lowest n bits.
 uint farLowest(int n) { return n >= 32 ? 0xffffffffu : (1u << max(n, 0)) - 1u; }
 #endif
 
-// Those of a word's lights that are plain.
+// Selects the plain lights of a word.
 uint farPlain(int word, uint lights)
 {
 #ifdef FAR_OTHERS
@@ -61,8 +62,8 @@ uint farPlain(int word, uint lights)
 #endif
 }
 
-// Sums lights of words that are not 0. Each kind has a loop of its own: some compilers run both
-// sides of a branch.
+// Sums the near lights, skipping words that are 0. Each kind has a loop of its own: some compilers
+// execute both sides of a branch.
 vec3 farNear(int at, Seen seen)
 {
     vec3 sum = vec3(0.0);

@@ -1,12 +1,12 @@
-// Before the pass gather: for each group of a block's pixels, which lights each pixel is to sum by
-// itself. light_bound.c says how. Before it stands far_light.glsl.
+// The second dispatch of the pass gather: for each group of a block's pixels, selects the lights
+// that each pixel sums itself (light_bound.c). Preceded by far_light.glsl.
 const int PARTS = max(3 * PITCH, FAR_LIGHTS);
 
-shared float far_parts[PARTS];  // parts of a sum; then shares of lights
-shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // as far_blocks.glsl has them
-shared uint far_shares[32];     // sums of lights' shares of the budget, by their size
+shared float far_parts[PARTS];  // partial sums; later the lights' shares of the budget
+shared uint far_near[FAR_NEAR], far_linear[FAR_BITS]; // laid out by LightFarWords
+shared uint far_shares[32];     // histogram of the lights' shares of the budget
 
-// Lower bound of the light at each pixel of the group, without the surface's reflectance.
+// Lower bound of irradiance at each pixel of the group.
 vec3 farSure(Far far)
 {
     if (!far.whole || far.least <= 0.0) return vec3(0.0);
@@ -14,7 +14,7 @@ vec3 farSure(Far far)
     return far.power * (far.least * further * further * further);
 }
 
-// How much it gives more or less than what it is taken for: the rest of its series, or all.
+// Max error if the light is summed together: the series' remainder, or all of its light.
 vec3 farRest(Far far)
 {
     float q = far.ratio, nearer = 1.0 / (1.0 - q);
@@ -22,8 +22,9 @@ vec3 farRest(Far far)
     return far.power * (nearer * nearer * min(far.most * nearer, 1.0));
 }
 
-// The share of what may be off that it takes if it isn't summed at each pixel: `even` and `gloss`
-// are 1 over that. Its last bit says that gloss is expanded: else it is left out.
+// Share of the error budget that a light takes if pixels do not sum it themselves; `even` and
+// `gloss` are reflectances over the budget. The lowest bit reports that gloss is expanded; else
+// gloss is omitted.
 float farShare(Far far, Group group, vec3 even, vec3 gloss)
 {
     if (far.ratio > 0.9 || (group.behind && far.least < 0.0)) return NEVER;
@@ -37,9 +38,9 @@ float farShare(Far far, Group group, vec3 even, vec3 gloss)
     return uintBitsToFloat((floatBitsToUint(max(max(share.x, share.y), share.z)) & ~1u) | uint(expanded));
 }
 
-// -- which are near
+// -- near lights
 
-// Over the invocations.
+// Sums over the invocations.
 vec3 farSum(vec3 part)
 {
     int self = int(gl_LocalInvocationIndex);
@@ -62,13 +63,14 @@ vec3 farSureOfAll(Group group)
     return farSum(sure);
 }
 
-// The greatest share that a light may take, so that the sum of all shares up to it is 1 at most.
-// Shares are summed in units of 2^-19, rounded up, by half octaves: those from 2^(-i/2 - 1/2) to
-// 2^(-i/2), roughly, are the i-th; the last are all that are smaller. Each invocation leaves those
-// of its lights in far_parts for itself, DARK where no pixel sees the light. For example 0.9, 0.3,
+// Returns the max share of a far light, such that all shares up to it sum up to at most 1. Shares
+// are summed in units of 2^-19, rounded up, in a histogram by half octaves: bin i has those from
+// 2^(-i/2 - 1/2) to about 2^(-i/2); the last bin has all smaller ones. Each invocation stores the
+// shares of its lights in far_parts, DARK for lights that reach no pixel. For example 0.9, 0.3,
 // 0.3, 0.01: the last three, 0.61, are far, and 0.5 is returned.
 const float DARK = -1.0, UNITS = 524288.0;
-const uint HALF_OCTAVE = 22u, ONE = 0x3f800000u >> HALF_OCTAVE; // bits of a float below its exponent and the first of the rest; 1.0 without them
+// shift that keeps a float's exponent and first mantissa bit; 1.0 after that shift
+const uint HALF_OCTAVE = 22u, ONE = 0x3f800000u >> HALF_OCTAVE;
 
 float farThreshold(Group group, vec3 even, vec3 gloss)
 {
@@ -90,7 +92,7 @@ float farThreshold(Group group, vec3 even, vec3 gloss)
     return threshold;
 }
 
-// Marks what is near, and of what is not, whose gloss is expanded.
+// Marks near lights, and far lights whose gloss is expanded.
 void farMark(float threshold)
 {
     for (int i = int(gl_LocalInvocationIndex); i < farCount(); i += GROUP) {
@@ -127,9 +129,9 @@ void farKeep(int number)
         far_words[at + FAR_NEAR + i] = far_linear[i];
 }
 
-// A pixel's even light is off by e R, its gloss by g G at most, of sums R and G over all lights
-// that are taken together, and may be by r e E + a. The one over the other is R / (r E + a / e) + G
-// g / (r e E + a) at most, with the greatest e in the one and the least in the other.
+// A pixel's diffuse light has an error of at most e R, its gloss g G, with sums R and G over all
+// far lights; the budget is r e E + a. The ratio is at most R / (r E + a / e) + G g / (r e E + a),
+// with the max e in the first and the min e in the second term.
 void farLights(Group group)
 {
     vec3 least = far_relative * farSureOfAll(group);
