@@ -1,4 +1,5 @@
-/* Interface of a way to open a context. context.c lists them; no other file includes this. */
+/* Interface of a backend that opens contexts. context.c lists the backends; no other file
+ * includes this header. */
 #ifndef MATC_GL_BACKEND_H
 #define MATC_GL_BACKEND_H
 #include <stdbool.h>
@@ -7,10 +8,11 @@
 typedef void (*GlProc)(void);
 
 typedef struct {
-    /* its state, the context being current; NULL: see error */
+    /* Opens a context, makes it current, and returns its state; NULL on failure, with a reason
+     * in `error`. */
     void *(*open)(bool core, char *error, size_t room);
-    bool (*use)(void *state); /* makes it current on this thread */
-    /* the function "glName", NULL when the driver has none */
+    bool (*use)(void *state); /* makes the context current on this thread */
+    /* Returns the address of a function such as "glClear"; NULL if the driver lacks it. */
     GlProc (*load)(void *state, const char *name);
     void (*close)(void *state);
 } GlBackend;

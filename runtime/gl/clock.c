@@ -1,4 +1,4 @@
-/* The driver's clock. */
+/* Timer queries. */
 #include "runtime/gl/clock.h"
 
 bool gl_clock_is(const GlContext *gl) { return gl->hardware && gl->GetQueryObjectui64v; }
@@ -15,7 +15,8 @@ double gl_clock_stop(const GlContext *gl, GLuint query)
 {
     GLuint64 nanoseconds = 0;
     gl->EndQuery(GL_TIME_ELAPSED);
-    gl->GetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds); /* waits */
+    /* blocks until the result is available */
+    gl->GetQueryObjectui64v(query, GL_QUERY_RESULT, &nanoseconds);
     gl->DeleteQueries(1, &query);
     return (double)nanoseconds * 1e-9;
 }

@@ -1,4 +1,4 @@
-/* A kind of context in, a current context with its functions loaded out. */
+/* Opens or adopts contexts and loads their functions. */
 #include "runtime/gl/context.h"
 #include "runtime/gl/backend.h"
 #include "runtime/gl/message.h"
@@ -8,7 +8,7 @@
 #include <string.h>
 
 static const GlBackend *const backends[GL_KIND_count] = {
-#ifdef MATC_TESTS_BY_EGL /* a GPU draws what tests have OSMesa draw: tests/bench/device.sh */
+#ifdef MATC_TESTS_BY_EGL /* tests run on a GPU instead of OSMesa: tests/bench/device.sh */
     [GL_KIND_osmesa] = &gl_backend_egl,
 #else
     [GL_KIND_osmesa] = &gl_backend_osmesa,
@@ -34,7 +34,7 @@ bool gl_kind_find(const char *name, GlKind *kind)
     return false;
 }
 
-/* The host's context is current, and stays its own. */
+/* The host's context is current already, and remains the host's. */
 static bool host_use(void *state) { return state != NULL; }
 
 static GlProc host_load(void *state, const char *name)
@@ -77,8 +77,8 @@ static bool is_software(const char *renderer)
            strstr(renderer, "swrast") || strstr(renderer, "Software Rasterizer");
 }
 
-/* A driver without it calls the question an error, which is dropped. Mesa's software samplers blur
- * with it what they should magnify. */
+/* Returns the max anisotropy. A driver without the extension raises an error, which is cleared.
+ * Mesa's software samplers are excluded: with anisotropy they blur magnified textures. */
 static int greatest_anisotropy(const GlContext *gl)
 {
     GLint most = 1;
@@ -95,21 +95,21 @@ static void describe(GlContext *gl)
     gl->language = string(gl, GL_SHADING_LANGUAGE_VERSION);
     gl->hardware = !is_software(gl->renderer);
     if (sscanf(gl->version, "%d.%d", &gl->major, &gl->minor) != 2)
-        gl->major = gl->minor = 0; /* "OpenGL ES 3.2" ends here too */
+        gl->major = gl->minor = 0; /* also for "OpenGL ES 3.2" */
     gl->GetIntegerv(GL_MAX_TEXTURE_SIZE, &gl->max_texture_size);
     gl->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &gl->max_texture_units);
     gl->GetIntegerv(GL_MAX_DRAW_BUFFERS, &gl->max_draw_buffers);
     gl->max_anisotropy = greatest_anisotropy(gl);
 }
 
-/* Rows of bytes and of one float are not padded, in either direction. */
+/* Pixel rows of bytes or single floats are not padded, neither for upload nor for download. */
 static void set_defaults(const GlContext *gl)
 {
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
 }
 
-/* The state is there. */
+/* Loads the functions; the backend's state exists. */
 static bool start(GlContext *gl)
 {
     if (!load(gl))
@@ -209,6 +209,6 @@ bool gl_check(GlContext *gl, const char *doing)
     if (first == GL_NO_ERROR)
         return true;
     for (int i = 0; i < 16 && gl->GetError() != GL_NO_ERROR; i++) {
-    } /* bounded: a lost context never runs out of errors */
+    } /* bounded: a lost context reports errors forever */
     return gl_fail(gl, "%s: %s", doing, error_name(first));
 }

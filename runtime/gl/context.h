@@ -1,6 +1,5 @@
 /* An offscreen GL context and the driver's functions, called as gl->DrawArrays(...). A context
- * belongs to one thread at a time and draws into framebuffers only; it has no window worth speaking
- * of. */
+ * belongs to one thread at a time and draws only into framebuffers; it has no visible window. */
 #ifndef MATC_GL_CONTEXT_H
 #define MATC_GL_CONTEXT_H
 #include "runtime/gl/functions.h"
@@ -9,67 +8,68 @@
 #include <stddef.h>
 
 typedef enum {
-    GL_KIND_osmesa, /* Mesa's software renderer, loaded when it is asked for */
-    /* EGL without a window: a GPU where there is one; loaded when it is asked for */
+    GL_KIND_osmesa, /* Mesa's software renderer, loaded on first use */
+    /* EGL without a window, on a GPU if available; loaded on first use */
     GL_KIND_egl,
     GL_KIND_count,
-    GL_KIND_host = GL_KIND_count /* of the caller: gl_adopt */
+    GL_KIND_host = GL_KIND_count /* adopted from the caller: gl_adopt() */
 } GlKind;
 
-/* A context that the caller made, and that is current. */
+/* A context that the caller made and that is current. */
 typedef struct {
-    /* the function of that name; NULL: there is none */
+    /* Returns the address of a function; NULL if the driver lacks it. */
     void (*(*load)(void *user, const char *name))(void);
     void *user;
 } GlHost;
 
 typedef struct GlContext {
     GlKind kind;
-    /* a core profile: VAOs compulsory, GLSL from 1.40 on; false: compatibility, GLSL from 1.10
-     * on */
+    /* true: core profile, with mandatory VAOs and GLSL from 1.40 on; false: compatibility
+     * profile, with GLSL from 1.10 on */
     bool core;
-    int major, minor;      /* of the GL version */
+    int major, minor;      /* GL version */
     const char *version;   /* GL_VERSION; the driver's text */
     const char *renderer;  /* GL_RENDERER */
-    const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the greatest there is */
-    bool hardware;         /* the renderer is none of Mesa's software ones */
-    int max_texture_size;  /* edge of a texture or framebuffer, texels */
-    int max_texture_units; /* samplers in a fragment program */
-    /* of a sampler, GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: there is none that is
-     * good */
+    const char *language;  /* GL_SHADING_LANGUAGE_VERSION: the highest one */
+    bool hardware;         /* not one of Mesa's software renderers */
+    int max_texture_size;  /* max edge of a texture or framebuffer, in texels */
+    int max_texture_units; /* max samplers in a fragment program */
+    /* Max anisotropy of a sampler, by GL_EXT_texture_filter_anisotropic or OpenGL 4.6; 1: none
+     * of good quality. */
     int max_anisotropy;
-    int max_draw_buffers; /* colour targets of one draw */
-    void *state;          /* of the backend */
-    /* what failed last; functions of the GL layer that return false or 0 leave it here */
+    int max_draw_buffers; /* max color targets of one draw */
+    void *state;          /* state of the backend */
+    /* The last error: functions of the GL layer that return false or 0 store it here. */
     char error[4096];
 #define F(NAME, Name) PFNGL##NAME##PROC Name;
     GL_FUNCTIONS(F)
-    GL_OPTIONAL_FUNCTIONS(F) /* NULL where the driver has none */
+    GL_OPTIONAL_FUNCTIONS(F) /* NULL if the driver lacks the function */
 #undef F
 } GlContext;
 
-/* The name of a kind ("osmesa") and back; false for a name that is none. */
+/* Convert a kind to its name, such as "osmesa", and back; false for an unknown name. */
 const char *gl_kind_name(GlKind kind);
 bool gl_kind_find(const char *name, GlKind *kind);
 
-/* Opens a context and makes it current: core is 4.5, or 3.3 where there is no more; otherwise the
- * highest compatibility profile there is. NULL: see `error`. */
+/* Opens a context and makes it current. With `core` the version is 4.5, or 3.3 if the driver has
+ * no more; otherwise the highest compatibility profile. NULL on failure, with a reason in
+ * `error`. */
 GlContext *gl_open(GlKind kind, bool core, char *error, size_t room);
 
-/* Takes a context of OpenGL 3.3 core or later as it is. gl_close leaves it to its owner. NULL: see
- * `error`. */
+/* Adopts the caller's context of OpenGL 3.3 core or later, which gl_close() does not destroy.
+ * NULL on failure, with a reason in `error`. */
 GlContext *gl_adopt(const GlHost *host, char *error, size_t room);
 
-/* Needed only where a thread has several contexts. */
+/* Makes the context current; needed only if a thread has several contexts. */
 bool gl_use(GlContext *gl);
 
-/* Releases the context and all that was made in it. NULL is nothing. */
+/* Releases the context and all its objects. Does nothing for NULL. */
 void gl_close(GlContext *gl);
 
-/* Writes gl->error and returns false. */
+/* Formats gl->error and returns false. */
 __attribute__((format(printf, 2, 3))) bool gl_fail(GlContext *gl, const char *format, ...);
 
-/* True when no GL error stands; otherwise gl->error is "<doing>: GL_..." and all standing errors
- * are dropped. */
+/* Returns true if no GL error is pending. Otherwise sets gl->error to "<doing>: GL_..." and
+ * clears all pending errors. */
 bool gl_check(GlContext *gl, const char *doing);
 #endif

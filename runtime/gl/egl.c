@@ -1,6 +1,6 @@
-/* Contexts of EGL without a window or a surface: a GPU where there is one, else whatever EGL has.
- * The library is loaded at run time. Displays are the process', not ours: they are never
- * terminated, since others may have contexts on them. */
+/* EGL contexts without a window or a surface: on a GPU if available, else on any other device.
+ * The library is loaded at run time. Displays belong to the whole process and are never
+ * terminated, since other code may have contexts on them. */
 #include "runtime/gl/backend.h"
 #include "runtime/gl/message.h"
 #include <EGL/egl.h>
@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Functions of EGL 1.4: F(NAME, Name) stands for eglName. */
+/* Functions of EGL 1.4: F(NAME, Name) declares eglName. */
 #define EGL_FUNCTIONS(F)                                                                           \
     F(BINDAPI, BindAPI)                                                                            \
     F(CHOOSECONFIG, ChooseConfig)                                                                  \
@@ -30,13 +30,13 @@ enum { DEVICES = 32, SURFACE_SIDE = 16 };
 typedef struct {
     EGLDisplay display;
     EGLContext context;
-    EGLSurface surface; /* EGL_NO_SURFACE where none is needed */
+    EGLSurface surface; /* EGL_NO_SURFACE if none is needed */
     bool core;
 #define F(NAME, Name) PFNEGL##NAME##PROC Name;
     EGL_FUNCTIONS(F)
 #undef F
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
-    char *error; /* of the caller: why the display tried last would not do */
+    char *error; /* the caller's: why the last display failed */
     size_t room;
 } Egl;
 
@@ -45,7 +45,7 @@ static bool load_library(Egl *e)
     void *library = dlopen("libEGL.so.1", RTLD_NOW | RTLD_LOCAL);
     if (!library)
         library = dlopen("libEGL.so", RTLD_NOW | RTLD_LOCAL);
-    if (!library) /* never closed, as OSMesa is not */
+    if (!library) /* never closed, like OSMesa */
         return message_fail(e->error, e->room, "no libEGL.so.1 found (Debian: libegl1)");
     void *symbol;
 #define F(NAME, Name)                                                                              \
@@ -59,7 +59,7 @@ static bool load_library(Egl *e)
     return true;
 }
 
-/* A whole word of a list with blanks between. */
+/* Reports whether a list separated by blanks contains a whole word. */
 static bool has_word(const char *list, const char *word)
 {
     size_t size = strlen(word);
@@ -88,7 +88,7 @@ static bool choose_config(const Egl *e, EGLConfig *config)
     return false;
 }
 
-/* Highest version first: EGL answers no context for a version or profile that it lacks. */
+/* Tries the highest version first: EGL creates no context for an unsupported version or profile. */
 static bool create_context(Egl *e, EGLConfig config)
 {
     static const EGLint versions[][2] = {{4, 5}, {3, 3}, {3, 0}, {2, 1}};
@@ -117,7 +117,7 @@ static bool egl_use(void *state)
            e->MakeCurrent(e->display, e->surface, e->surface, e->context);
 }
 
-/* Without a surface where that is allowed, else with a small one that nobody draws to. */
+/* Makes the context current, without a surface if supported, else with a small unused one. */
 static bool make_usable(Egl *e, EGLConfig config)
 {
     const EGLint size[] = {EGL_WIDTH, SURFACE_SIDE, EGL_HEIGHT, SURFACE_SIDE, EGL_NONE};
@@ -167,7 +167,7 @@ static GlProc egl_load(void *state, const char *name)
     return (GlProc)((Egl *)state)->GetProcAddress(name);
 }
 
-/* The devices, those of hardware first. */
+/* Tries all devices, hardware first. */
 static bool try_devices(Egl *e)
 {
     PFNEGLQUERYDEVICESEXTPROC query = (PFNEGLQUERYDEVICESEXTPROC)egl_load(e, "eglQueryDevicesEXT");

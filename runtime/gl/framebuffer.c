@@ -37,7 +37,7 @@ static const struct {
 };
 enum { FORMAT_COUNT = sizeof known / sizeof *known, FORMAT_NAMES = 128 };
 
-/* 0: of none. */
+/* Returns a format's constant; 0: unknown. */
 static GLenum format_of(const char *name)
 {
     for (int i = 0; i < FORMAT_COUNT; i++)
@@ -63,7 +63,7 @@ static void set_nearest(const GlContext *gl)
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mip maps */
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0); /* complete without mipmaps */
 }
 
 bool framebuffer_has_views(const GlContext *gl)
@@ -71,7 +71,7 @@ bool framebuffer_has_views(const GlContext *gl)
     return gl->major * 10 + gl->minor >= 43 && gl->TexStorage2D && gl->TextureView;
 }
 
-/* A view takes a texture whose size and format stay. */
+/* Makes a texture; texture views need one with immutable storage. */
 static GLuint make_texture(const GlContext *gl, const FramebufferSpec *spec, GLenum format)
 {
     GLuint texture = 0;
@@ -115,7 +115,7 @@ static void attach(const GlContext *gl, Framebuffer *f)
                              GL_TEXTURE_2D, f->depth, 0);
 }
 
-/* "RG32UI R32UI, and depth DEPTH32F" */
+/* Lists the formats for messages, such as "RG32UI R32UI, and depth DEPTH32F". */
 static void name_formats(const Framebuffer *f, char names[FORMAT_NAMES])
 {
     size_t size = 0;
@@ -149,7 +149,7 @@ static bool check_complete(GlContext *gl, const Framebuffer *f)
     }
 }
 
-/* The spec is checked; a framebuffer that borrows has its textures. */
+/* Makes a framebuffer of a checked spec; borrowed textures are already set. */
 static bool make_of(GlContext *gl, const FramebufferSpec *spec, const GLenum *formats,
                     Framebuffer *made)
 {

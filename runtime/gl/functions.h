@@ -1,5 +1,5 @@
-/* The GL functions that the runtime calls: F(NAME, Name) stands for glName of type PFNGLNAMEPROC. A
- * row is all that a further function needs; gl_open refuses a driver that lacks one of them. All
+/* The GL functions that the runtime calls: F(NAME, Name) declares glName of type PFNGLNAMEPROC.
+ * A new function needs only a row here. gl_open() refuses a driver that lacks one of these; all
  * are in OpenGL 3.0. */
 #ifndef MATC_GL_FUNCTIONS_H
 #define MATC_GL_FUNCTIONS_H

@@ -1,4 +1,4 @@
-/* Products, inverses and the two camera matrices; sums are made in double. */
+/* Products, inverses and camera matrices, summed in double. */
 #include "runtime/gl/matrix.h"
 #include <math.h>
 
@@ -77,7 +77,7 @@ Mat4 mat4_look_at(const float eye[3], const float target[3], const float up[3])
     return result;
 }
 
-/* Exchanges two rows of [a | inverse], so that the pivot is the largest there is. */
+/* Swaps two rows of [a | inverse], to select the largest pivot. */
 static void swap_rows(double rows[4][8], int first, int second)
 {
     for (int i = 0; i < 8; i++) {
@@ -87,7 +87,7 @@ static void swap_rows(double rows[4][8], int first, int second)
     }
 }
 
-/* One step of Gauss and Jordan: the column becomes one of the identity. */
+/* One step of Gauss-Jordan elimination: the column becomes that of the identity. */
 static bool eliminate(double rows[4][8], int column)
 {
     int best = column;
@@ -132,8 +132,8 @@ Mat3 mat3_from_mat4(const Mat4 *a)
     return result;
 }
 
-/* The cofactors are the inverse transpose times the determinant, whose sign is taken out for
- * mirrors. */
+/* The cofactor matrix is the inverse transpose times the determinant, whose sign is removed for
+ * mirrored matrices. */
 Mat3 mat3_normal(const Mat4 *a)
 {
     double columns[3][3], cofactors[3][3];

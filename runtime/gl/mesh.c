@@ -37,10 +37,10 @@ void mesh_point_attributes(const GlContext *gl)
 {
     for (GLuint i = 0; i < MESH_ATTRIBUTE_end; i++) {
         if (!attributes[i].lanes)
-            continue; /* an instance's number: mesh_attach */
+            continue; /* the instance's number: mesh_attach() */
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                /* an offset, by GL's habit */
+                                /* GL takes offsets as pointers */
                                 (const void *)(uintptr_t)attributes[i].offset);
     }
 }
@@ -71,7 +71,7 @@ static void upload(const GlContext *gl, const Mesh *mesh, const Shape *shape)
                            (GLsizeiptr)shape->vertex_count * (GLsizeiptr)sizeof *shape->extra[i],
                            shape->extra[i], GL_STATIC_DRAW);
         }
-    gl->BindVertexArray(0); /* before the buffers: the array would forget its indices */
+    gl->BindVertexArray(0); /* before the buffers, or the array would lose its index buffer */
     gl->BindBuffer(GL_ARRAY_BUFFER, 0);
 }
 
@@ -88,7 +88,7 @@ bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made)
     made->index_count = shape->index_count;
     made->body = shape_body(shape);
     if (shape->base && made->body == SHAPE_BODY_solid)
-        /* what is displaced may run through itself, and show its back there */
+        /* a displaced mesh may intersect itself and show its back faces */
         made->body = SHAPE_BODY_closed;
     if (gl_check(gl, "making a mesh"))
         return true;
@@ -108,7 +108,7 @@ bool mesh_make_captured(GlContext *gl, Mesh *made)
         const size_t offset =
             i == MESH_ATTRIBUTE_basePosition ? offsetof(MeshCaptured, base) : attributes[i].offset;
         if (i >= MESH_ATTRIBUTE_count && i != MESH_ATTRIBUTE_basePosition)
-            continue; /* what displaces is not asked any more */
+            continue; /* attributes for displacement are no longer needed */
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(MeshCaptured),
                                 (const void *)(uintptr_t)offset);
@@ -132,7 +132,8 @@ bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made)
     return done;
 }
 
-/* Number of a named attribute: `_COLOR` is "color" if the file has no COLOR_0. */
+/* Returns the buffer of a named attribute; 0: missing. `_COLOR` is "color" if the file has no
+ * COLOR_0. */
 static GLuint extra_of(const Mesh *mesh, const char *name)
 {
     for (int i = 0; i < SHAPE_EXTRAS; i++)
@@ -141,7 +142,7 @@ static GLuint extra_of(const Mesh *mesh, const char *name)
     return 0;
 }
 
-/* An attribute without an array has the context's current value. */
+/* An attribute without an array takes the context's current value. */
 void mesh_feed(const GlContext *gl, const Mesh *mesh, const MeshFeed *feeds, int count)
 {
     if (!count)

@@ -1,5 +1,4 @@
-/* A shape on the driver's side: one interleaved vertex buffer, one index buffer, one vertex
- * array. */
+/* A shape on the GPU: one interleaved vertex buffer, one index buffer, one vertex array. */
 #ifndef MATC_GL_MESH_H
 #define MATC_GL_MESH_H
 #include "runtime/gl/context.h"
@@ -13,65 +12,66 @@ enum {
     MESH_ATTRIBUTE_tangentU,
     MESH_ATTRIBUTE_tangentV,
     MESH_ATTRIBUTE_count,
-    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* a whole number, one for each instance */
-    /* what a vertex is displaced by: as the four above, but the same for all vertices */
+    MESH_ATTRIBUTE_instance = MESH_ATTRIBUTE_count, /* an integer per instance */
+    /* Attributes for displacement: as the four above, but equal for all vertices at one
+     * position. */
     MESH_ATTRIBUTE_displacementNormal,
-    MESH_ATTRIBUTE_displacementTexcoord, /* of one position */
+    MESH_ATTRIBUTE_displacementTexcoord,
     MESH_ATTRIBUTE_displacementTangentU,
     MESH_ATTRIBUTE_displacementTangentV,
-    /* where it was, of a shape that was displaced; else its position */
+    /* Position before displacement; that of a shape that is not displaced is its position. */
     MESH_ATTRIBUTE_basePosition,
     MESH_ATTRIBUTE_end
 };
 
-/* "position", "normal", "texcoord", ...: for programs that declare no locations. NULL: such
- * programs draw no instances. */
+/* Names such as "position", for programs that declare no locations. NULL: such programs draw no
+ * instances. */
 extern const char *const mesh_attribute_names[MESH_ATTRIBUTE_end];
 
 typedef struct {
     GLuint array;                /* vertex array */
-    GLuint buffers[3];           /* vertices, indices, base positions where they are others */
-    GLuint extras[SHAPE_EXTRAS]; /* four lanes a vertex; 0: the shape has none */
-    ShapeNames names;            /* the shape's */
+    GLuint buffers[3];           /* vertices, indices, base positions if they differ */
+    GLuint extras[SHAPE_EXTRAS]; /* four components per vertex; 0: the shape has none */
+    ShapeNames names;            /* names of the extras */
     GLsizei index_count;
-    ShapeBody body; /* what it encloses */
+    ShapeBody body; /* whether the mesh is closed */
 } Mesh;
 
-/* On false *made is empty, see gl->error. */
+/* Makes a mesh of a preview shape. Returns false on failure, with *made empty; see gl->error. */
 bool mesh_make(GlContext *gl, ShapeKind kind, Mesh *made);
-/* Makes a mesh of any shape, which is not kept. */
+/* Makes a mesh of any shape, which is copied. */
 bool mesh_make_of(GlContext *gl, const Shape *shape, Mesh *made);
 
-/* Row of the buffer of a mesh that the GPU writes. */
+/* A vertex in the buffer of a mesh that the GPU writes. */
 typedef struct {
     ShapeVertex vertex;
-    float base[3]; /* where it was */
+    float base[3]; /* position before displacement */
 } MeshCaptured;
-/* A mesh without any triangles, whose first buffer has rows of MeshCaptured, and whose second has
- * indices, both to be written by the caller. On false *made is empty. */
+/* Makes a mesh without triangles: its first buffer is for rows of MeshCaptured, its second for
+ * indices, both written by the caller. Returns false on failure, with *made empty. */
 bool mesh_make_captured(GlContext *gl, Mesh *made);
 
-/* Says where attributes lie in the array and the buffer that are bound, a row of ShapeVertex: those
- * that shade, and those of displacement, which are the same. */
+/* Points the attributes of the bound vertex array into the bound buffer of ShapeVertex: those
+ * for shading, and those for displacement, which are the same. */
 void mesh_point_attributes(const GlContext *gl);
 
-/* An attribute that a program reads by a name of a document's. */
+/* An attribute that a program reads by a name from the document. */
 typedef struct MeshFeed {
     char name[SHAPE_NAME];
     GLuint location;
-    float initial[4]; /* of a mesh that has none of that name */
+    float initial[4]; /* value for meshes without such an attribute */
 } MeshFeed;
-/* Points the program's attributes at what the mesh has under their names; before it is drawn. */
+/* Points the program's named attributes to those of the mesh, before the mesh is drawn. */
 void mesh_feed(const GlContext *gl, const Mesh *mesh, const MeshFeed *feeds, int count);
 
 /* Draws with the current program into the current framebuffer. */
 void mesh_draw(const GlContext *gl, const Mesh *mesh);
 
-/* Where instances find their numbers: words of a buffer, that of the first instance of a draw
- * first. OpenGL 4.2. */
+/* Instances read their number from a buffer of words, from the first instance of a draw on.
+ * Needs OpenGL 4.2. */
 void mesh_attach(const GlContext *gl, const Mesh *mesh, GLuint buffer);
 void mesh_draw_instances(const GlContext *gl, const Mesh *mesh, int first, int count);
 
-/* Safe on an empty one. */
+/* Frees the mesh and leaves it empty; safe on an empty one. */
 void mesh_delete(const GlContext *gl, Mesh *mesh);
 #endif

@@ -1,4 +1,4 @@
-/* Format and arguments in, a cut message and false out. */
+/* Formats error messages, truncated to the buffer. */
 #include "runtime/gl/message.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -6,7 +6,7 @@
 bool message_fail(char *error, size_t room, const char *format, ...)
 {
     if (!error || room == 0)
-        return false; /* the caller does not want to know */
+        return false; /* the caller ignores the message */
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(error, room, format, arguments);

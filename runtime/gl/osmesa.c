@@ -1,5 +1,5 @@
-/* Contexts of Mesa's offscreen software renderer. The library is loaded at run time: a program that
- * never draws runs without it, and nothing links to it. */
+/* Contexts of Mesa's offscreen software renderer. The library is loaded at run time: a program
+ * that never draws runs without it, and no program links to it. */
 #include "runtime/gl/backend.h"
 #include "runtime/gl/message.h"
 #include <GL/osmesa.h>
@@ -14,18 +14,19 @@ typedef struct {
     GLboolean (*make_current)(OSMesaContext context, void *buffer, GLenum type, GLsizei width,
                               GLsizei height);
     GlProc (*get_proc)(const char *name);
-    unsigned char window[4]; /* OSMesa wants a window: one pixel, which nobody draws to */
+    unsigned char window[4]; /* the window of one pixel that OSMesa requires; never drawn to */
 } Osmesa;
 
-/* The loader's reason is kept: a library that is there may fail for want of memory. */
+/* Loads the library, or reports the loader's reason: loading may also fail because memory runs
+ * out. */
 static void *open_library(char *error, size_t room)
 {
     static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
         void *library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
         if (library)
-            /* never closed: LLVM's destructors do not survive an unload, and a next dlopen is
-             * free */
+            /* never closed: LLVM's destructors do not survive an unload, and further dlopen
+             * calls are cheap */
             return library;
         if (i == 0)
             message_fail(error, room, "%s (Debian: libosmesa6)", dlerror());
@@ -33,8 +34,8 @@ static void *open_library(char *error, size_t room)
     return NULL;
 }
 
-/* ISO C has no cast from an object pointer to a function; POSIX says that their bytes are the
- * same. */
+/* ISO C has no cast from an object pointer to a function pointer; POSIX guarantees equal
+ * representations. */
 static bool find(void *library, const char *name, void *function, size_t size)
 {
     void *symbol = dlsym(library, name);
@@ -52,11 +53,11 @@ static bool find_all(Osmesa *o, void *library)
            find(library, "OSMesaGetProcAddress", &o->get_proc, sizeof o->get_proc);
 }
 
-/* Highest version first: OSMesa answers NULL for a version or profile that it lacks. */
+/* Tries the highest version first: OSMesa returns NULL for an unsupported version or profile. */
 static OSMesaContext create(const Osmesa *o, bool core)
 {
     static const int versions[][2] = {{4, 5}, {3, 3}, {3, 0}, {2, 1}};
-    /* core profiles begin at 3.2, and the emitted GLSL at 3.3 */
+    /* core profiles start at 3.2, and the emitted GLSL at 3.3 */
     for (size_t i = 0; i < (core ? 2u : 4u); i++) {
         const int attributes[] = {
             OSMESA_FORMAT,
@@ -91,7 +92,7 @@ static void osmesa_close(void *state)
 {
     Osmesa *o = state;
     if (o->context)
-        o->destroy(o->context); /* a current context stops being current, says Mesa */
+        o->destroy(o->context); /* Mesa also makes it no longer current */
     free(o);
 }
 

@@ -26,7 +26,7 @@ uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why)
     png_alloc_size_t room = PNG_IMAGE_PNG_SIZE_MAX(image);
     uint8_t *file = malloc(room);
     if (!file || !png_image_write_to_memory(&image, file, &room, 0, picture->bytes, upwards, NULL))
-        abort(); /* out of memory: the room is what libpng says */
+        abort(); /* out of memory: the size is libpng's bound */
     *size = room;
     return file;
 }

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { PNG_SIZE_LIMIT = 16384 }; /* greatest width and height */
+enum { PNG_SIZE_LIMIT = 16384 }; /* max width and height */
 
 typedef struct {
     int width, height;
@@ -12,7 +12,7 @@ typedef struct {
     uint8_t *bytes;
 } PngPicture;
 
-/* The picture as a PNG file, from malloc; output.h writes it. NULL: *why, a size or number of lanes
- * that it cannot have. */
+/* Returns the picture as a PNG file, from malloc. NULL if its size or number of components is
+ * invalid, with the reason in *why. */
 uint8_t *png_write(const PngPicture *picture, size_t *size, const char **why);
 #endif

@@ -1,14 +1,14 @@
-/* Compiles and links. */
+/* Compiles and links programs. */
 #include "runtime/gl/program.h"
 #include "runtime/gl/mesh.h"
 #include <string.h>
 
-/* Puts "<step>: <log>" into gl->error. */
+/* Stores "<step>: <log>" in gl->error. */
 static void keep_log(GlContext *gl, const char *step, const char *log)
 {
     size_t length = strlen(log);
     while (length && strchr(" \n\r\t", log[length - 1]))
-        length--; /* drivers end their logs by empty lines */
+        length--; /* drivers end their logs with empty lines */
     if (length == 0)
         gl_fail(gl, "%s: the driver says no more", step);
     else
@@ -78,7 +78,7 @@ static bool link(GlContext *gl, GLuint program)
 }
 
 typedef struct {
-    GLuint at[5]; /* 0: none */
+    GLuint at[5]; /* 0: unused */
     int count;
 } Shaders;
 
@@ -96,7 +96,7 @@ static GLuint join(GlContext *gl, const Shaders *shaders, const ProgramText *tex
     return 0;
 }
 
-/* False: one does not compile. */
+/* Compiles and adds a shader; returns false on failure. */
 static bool add(GlContext *gl, GLenum type, const char *const *pieces, Shaders *shaders)
 {
     const GLuint shader = compile(gl, type, pieces);
@@ -109,7 +109,7 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
 {
     Shaders shaders = {{0}, 0};
     bool fine;
-    if (text->compute[0]) /* stands alone */
+    if (text->compute[0]) /* excludes all other stages */
         fine = add(gl, GL_COMPUTE_SHADER, text->compute, &shaders);
     else
         fine = add(gl, GL_VERTEX_SHADER, text->vertex, &shaders) &&
@@ -120,7 +120,7 @@ GLuint program_make(GlContext *gl, const ProgramText *text)
                add(gl, GL_FRAGMENT_SHADER, text->fragment, &shaders);
     GLuint program = fine ? join(gl, &shaders, text) : 0;
     for (int i = 0; i < shaders.count; i++)
-        gl->DeleteShader(shaders.at[i]); /* the program keeps what it needs */
+        gl->DeleteShader(shaders.at[i]); /* the program keeps its shaders alive */
     if (program && !gl_check(gl, "making a program")) {
         gl->DeleteProgram(program);
         return 0;

@@ -1,4 +1,4 @@
-/* A triangle that covers the whole target: what a pass over all pixels draws. */
+/* A triangle that covers the whole target, drawn by full-screen passes. */
 #ifndef MATC_GL_SCREEN_H
 #define MATC_GL_SCREEN_H
 #include "runtime/gl/context.h"
@@ -7,14 +7,14 @@ typedef struct {
     GLuint array, buffer;
 } Screen;
 
-/* On false *made is empty, see gl->error. */
+/* Makes the triangle. Returns false on failure, with *made empty; see gl->error. */
 bool screen_make(GlContext *gl, Screen *made);
-/* Draws with the current program, whose vertex program is the text below, or goes by gl_VertexID,
- * or reads the attribute 0. */
+/* Draws with the current program. Its vertex program is one of the texts below, or computes from
+ * gl_VertexID, or reads attribute 0. */
 void screen_draw(const GlContext *gl, const Screen *screen);
 void screen_delete(const GlContext *gl, Screen *screen);
 
-/* The vertex program behind a line of #version: in GLSL 1.10, and from 1.40 on. It gives the
- * fragment program nothing. */
+/* The vertex program after its #version line: for GLSL 1.10, and from 1.40 on. It has no outputs
+ * besides the position. */
 extern const char screen_text_old[], screen_text[];
 #endif

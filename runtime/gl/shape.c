@@ -5,10 +5,10 @@
 #include <string.h>
 
 #define PI           3.14159265358979323846
-#define TORUS_RADIUS 0.7 /* of the circle in the tube's middle */
+#define TORUS_RADIUS 0.7 /* radius of the tube's center line */
 #define TORUS_TUBE   0.3
 
-/* Fills all but uv, which is set already and may be changed. `patch` counts from 0. */
+/* Computes a vertex except uv, which is set already and may be changed. `patch` counts from 0. */
 typedef void Surface(int patch, double u, double v, ShapeVertex *vertex);
 
 static void put(float to[3], double x, double y, double z)
@@ -16,8 +16,8 @@ static void put(float to[3], double x, double y, double z)
     to[0] = (float)x, to[1] = (float)y, to[2] = (float)z;
 }
 
-/* Sine of an angle in turns: equal for equal fractions, and 0 at whole and half turns, so that a
- * seam's vertices, and a pole's, coincide. */
+/* Sine of an angle in turns: equal for equal fractions, and exactly 0 at half and whole turns,
+ * so that vertices at a seam or a pole coincide. */
 static double sine(double turns)
 {
     const double part = turns - floor(turns);
@@ -98,8 +98,8 @@ static void cloth(int patch, double u, double v, ShapeVertex *vertex)
     put(vertex->tangentV, 0, up, 2);
 }
 
-/* P = (x, y, 0), x = R (2u - 1)^3, y = R (2v - 1)^3: cells are small where the eye stands. u and v
- * themselves become those of the plane. */
+/* P = (x, y, 0), x = R (2u - 1)^3, y = R (2v - 1)^3: cells are small near the eye. u and v are
+ * replaced by those of the plane. */
 static void ground(int patch, double u, double v, ShapeVertex *vertex)
 {
     double x = SHAPE_HORIZON * pow(2 * u - 1, 3), y = SHAPE_HORIZON * pow(2 * v - 1, 3);
@@ -108,7 +108,7 @@ static void ground(int patch, double u, double v, ShapeVertex *vertex)
     vertex->uv[1] = (float)((y + 1) / 2);
 }
 
-/* 192 steps around keep a chord within 0.14 pixels of a circle 2000 pixels across. */
+/* 192 steps around keep chords within 0.14 pixels of a circle 2000 pixels wide. */
 static const struct {
     const char *name;
     Surface *surface;

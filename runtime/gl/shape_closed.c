@@ -1,16 +1,17 @@
-/* Whether a mesh is watertight. An edge is a hash of the positions of its ends, 64 random bits.
- * Edges that occur an even number of times cancel in an exclusive or; edges that occur as often in
- * one direction as in the other cancel in a signed sum. So no table of edges is needed.
+/* Tests whether a mesh is watertight. An edge is a hash of its end positions, 64 random bits.
+ * Edges that occur an even number of times cancel in an exclusive or; edges that occur equally
+ * often in both directions cancel in a signed sum. So the test needs no table of edges.
  *
- *     a tetrahedron's six edges: each has two triangles, all leave 0. Without one triangle, the
- *     three of its edges are left; with one flipped, the exclusive or is 0, and of the sum twice
- *     these three */
+ *     A tetrahedron's six edges: each has two triangles, both sums are 0. Without one triangle,
+ *     its
+ *     three edges remain; with one flipped, the exclusive or is 0, and the signed sum is twice
+ *     its three edges. */
 #include "runtime/gl/shape.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The finaliser of SplitMix64: each bit of the result goes by each bit of the argument. */
+/* Finalizer of SplitMix64: each bit of the result depends on each bit of the argument. */
 static uint64_t mix(uint64_t x)
 {
     x = (x ^ x >> 30) * 0xBF58476D1CE4E5B9u;
@@ -22,7 +23,7 @@ static uint64_t place_number(const float position[3])
 {
     uint64_t number = 0x9E3779B97F4A7C15u;
     for (int i = 0; i < 3; i++) {
-        const float lane = position[i] == 0 ? 0 : position[i]; /* -0 is there, too */
+        const float lane = position[i] == 0 ? 0 : position[i]; /* -0 equals 0 */
         uint32_t bits;
         memcpy(&bits, &lane, sizeof bits);
         number = mix(number + bits);
@@ -30,15 +31,15 @@ static uint64_t place_number(const float position[3])
     return number;
 }
 
-/* Numbers of the places of all vertices, and what vertices belong to: each to one of lower number,
- * or, if it is the first of its part, to itself. */
+/* Position hashes of all vertices, and connected parts as a union-find forest: a vertex's owner
+ * is one of lower number, or, for the first of a part, the vertex itself. */
 typedef struct {
     uint64_t *places;
     int *owners;
-    double (*sums)[4]; /* of a part: its places, and how many these are */
+    double (*sums)[4]; /* of a part: sum of its positions, and their number */
 } Parts;
 
-/* Edges without an extent are none. */
+/* Classifies a mesh by its edges; edges of zero length are ignored. */
 static ShapeBody look_at_edges(const Shape *shape, const uint64_t *places)
 {
     uint64_t odd = 0, turned = 0;
@@ -52,7 +53,7 @@ static ShapeBody look_at_edges(const Shape *shape, const uint64_t *places)
     return odd ? SHAPE_BODY_none : turned ? SHAPE_BODY_closed : SHAPE_BODY_solid;
 }
 
-/* The first of its part, which later walks find sooner. */
+/* Finds the root of a vertex's part, with path compression. */
 static int part_of(int *owners, int vertex)
 {
     while (owners[vertex] != vertex) {
@@ -68,14 +69,14 @@ static void join(int *owners, int a, int b)
     owners[x > y ? x : y] = x > y ? y : x;
 }
 
-/* Vertices in one place belong to the first of them: each place has a slot from its number's lowest
- * bits on. */
+/* Merges vertices at equal positions: each gets the first one as owner, found in a hash table
+ * whose slot is given by the lowest bits of the position's hash. */
 static bool join_places(const Shape *shape, Parts *parts)
 {
     size_t mask = 1;
     while (mask < 2 * (size_t)shape->vertex_count)
         mask = 2 * mask + 1;
-    int *firsts = calloc(mask + 1, sizeof *firsts); /* counted from 1 */
+    int *firsts = calloc(mask + 1, sizeof *firsts); /* index + 1 */
     for (int i = 0; firsts && i < shape->vertex_count; i++) {
         size_t slot = parts->places[i] & mask;
         while (firsts[slot] && parts->places[firsts[slot] - 1] != parts->places[i])
@@ -88,7 +89,7 @@ static bool join_places(const Shape *shape, Parts *parts)
     return done;
 }
 
-/* Six times the volume of the pyramid that three ways span from one point. */
+/* Six times the volume of the tetrahedron that three edges span from one point. */
 static double volume_of(double v[3][3])
 {
     return v[0][0] * (v[1][1] * v[2][2] - v[1][2] * v[2][1]) +
@@ -96,12 +97,13 @@ static double volume_of(double v[3][3])
            v[0][2] * (v[1][0] * v[2][1] - v[1][1] * v[2][0]);
 }
 
-/* Whether all triangles of a part show their backs to the mean of its places. Then no ray from
- * outside meets a back first: along the half line from the mean through a point sheets beyond the
- * point are as many as the part's windings around it, which so are nowhere less than 0. */
+/* Reports whether all triangles of each part face away from the mean of its positions. Then no
+ * ray from outside hits a back face first: on the half line from the mean through a point, the
+ * number of triangles farther than the point equals the part's winding number there, which is
+ * never negative. */
 static bool all_face_outwards(const Shape *shape, Parts *parts)
 {
-    /* of a triangle without extent: a part of the extents of the pyramid's edges */
+    /* tolerance for degenerate triangles, relative to the product of the edges' lengths */
     const double rounding = 1e-6;
     if (!join_places(shape, parts))
         return false;

@@ -1,4 +1,4 @@
-/* Texels in, a texture out. */
+/* Makes textures from texels. */
 #include "runtime/gl/texture.h"
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Asks the driver for a program's uniforms once; writes values where they belong. */
+/* Queries a program's uniforms once; writes values to their storage. */
 #include "runtime/gl/uniforms.h"
 #include <stdint.h>
 #include <stdlib.h>
@@ -25,7 +25,7 @@ static int lanes_of(GLenum type)
     case GL_FLOAT_MAT4:
         return 16;
     default:
-        return 1; /* float, int, bool, uint and every sampler */
+        return 1; /* float, int, bool, uint and all samplers */
     }
 }
 
@@ -181,8 +181,7 @@ static void write_lane(GLenum type, float value, unsigned char *at)
         memcpy(at, &value, 4);
 }
 
-/* The columns of a mat3 are vectors of three, each as far apart as vectors of four: offsets 0, 16,
- * 32. */
+/* Columns of a mat3 are vectors of three, padded to four: offsets 0, 16, 32. */
 void uniform_write(const GlUniform *member, const float *values, unsigned char *block)
 {
     const int rows = member->lanes == 16 ? 4 : member->lanes == 9 ? 3 : member->lanes;

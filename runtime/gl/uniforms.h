@@ -1,5 +1,5 @@
-/* The uniforms of a linked program, plain ones and members of blocks alike: what each is called,
- * and where its value goes. */
+/* Uniforms of a linked program, plain ones and members of blocks: their names, types and
+ * storage. */
 #ifndef MATC_GL_UNIFORMS_H
 #define MATC_GL_UNIFORMS_H
 #include "runtime/gl/context.h"
@@ -8,34 +8,35 @@ typedef struct {
     char *name;
     GLenum type;
     int lanes;      /* 1-4; 9 and 16 for a matrix */
-    GLint location; /* of a plain one; -1 for a member of a block */
-    int block;      /* index of the block that it is a member of, or -1 */
-    int offset;     /* of a member, in bytes */
-    int stride;     /* from a column of a matrix to the next, in bytes */
+    GLint location; /* of a plain uniform; -1 for a member of a block */
+    int block;      /* index of the member's block, or -1 */
+    int offset;     /* of a member in its block, in bytes */
+    int stride;     /* between columns of a matrix, in bytes */
 } GlUniform;
 
 typedef struct {
     GlUniform *at;
     int count;
-    int *block_sizes; /* bytes of block i, which has the binding point i */
+    int *block_sizes; /* size of block i in bytes; its binding point is i */
     int block_count;
-    /* the block View, which is no program's own: it has the binding point UNIFORMS_VIEW. -1: there
-     * is none */
+    /* Index of the block View, which programs share: its binding point is UNIFORMS_VIEW. -1:
+     * none. */
     int view;
 } GlUniforms;
 
-enum { UNIFORMS_VIEW = 16 }; /* programs have fewer blocks */
+enum { UNIFORMS_VIEW = 16 }; /* programs have fewer blocks of their own */
 
-/* Those that the driver did not drop, and the blocks' binding points are set. On false *found is
- * empty, see gl->error. */
+/* Reads the active uniforms, and assigns binding points to blocks. Returns false on failure,
+ * with *found empty; see gl->error. */
 bool uniforms_read(GlContext *gl, GLuint program, GlUniforms *found);
 void uniforms_free(GlUniforms *uniforms);
-/* Its index, or -1: a driver drops what a program does not use. */
+/* Returns the index of a uniform; -1 if the program has none of that name, or the driver removed
+ * it as unused. */
 int uniforms_find(const GlUniforms *uniforms, const char *name);
 
-/* Numbers become what the type is: float, int, bool, uint, a matrix by columns, the texture unit of
- * a sampler. */
-/* of the current program */
+/* Set a plain uniform of the current program, or write a member into its block. Floats are
+ * converted to the uniform's type: float, int, bool, uint, a matrix by columns, or the texture
+ * unit of a sampler. */
 void uniform_set(const GlContext *gl, const GlUniform *plain, const float *values);
 void uniform_write(const GlUniform *member, const float *values, unsigned char *block);
 #endif
