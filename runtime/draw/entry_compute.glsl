@@ -1,13 +1,14 @@
 
-// The entry of a pass over all pixels. The target's size may be no multiple of the group's.
+// Compute entry point of a full-screen pass. The target's size need not be a multiple of the work
+// group's.
 layout(local_size_x = 8, local_size_y = 8) in;
 layout(ENTRY_FORMAT) writeonly uniform image2D entry_target;
 #ifdef ENTRY_APART
-// Invocations side by side get pixels ENTRY_APART, 8 or a part of it, apart along their row: in
-// parts of it, the last as long as what is left.
+// Maps adjacent invocations to pixels of a row that are ENTRY_APART apart, 8 or a divisor of it. A
+// row is split into parts of 8 * ENTRY_APART pixels; the last has the rest.
 //
-//     of 8: invocations 0 1 2 ... 7 8 9 ... get pixels 0 8 16 ... 56 1 9 ...; of a row of 24, 0 1 2
-//         3 4 5 ... get 0 8 16 1 9 17 ...
+//     ENTRY_APART 8: invocations 0 1 2 ... 7 8 9 ... get pixels 0 8 16 ... 56 1 9 ...; in a row of
+//         24 pixels, 0 1 2 3 4 5 ... get 0 8 16 1 9 17 ...
 int entryApart(int x)
 {
     const int part = 8 * ENTRY_APART;

@@ -1,5 +1,5 @@
 
-// The entry of a pass over all pixels, where there is no compute.
+// Entry point of a full-screen pass as a fragment program.
 layout(location = 0) out vec4 entry_color;
 void main()
 {

@@ -1,4 +1,4 @@
-/* Uploads vertices, and writes the vertex program that passes them through. */
+/* Uploads vertices, and writes the vertex program that passes their inputs on. */
 #include "runtime/draw/field.h"
 #include "runtime/gl/mesh.h"
 #include "compiler/base/text.h"
@@ -45,7 +45,7 @@ void field_delete(const GlContext *gl, Field *field)
     *field = (Field){0};
 }
 
-/* The fragment program declares it: "... worldNormal;" */
+/* Reports whether the fragment program declares the input, as "... worldNormal;". */
 static bool declares(const char *fragment, const InputRow *row)
 {
     char text[64];
@@ -53,7 +53,7 @@ static bool declares(const char *fragment, const InputRow *row)
     return strstr(fragment, text) != NULL;
 }
 
-/* Location of a varying, in GLSL that has locations: its number among the varyings. */
+/* Location of an input in GLSL with locations: its index among the varyings. */
 static int location(int input)
 {
     int count = 0;
@@ -62,7 +62,8 @@ static int location(int input)
     return count;
 }
 
-static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"}; /* by lanes */
+/* by number of components */
+static const char *const types[] = {"", "float", "vec2", "vec3", "vec4"};
 
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM])
 {
@@ -80,7 +81,7 @@ void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]
 #define PUT(...)                                                                                   \
     (size += snprintf(text + size, size < TEXT_ROOM ? (size_t)(TEXT_ROOM - size) : 0, __VA_ARGS__))
 
-/* Attributes that the document names have their defaults: what is drawn has no mesh. */
+/* Writes the vertex program. Named attributes get their defaults, since no mesh is drawn. */
 static void write_vertex(Target target, const MatcProgram *program, const char *fragment,
                          char text[TEXT_ROOM])
 {

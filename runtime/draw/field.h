@@ -1,6 +1,6 @@
-/* Vertices that carry all that a fragment program may ask for, so that any can be drawn with them:
- * points, a fragment each, whose inputs are the very floats that were given; or triangles, over
- * which they change evenly. */
+/* Vertices with all inputs that a fragment program may read, so that any program can be drawn:
+ * points, one fragment each, whose inputs are exactly the given floats; or triangles, over which
+ * the inputs are interpolated. */
 #ifndef MATC_DRAW_FIELD_H
 #define MATC_DRAW_FIELD_H
 #include "grammar/tables.h"
@@ -20,22 +20,22 @@ typedef struct {
     int count;   /* vertices */
 } Field;
 
-/* Vertices on the driver's side. Delete in any case. */
+/* Uploads vertices. Call field_delete() even after a failure. */
 bool field_make(GlContext *gl, const FieldVertex *vertices, int count, GLenum mode, Field *made);
 void field_draw(const GlContext *gl, const Field *field);
 void field_delete(const GlContext *gl, Field *field);
 
 typedef struct {
-    Target target;        /* whose GLSL it is in */
-    const char *fragment; /* NULL: that of the program */
-    const char *library;  /* more GLSL to be linked in, or NULL */
+    Target target;        /* the GLSL version of the texts */
+    const char *fragment; /* NULL: the program's own */
+    const char *library;  /* GLSL to link in addition, or NULL */
 } FieldText;
 
 enum { FIELD_DEFAULT_ROOM = 128 };
-/* The default of an attribute that a document names, in GLSL: vec2(0.5, 1). */
+/* Writes the default of a named attribute as GLSL, such as vec2(0.5, 1). */
 void field_default(const MatcAttribute *attribute, char text[FIELD_DEFAULT_ROOM]);
 
-/* A material whose vertex program hands over what the vertices carry; its uniform vec2 field_jitter
- * moves the picture, in clip space. The rest is as material_make has it. */
+/* Makes a material whose vertex program passes the vertices' inputs on; its uniform vec2
+ * field_jitter shifts the picture in clip space. Otherwise as material_make(). */
 bool field_material(Store *store, MatcProgram *program, const FieldText *text, Material *made);
 #endif

@@ -1,4 +1,4 @@
-/* From a compiled program to uniforms, textures and buffers. */
+/* Makes uniforms, textures and buffers of a compiled program. */
 #include "runtime/draw/material.h"
 #include "runtime/draw/material_feed.h"
 #include <stdlib.h>
@@ -7,7 +7,7 @@
 struct MaterialBlock {
     GLuint buffer;
     unsigned char *bytes;
-    bool changed; /* since they were in the buffer */
+    bool changed; /* since the last upload */
 };
 
 static GlContext *context(const Material *m) { return store_context(m->store); }
@@ -69,7 +69,7 @@ bool material_set_texture(Material *m, const char *sampler, const TextureSpec *s
         return true;
     if (unit >= most_textures(m))
         return gl_fail(gl, "more textures than the driver's %d", most_textures(m));
-    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it */
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit); /* making a texture binds it to this unit */
     m->textures[unit] = store_texture(m->store, spec);
     m->texture_count += m->textures[unit] != NULL;
     return m->textures[unit] != NULL;
@@ -106,7 +106,7 @@ static void set_uniforms(Material *m, const MatcProgram *program)
     }
 }
 
-/* In GLSL 1.10 they are plain uniforms; there all are floats. */
+/* Sets constants as plain uniforms: GLSL 1.10 has no blocks, and its constants are all floats. */
 static void set_plain_numbers(Material *m, const MatcProgram *program, unsigned char *bytes)
 {
     for (int i = 0; i < matc_constant_count(program); i++) {
@@ -146,7 +146,7 @@ bool material_write(Material *m, const char *block, const void *bytes, size_t si
     return true;
 }
 
-/* The shaders that the caller leaves out. */
+/* Returns the texts with omitted stages taken from the program. */
 static ProgramText complete(const ProgramText *text, const MatcProgram *program)
 {
     ProgramText whole = *text;
@@ -169,7 +169,7 @@ static bool make(Material *m, MatcProgram *program, const ProgramText *text)
     if (program && matc_texture_count(program) > most_textures(m))
         return gl_fail(context(m), "it has %d textures, and the driver room for %d",
                        matc_texture_count(program),
-                       most_textures(m)); /* a driver would say so in words of its own */
+                       most_textures(m)); /* before the driver fails with an unclear message */
     m->program = store_program(m->store, &whole);
     if (!m->program || !make_room(m))
         return false;
@@ -213,7 +213,7 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     const bool made = block->buffer != 0;
     if (!made)
         gl->GenBuffers(1, &block->buffer);
-    /* and to what the calls below write */
+    /* also the binding for the calls below */
     gl->BindBufferBase(GL_UNIFORM_BUFFER, (GLuint)index, block->buffer);
     if (!made)
         gl->BufferData(GL_UNIFORM_BUFFER, size, block->bytes, GL_DYNAMIC_DRAW);
@@ -222,8 +222,8 @@ static void use_block(const GlContext *gl, int index, int size, struct MaterialB
     block->changed = false;
 }
 
-/* Others who share the program may have handed it theirs; what it holds already is not handed over
- * again. */
+/* Passes a plain uniform, unless the driver already has the value: other materials that share
+ * the program may have set their own. */
 static void use_uniform(const GlContext *gl, const GlUniform *uniform, const float *values,
                         StoreHeld *held)
 {

@@ -1,4 +1,4 @@
-/* Attributes by name: from a program's list to locations, and to what meshes have. */
+/* Named attributes: from a program's list to locations, and to attributes of meshes. */
 #include "runtime/draw/material_feed.h"
 #include <stdio.h>
 #include <stdlib.h>
@@ -18,7 +18,7 @@ bool material_feed_make(Material *m, const MatcProgram *program, const char **na
         const MatcAttribute *attribute = matc_attribute(program, i);
         MeshFeed *feed = &m->feeds[m->feed_count];
         *feed = (MeshFeed){.location = (GLuint)attribute->location};
-        /* a document's are shorter */
+        /* names in documents are shorter */
         snprintf(feed->name, sizeof feed->name, "%s", attribute->name);
         for (int lane = 0; lane < 4; lane++)
             feed->initial[lane] = (float)attribute->initial[lane];

@@ -1,4 +1,4 @@
-/* Steps of a reduction, each with a target of its own. Their GLSL is measure.glsl. */
+/* Steps of a parallel reduction, each with its own target. Their GLSL is measure.glsl. */
 #include "runtime/draw/measure.h"
 #include "gen/render_text.h"
 #include <math.h>

@@ -1,9 +1,9 @@
-// A step of a reduction: blocks of texels become one each. Of a picture, a pixel becomes the three
-// texels of tone.glsl side by side, and of these again three.
+// A step of a reduction: a block of texels becomes one. The first step turns pixels into the three
+// texels of tone.glsl, side by side; further steps reduce these triples.
 layout(std140) uniform Measure {
-    int measure_width, measure_height; // pixels, or groups of three texels
-    int measure_first;                 // they are pixels
-    int measure_x, measure_y;          // of these, the first that count
+    int measure_width, measure_height; // in pixels, or in triples of texels
+    int measure_first;                 // 1: the input has pixels
+    int measure_x, measure_y;          // first pixel or triple that counts
 };
 uniform sampler2D measure_from;
 
@@ -30,7 +30,8 @@ vec4 passPixel(ivec2 place)
     for (int y = first.y; y < last.y; y++)
         for (int x = first.x; x < last.x; x++) {
             vec4 one = texelFetch(measure_from, measure_first != 0 ? ivec2(x, y) : ivec2(3 * x + what, y), 0);
-            if (measure_first != 0) one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0)); // without a backdrop
+            // excludes the backdrop
+            if (measure_first != 0) one = measureOf(what, one.w > 0.0 ? toneGuard(one.xyz) : vec3(0.0));
             result = what == 0   ? max(result, one)
                      : what == 1 ? result + one
                                  : vec4(result.xy + one.xy, min(result.zw, one.zw));

@@ -1,5 +1,5 @@
-/* One program for all slots: it draws the one whose number it is told. For a layout of two slots,
- * in GLSL 3.30:
+/* One program for all slots: the uniform reader_slot selects the slot to draw. For a layout of
+ * two slots, in GLSL 3.30:
  *
  *     uniform int reader_slot;
  *     layout(location = 0) out vec4 value;
@@ -41,10 +41,10 @@ static void write_main(const ReaderSource *source, char text[MAIN_ROOM])
         PUT("    Surface s = unpackSurface(ivec2(gl_FragCoord.xy));\n");
     PUT("    %s = vec4(0.0);\n", value);
     for (int slot = 0; slot < SLOT_COUNT; slot++)
-        /* of cases that nothing takes, it is absent */
+        /* a slot of unused cases has its absent value */
         if (layout_has_slot(source->layout, (Slot)slot)) {
             const int lanes = type_table[slot_table[slot].type].lanes;
-            const int none = (int)slot_table[slot].absent; /* all are whole */
+            const int none = (int)slot_table[slot].absent; /* all absent values are integers */
             PUT("#ifdef SURFACE_HAS_%s\n    if (reader_slot == %d) %s = vec4(s.%s%s);\n#else\n",
                 slot_table[slot].name, slot, value, slot_table[slot].name, fill[lanes]);
             PUT("    if (reader_slot == %d) %s = vec4(%d.0, vec3(%d.0) * vec3(%d, %d, "
@@ -75,7 +75,7 @@ bool reader_make(Store *store, const ReaderSource *source, Reader *made)
     *made = (Reader){0};
     if (make(store, source, made))
         return true;
-    made->program.store = store; /* of one whose first part failed, too */
+    made->program.store = store; /* also if making the program failed */
     reader_delete(made);
     return false;
 }

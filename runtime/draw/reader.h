@@ -1,12 +1,12 @@
-/* Reads slots back from a G-buffer, as floats, by the GLSL that matc gives for that. */
+/* Reads slots back from a G-buffer as floats, by matc's unpacking GLSL. */
 #ifndef MATC_DRAW_READER_H
 #define MATC_DRAW_READER_H
 #include "runtime/draw/targets.h"
 #include "runtime/gl/screen.h"
 
 typedef struct {
-    const char *unpack; /* MATC_UNPACK; only read while it is made */
-    Target target;      /* that it was compiled for */
+    const char *unpack; /* MATC_UNPACK; needed only during reader_make() */
+    Target target;      /* the GLSL version of `unpack` */
     const LayoutRow *layout;
     int width, height; /* of the G-buffer */
 } ReaderSource;
@@ -14,16 +14,16 @@ typedef struct {
 typedef struct {
     Material program;
     Screen screen;
-    Framebuffer values;     /* RGBA32F: a slot */
-    bool holds[SLOT_COUNT]; /* the layout has it */
+    Framebuffer values;     /* RGBA32F: one slot */
+    bool holds[SLOT_COUNT]; /* the layout stores the slot */
 } Reader;
 
-/* False: see the context's error; *made is empty. */
+/* Makes a reader. Returns false on failure, with *made empty; see the context's error. */
 bool reader_make(Store *store, const ReaderSource *source, Reader *made);
-/* Safe on an empty one, which it leaves behind. */
+/* Frees the reader and leaves it empty; safe on an empty one. */
 void reader_delete(Reader *reader);
 
-/* Four floats a pixel, row 0 is the bottom row; lanes that the slot lacks are 0, and so is a slot
- * that the layout lacks. */
+/* Reads a slot, four floats per pixel, row 0 at the bottom. Components that the slot lacks are
+ * 0, and so is a slot that the layout lacks. */
 bool reader_read(Reader *reader, const Framebuffer *gbuffer, Slot slot, float *rgba);
 #endif

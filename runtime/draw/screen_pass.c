@@ -1,4 +1,4 @@
-/* Puts a body between its version and its entry; draws or dispatches. */
+/* Assembles a pass from version, body and entry point; draws or dispatches it. */
 #include "runtime/draw/screen_pass.h"
 #include "gen/render_text.h"
 #include <assert.h>
@@ -95,13 +95,13 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
     if (pass->over) {
         gl->Disable(GL_BLEND);
         gl->BlendFunc(GL_ONE,
-                      /* Mesa holds a second source against several targets also while nothing
-                       * blends */
+                      /* Mesa rejects a dual-source factor with several targets even while
+                       * blending is disabled */
                       GL_ZERO);
     }
 }
 
-/* Barrier: later passes read what programs left in images and buffers. */
+/* Memory barrier: later passes read the images and buffers that programs wrote. */
 static void settle(const GlContext *gl)
 {
     if (gl->major * 10 + gl->minor >= 43 && gl->MemoryBarrier)

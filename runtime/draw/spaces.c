@@ -1,4 +1,4 @@
-/* From matrices to the uniforms that are named after them. */
+/* Sets the uniforms that are named after transforms. */
 #include "runtime/draw/spaces.h"
 
 static void set(Material *material, const char *name, int lanes, const float *values)
@@ -6,9 +6,9 @@ static void set(Material *material, const char *name, int lanes, const float *va
     material_set(material, &(MaterialValue){name, lanes, values});
 }
 
-/* Clip space whose depth is that of the depth buffer, from 0 to 1. Where it begins at -1, its rows
- * are added before the view is multiplied to them: these sums are exact. After that, near would
- * have been rounded together with the camera's distance from the origin. */
+/* Clip space with depth from 0 to 1, like the depth buffer. If clip space depth starts at -1,
+ * its rows are combined before they are multiplied by the view: these sums are exact. Afterwards
+ * near would have been rounded together with the camera's distance from the origin. */
 static Mat4 find_depth_from_world(const Spaces *spaces)
 {
     Mat4 clip = spaces->clip_from_eye;
@@ -31,9 +31,9 @@ static void set_plane(const Spaces *spaces, const Mat4 *depth_from_world, Materi
     set(material, "matc_clipW", 4, w);
 }
 
-/* Matrix from which the vertex programs of planes and skies make rays. Depth goes from 0 to 1,
- * whichever clip space there is: a ray is then a point at depth 0, which is infinitely far, and not
- * a difference of points as far from the origin as the camera. Parallel rays end at the plane. */
+/* Matrix from which the vertex programs of planes and skies compute rays. With depth from 0 to 1
+ * in any clip space, a ray is a point at depth 0, at infinity, and not a difference of points
+ * that are as far from the origin as the camera. Parallel rays end at the plane. */
 static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_world)
 {
     Mat4 result = mat4_identity();
@@ -47,7 +47,7 @@ static Mat4 find_world_from_clip(const Spaces *spaces, const Mat4 *depth_from_wo
         result.m[8 + i] = 0;
         result.m[12 + i] = spaces->rays[1][i];
     }
-    result.m[11] = 1; /* ahead: infinitely far, nowhere */
+    result.m[11] = 1; /* infinitely far ahead: no position */
     result.m[15] = 0;
     return result;
 }

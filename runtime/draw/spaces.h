@@ -1,5 +1,4 @@
-/* Where a draw stands and is seen from: all that matc's vertex programs, and the passes plane and
- * sky, are told by uniforms. */
+/* Transforms of a draw: the uniforms of matc's vertex programs, and of the passes plane and sky. */
 #ifndef MATC_DRAW_SPACES_H
 #define MATC_DRAW_SPACES_H
 #include "runtime/draw/material.h"
@@ -7,22 +6,22 @@
 
 typedef struct {
     Mat4 world_from_local, eye_from_world, clip_from_eye;
-    float origin[3];   /* in the world, of all positions here */
-    float eye[3];      /* in the world */
-    float viewer[4];   /* the eye and 1, or, of parallel rays, the direction toward it and 0 */
+    float origin[3];   /* origin in world space of all positions here */
+    float eye[3];      /* position in world space */
+    float viewer[4];   /* the eye and 1, or, for parallel rays, the direction to it and 0 */
     float time;        /* seconds */
     float object;      /* the object's random number, in [0, 1) */
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
-    /* rays are parallel: `rays` says from where to where they are drawn instead */
+    /* Rays are parallel: the pass plane draws the rays of `rays` instead. */
     bool parallel;
-    /* an eye; from there to the plane at the picture's middle; its step to the right, and
-     * upwards */
+    /* An eye; vector from it to the plane at the picture's center; its steps to the right, and
+     * upwards. */
     float rays[4][3];
-    bool zero_to_one; /* depth in clip space is from 0 to 1: glClipControl; else from -1 */
+    bool zero_to_one; /* clip space depth is 0 to 1, by glClipControl; else -1 to 1 */
 } Spaces;
 
-/* Sets those that the material's program has. */
+/* Sets all transforms that the material's program reads. */
 void spaces_set(const Spaces *spaces, Material *material);
-/* Its program reads the time. */
+/* Reports whether its program reads the time. */
 bool spaces_by_time(const Material *material);
 #endif

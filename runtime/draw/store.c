@@ -1,4 +1,4 @@
-/* Two hash tables under 128-bit keys of contents, each entry with the number of its users. */
+/* Two hash tables with 128-bit hashes of contents as keys; each entry counts its users. */
 #include "runtime/draw/store.h"
 #include "compiler/base/hash.h"
 #include <stdint.h>
@@ -7,7 +7,7 @@
 
 enum {
     BUCKETS = 1024,
-    LONGEST_LIST = 32 /* names of attributes, of outputs, or of what is captured */
+    LONGEST_LIST = 32 /* max names of attributes, of outputs, or of captured variables */
 };
 
 typedef struct {
@@ -16,10 +16,10 @@ typedef struct {
 } Table;
 
 typedef struct Entry {
-    StoreItem item; /* first: a user's pointer is the entry's */
+    StoreItem item; /* first, so that a user's pointer is the entry's */
     Key key;
     int users;
-    Table *table; /* that it is in */
+    Table *table; /* the table with this entry */
     struct Entry *next;
 } Entry;
 
@@ -47,7 +47,7 @@ int store_texture_count(const Store *store) { return store->textures.count; }
 
 static Entry **bucket_of(Table *table, Key key) { return &table->bucket[key.low % BUCKETS]; }
 
-/* One more user of an entry; NULL if there is none. */
+/* Adds a user to an entry; NULL if missing. */
 static const StoreItem *share(Table *table, Key key)
 {
     for (Entry *entry = *bucket_of(table, key); entry; entry = entry->next)
@@ -58,7 +58,7 @@ static const StoreItem *share(Table *table, Key key)
     return NULL;
 }
 
-/* NULL: there is no memory. */
+/* Adds an entry with one user; NULL if memory runs out. */
 static const StoreItem *add(Store *store, Table *table, Key key, const StoreItem *item)
 {
     Entry *entry = calloc(1, sizeof *entry), **link = bucket_of(table, key);
@@ -84,7 +84,7 @@ static void delete_item(const Store *store, const Table *table, StoreItem *item)
 
 void store_drop(Store *store, const StoreItem *item)
 {
-    Entry *entry = (Entry *)(uintptr_t)item; /* its first member */
+    Entry *entry = (Entry *)(uintptr_t)item; /* the item is its first member */
     if (!item || --entry->users > 0)
         return;
     Entry **link = bucket_of(entry->table, entry->key);
@@ -119,7 +119,7 @@ static Key key_of_text(const char *text)
     return text ? key_of_bytes(text, strlen(text)) : (Key){0, 0};
 }
 
-/* The key of the keys of all parts, so that none runs into the next. */
+/* Hash of a program: a hash of the hashes of all parts, so that parts are not confused. */
 static Key key_of_program(const ProgramText *text)
 {
     const char *const *const stages[] = {text->vertex,  text->fragment,   text->compute,

@@ -1,4 +1,4 @@
-/* Objects that materials share on the GPU: programs with one text, pictures with the same texels;
+/* Objects that materials share on the GPU: programs of equal text, and textures of equal texels;
  * each is made once and freed with its last user. */
 #ifndef MATC_DRAW_STORE_H
 #define MATC_DRAW_STORE_H
@@ -6,37 +6,38 @@
 #include "runtime/gl/texture.h"
 #include "runtime/gl/uniforms.h"
 
-/* Value of a plain uniform as the driver holds it. */
+/* Value of a plain uniform as last passed to the driver. */
 typedef struct StoreHeld {
     bool known;
     float values[16];
 } StoreHeld;
 
-/* The store of one context, which is current at every call. */
+/* The store of one context, which must be current at every call. */
 typedef struct Store Store;
 
 /* A program or a texture. */
 typedef struct {
     GLuint name;
     GlUniforms uniforms;    /* of a program */
-    struct StoreHeld *held; /* of a program, by uniform: what it was handed last */
+    struct StoreHeld *held; /* of a program, by uniform: the last values */
 } StoreItem;
 
-/* NULL: see gl->error. */
+/* Makes an empty store. NULL on failure; see gl->error. */
 Store *store_new(GlContext *gl);
-/* With all that is left in it; before its context is closed. NULL is nothing. */
+/* Frees the store with all its objects, before the context is closed. Does nothing for NULL. */
 void store_free(Store *store);
 GlContext *store_context(const Store *store);
 
-/* Compiles and links, or gives what there is of these texts. NULL: see gl->error. */
+/* Compiles and links a program, or returns the existing one of the same texts. NULL on failure;
+ * see gl->error. */
 const StoreItem *store_program(Store *store, const ProgramText *text);
-/* Makes a texture, or gives the one there is of these texels and this filter. NULL: see
- * gl->error. */
+/* Makes a texture, or returns the existing one of the same texels and filter. NULL on failure;
+ * see gl->error. */
 const StoreItem *store_texture(Store *store, const TextureSpec *spec);
-/* One user less. NULL is nothing. */
+/* Releases a reference to an object. Does nothing for NULL. */
 void store_drop(Store *store, const StoreItem *item);
 
-/* How many there are now. */
+/* Numbers of objects in the store. */
 int store_program_count(const Store *store);
 int store_texture_count(const Store *store);
 #endif

@@ -1,4 +1,4 @@
-/* Names of formats, out of a program or a layout; samplers of what was drawn. */
+/* Target formats of a program or a layout; samplers for readers of the targets. */
 #include "runtime/draw/targets.h"
 #include <stdio.h>
 
