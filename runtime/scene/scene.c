@@ -1,4 +1,4 @@
-/* Questions to a scene: its lights, its materials, and the words of its methods. */
+/* Queries of a scene: its lights, its materials, and the names of its methods. */
 #include "runtime/scene/scene.h"
 #include "compiler/document.h"
 #include <stdio.h>
@@ -12,7 +12,7 @@ bool scene_casts(const Scene *scene)
     return casts;
 }
 
-/* Shadows of an extent are soft, which plain maps alone can be. */
+/* Area lights have soft shadows, which only plain maps support. */
 bool scene_light_takes(const SceneLight *light, Word method)
 {
     return light_from(light) != LIGHT_FROM_extent || method == WORD_Shadows_none ||

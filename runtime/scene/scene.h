@@ -1,6 +1,6 @@
-/* A scene as plain data: what is seen, what lights it, from where, in which picture. No GL; all
- * numbers in double, in the world's axes, and positions relative to Scene.origin (scene_origin.h),
- * which is 0 unless the scene lies far from there. */
+/* A scene as plain data: objects, lights, camera, and picture settings. Makes no GL calls. All
+ * numbers are in double, with world axes; positions are relative to Scene.origin
+ * (scene_origin.h), which is 0 unless the scene lies far from the world's origin. */
 #ifndef MATC_SCENE_H
 #define MATC_SCENE_H
 #include "compiler/base/hash.h"
@@ -11,52 +11,51 @@
 
 enum {
     SCENE_OBJECTS =
-        /* objects and groups that a scene may have, those that an alias repeats counted each
-         * time */
+        /* max objects and groups of a scene, each use of an alias counted */
     1 << 20,
-    /* of meshes that differ: some 40 bytes each, and as much again for the driver */
+    /* max triangles of all different meshes: some 40 bytes each, and as much again on the GPU */
     SCENE_TRIANGLES = 1 << 26,
-    SCENE_PLANES = 256, /* infinite planes: each is asked at every pixel */
+    SCENE_PLANES = 256, /* max infinite planes: each is evaluated at every pixel */
     SCENE_NUMBERS = 6,
-    SCENE_PLACE = 1024 /* bytes of a place as text, longer names of files being cut */
+    SCENE_PLACE = 1024 /* bytes of a place as text; longer file names are cut */
 };
 
-/* By columns, as GL has them: m[4 * column + row]; the last row is 0, 0, 0, 1. */
+/* By columns, as in GL: m[4 * column + row]; the last row is 0, 0, 0, 1. */
 typedef struct {
     double m[16];
 } SceneMatrix;
 
-/* One of a document's materials. */
+/* A material of a document. */
 typedef struct {
     MatcDocument *document;
     int index;
 } SceneMaterial;
 
-/* A mesh out of a file; objects of one file share it. */
+/* A mesh of a file; objects of one file share it. */
 typedef struct {
     const char *path;
     Shape shape;
-    /* the file's material whose triangles these are; -1: all triangles of the file */
+    /* The file's material that these triangles use; -1: all triangles of the file. */
     int part;
-    /* whoever draws it displaces it: scene_patches.h. NULL: it is as it stands here */
+    /* Patches that the GPU displaces: scene_patches.h. NULL: the shape is final. */
     struct ScenePatches *patches;
-    double steps[2]; /* of a volume (scene_volume.h), in the world; 0: it is none */
+    double steps[2]; /* cell sizes of a volume (scene_volume.h), in world units; 0: no volume */
 } SceneMesh;
 
 typedef struct {
-    SceneKind kind; /* of the sort object: a solid, a Plane or a Mesh */
+    SceneKind kind; /* an object: a solid, a Plane or a Mesh */
     double numbers
-        /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail; Parallelogram:
-         * u, v */
+        /* Sphere: radius, detail; Box: size; Cylinder, Cone: radius, height, detail;
+         * Parallelogram: u, v. */
         [SCENE_NUMBERS];
-    int mesh;     /* of a Mesh: in Scene.meshes */
-    int material; /* in Scene.materials */
-    /* its detail is not given, and goes by the picture where a scene is large: scene_detail.h */
+    int mesh;     /* of a Mesh: index in Scene.meshes */
+    int material; /* index in Scene.materials */
+    /* The document gives no detail, so a large scene chooses it by the size in the picture:
+     * scene_detail.h. */
     bool adapts;
-    const char *name; /* with those of its groups, "lamps/bulb"; NULL: it has none */
-    bool removed;     /* by a host: hidden for good, and its place is free for another */
-    /* it is neither drawn nor casts shadows; the renderer is to be told by
-     * render_changed_meshes() */
+    const char *name; /* preceded by those of its groups, "lamps/bulb"; NULL: no name */
+    bool removed;     /* by the host: hidden for good, and the slot may be reused */
+    /* Neither drawn nor casting shadows; after a change call render_changed_meshes(). */
     bool hidden;
     SceneMatrix world_from_local;
 } SceneObject;
@@ -64,13 +63,14 @@ typedef struct {
 typedef struct {
     SceneKind kind; /* Perspective or Orthographic */
     double position[3];
-    double target[3], upright[3]; /* a point that it looks at; what is up as far as it can be */
-    /* of these; unit vectors at right angles: it looks along -back */
+    /* point that the camera looks at; direction closest to up in the picture */
+    double target[3], upright[3];
+    /* Derived from these: orthonormal axes; the camera looks along -back. */
     double right[3], up[3], back[3];
-    /* of the shorter side of the picture: as a tangent, or, orthographic, as a length */
+    /* Half the picture's shorter side: a tangent, or, orthographic, a length. */
     double half;
-    double near;  /* Perspective: the nearest that is seen */
-    double depth; /* Orthographic: the farthest */
+    double near;  /* Perspective: distance of the near plane */
+    double depth; /* Orthographic: distance of the far plane */
 } SceneCamera;
 
 typedef struct {
@@ -79,10 +79,10 @@ typedef struct {
 
 typedef struct {
     SceneKind kind; /* Turntable or Path */
-    int frames;     /* 0: nothing moves */
+    int frames;     /* 0: no motion */
     double axis[3]; /* Turntable: a unit vector */
-    double angle;   /* Turntable: of all frames, in radians */
-    SceneKey *keys; /* Path: two or more, their times rise */
+    double angle;   /* Turntable: over all frames, in radians */
+    SceneKey *keys; /* Path: at least two, with ascending times */
     int key_count;
 } SceneMotion;
 
@@ -94,129 +94,137 @@ typedef struct {
 
 /* Settings of some displacement methods. */
 typedef struct {
-    Word skirts;   /* WORD_Skirts_auto, ... */
-    Word symbol;   /* of points: WORD_Symbol_square, ... */
-    double spread; /* of points: how far those of a triangle go to its middle */
-    /* of feedback: triangles are divided while distance - near < detail * area */
+    Word skirts; /* WORD_Skirts_auto, ... */
+    Word symbol; /* method points: WORD_Symbol_square, ... */
+    /* method points: share of the distance from a triangle's corners to its center */
+    double spread;
+    /* Method feedback: a triangle is divided while distance - near < detail * area. */
     double near, detail;
-    double push, bulge; /* hard bodies become rounder: displace_point.glsl */
-    int steps;          /* of feedback: passes; 0: by the number of triangles */
+    double push, bulge; /* rounding of hard-edged meshes: displace_point.glsl */
+    int steps;          /* method feedback: number of passes; 0: by the number of triangles */
 } SceneDividing;
 
-/* Settings of `indirect:`, as scene.def describes them. */
+/* Settings of `indirect:`, documented in scene.def. */
 typedef struct {
-    /* WORD_Indirect_none: there is no `indirect:`, or that is what it says */
+    /* WORD_Indirect_none: `indirect:` is missing, or selects none. */
     Word method;
-    /* no rays: the scene was not read, and has no indirect light */
+    /* rays 0: the scene was not read from a document, and has no indirect light. */
     int rays, samples, steps;
-    int history; /* frames that count */
-    /* of openness, at which samples are enough; 0: all are taken */
+    int history; /* number of frames that accumulate */
+    /* Error of ambient occlusion at which sampling stops; 0: all samples are taken. */
     double error;
-    double radius, offset, thickness; /* 0: to be found */
+    double radius, offset, thickness; /* 0: chosen automatically */
     double contrast;
     Word weight, distribution, sequence, rotation, march, filter;
-    /* pixels; of the picture, along an edge of one for which rays go out */
+    /* Denoise radius in pixels; resolution divisor of the ray pass. */
     int filter_size, coarse;
-    int moving; /* the same while something moves */
+    int moving; /* resolution divisor while something moves */
     bool jitter, checked, directional, dims_direct;
     int bounces;
     double gain;
 } SceneIndirect;
 
-/* An object or a group of the document's outermost list. */
+/* An object or a group at the top level of the document. */
 typedef struct {
-    double at[3]; /* its translation */
-    int number;   /* in the list */
-    bool plane;   /* it is an infinite plane */
+    double at[3]; /* translation */
+    int number;   /* index in the list */
+    bool plane;   /* an infinite plane */
 } SceneRoot;
 
 typedef struct SceneDisplacer SceneDisplacer;
 
 typedef struct Scene {
     int width, height; /* pixels */
-    double origin[3];  /* in the world, of all positions that follow */
+    double origin[3];  /* origin in world space of all positions below */
     SceneRoot *roots;
     int root_count;
     SceneCamera camera;
     SceneMotion motion;
-    double time; /* seconds, that materials go by; MatcOptions.time */
+    double time; /* seconds, read by materials; MatcOptions.time */
     SceneObject *objects;
     int object_count;
     SceneLight *lights;
     int light_count;
-    SceneMaterial *materials; /* those in use, each once */
+    SceneMaterial *materials; /* materials in use, each once */
     int material_count;
     SceneMesh *meshes;
     int mesh_count;
-    int sky; /* in materials, or -1 */
-    /* what of the sky's radiance lights the scene; the sun of a SunSkyLight is among the lights */
+    int sky; /* index in materials, or -1 */
+    /* Factor of the sky's radiance that lights the scene; the sun of a SunSkyLight is one of the
+     * lights. */
     double sky_light[3];
-    SceneKind tone;         /* of the sort toneMapping */
-    double exposure;        /* a factor; 1 where the kind has none */
-    double tone_numbers[4]; /* ReinhardDevlin: its params; Drago: bias; Shoulder: knee */
-    /* where nothing is seen; with both, tiles are seen through glass alone */
+    SceneKind tone;         /* a kind of toneMapping */
+    double exposure;        /* a factor; 1 if the kind has none */
+    double tone_numbers[4]; /* ReinhardDevlin: its parameters; Drago: bias; Shoulder: knee */
+    /* Backdrop of pixels without a surface; with both, tiles appear only behind transparent
+     * surfaces. */
     bool tiles, glow;
-    int shadow_size;       /* texels of a shadow map's edge */
-    int shadow_filter;     /* texels over which a shadow's edge is spread; 0: none */
-    int shadow_cascades;   /* maps of a directional light */
-    int shadow_points;     /* of an Area, along each edge: each has a map */
-    Word shadow_volume;    /* of shadow volumes: WORD_Volume_plain, ... */
-    Word shadow_path;      /* how its vertices come to their depths: WORD_Path_auto, ... */
-    double shadow_offset;  /* texels, of a blurred volume */
-    bool shadow_stretched; /* its outermost texels lie at the map's edge */
-    bool shadow_colored;   /* what is transparent colours the light that goes through it */
-    int displaced;         /* objects whose meshes were displaced: scene_displace.c */
+    int shadow_size;      /* edge of a shadow map in texels */
+    int shadow_filter;    /* width of a shadow's edge in texels; 0: no filter */
+    int shadow_cascades;  /* shadow maps of a directional light */
+    int shadow_points;    /* sample points of an Area along each edge, a shadow map each */
+    Word shadow_volume;   /* shadow volumes: WORD_Volume_plain, ... */
+    Word shadow_path;     /* source of their vertices' depths: WORD_Path_auto, ... */
+    double shadow_offset; /* of a blurred shadow volume, in texels */
+    /* the centers of the outermost texels are taken to lie at the map's edge */
+    bool shadow_stretched;
+    bool shadow_colored; /* transparent surfaces color the light that they transmit */
+    int displaced;       /* number of objects with displaced meshes: scene_displace.c */
     SceneDisplacer *displacer;
-    Word displaced_by; /* how: WORD_Displacing_mesh, ... */
-    /* by bisection: that an error may have in the picture; 0: it is not looked at */
+    Word displaced_by; /* method: WORD_Displacing_mesh, ... */
+    /* Max error in the picture by bisection, or max edge by other GPU methods, in pixels; 0: the
+     * picture does not matter. */
     double displaced_pixels;
-    int displaced_level;     /* parts of an edge; 0: by the next */
-    int displaced_triangles; /* to about how many such a mesh is divided, at least */
+    int displaced_level;     /* parts of an edge; 0: by displaced_triangles */
+    int displaced_triangles; /* approximate number of triangles of a displaced mesh, at least */
     SceneDividing dividing;
-    int voxel_size; /* voxels along an edge of the whole: a power of two */
+    int voxel_size; /* voxels along an edge of the grid: a power of two */
     SceneIndirect indirect;
     SceneTools tools;
-    MatcDocument **documents; /* further files of materials */
+    MatcDocument **documents; /* other files with materials */
     int document_count;
 } Scene;
 
-/* The word, if it is the name of a method of the list Displacing; else NULL. */
+/* Returns the name of a keyword of the list Displacing; NULL for any other keyword. */
 const char *scene_displace_name(Word word);
-/* A method of the list Shadows by its name. False: there is none of it. */
+/* Finds a method of the list Shadows by name. False if unknown. */
 bool scene_shadows_find(const char *name, Word *method);
-/* The word, if it is the name of such a method; else NULL. */
+/* Returns the name of a keyword of the list Shadows; NULL for any other keyword. */
 const char *scene_shadows_name(Word word);
-/* Name of a word of the list Volume. */
+/* Returns the name of a keyword of the list Volume; NULL for any other keyword. */
 const char *scene_volume_name(Word word);
-/* All lights that cast shadows do so by this method; an Area by map, unless that is none. */
+/* Sets the shadow method of all lights that cast shadows; area lights support only shadow maps,
+ * so other methods leave them unchanged. */
 void scene_lights_shadow(Scene *scene, Word method);
-/* Queries of the list Indirect, as those of Shadows. */
-bool scene_indirect_is(const Scene *scene); /* it has indirect light */
+/* Like the functions for the list Shadows, for the list Indirect. */
+bool scene_indirect_is(const Scene *scene); /* has indirect light */
 bool scene_indirect_find(const char *name, Word *method);
 const char *scene_indirect_name(Word word);
-/* Plain maps: what `shadows:` is unless it says otherwise. */
+/* Plain shadow maps, the default of `shadows:`. */
 #define SCENE_SHADOWS_PLAIN WORD_Shadows_map
 static inline bool scene_light_casts(const SceneLight *light)
 {
     return light->shadows != WORD_Shadows_none;
 }
-/* Some light does. */
+/* Reports whether some light casts shadows. */
 bool scene_casts(const Scene *scene);
-/* It can have shadows by a method of the list Shadows. */
+/* Reports whether a light supports a method of the list Shadows. */
 bool scene_light_takes(const SceneLight *light, Word method);
-/* 1 << Model of each surface model that materials of its objects show. */
+/* Returns the set of surface models that materials of the scene's objects use, as bits 1 <<
+ * Model. */
 unsigned scene_models(const Scene *scene);
-/* FILE:LINE:COLUMN of a material that the scene has; reads its text up to there. */
+/* Writes FILE:LINE:COLUMN of a material; scans the file's text up to there. */
 void scene_material_place(const SceneMaterial *material, char place[SCENE_PLACE]);
 
-/* Axes of an eye that stands, looks and is upright as the camera says. What has no direction: */
+/* Computes a camera's axes from position, target and upright. Returns the vector that has no
+ * direction, if any. */
 typedef enum { SCENE_AIM_fine, SCENE_AIM_view, SCENE_AIM_up } SceneAim;
 SceneAim scene_camera_aim(SceneCamera *camera);
-/* Orthographic: the plane is not behind it, in any corner of the picture. One that is seen edge-on
- * is not seen. */
+/* Reports whether an orthographic camera has the plane in front in all corners of the picture.
+ * An edge-on plane does not count. */
 bool scene_camera_sees_plane(const Scene *scene, const SceneCamera *camera,
                              const SceneMatrix *plane);
-/* The camera of a frame, the first being 0, where the whole motion has so many frames. The scene
- * has a motion. False: it has no direction. */
+/* Computes the camera of a frame, 0 to frames - 1, of a scene with a motion. Returns false if it
+ * has no direction. */
 bool scene_motion_camera(const Scene *scene, int frame, int frames, SceneCamera *camera);
 #endif

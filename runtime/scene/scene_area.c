@@ -1,8 +1,9 @@
-/* The camera's foot on the light's plane is a u + b v from its corner. Lines of one a are sqrt(det
- * / v.v) apart for each 1 of a, det = u.u v.v - (u.v)^2, so that a strip of a certain width around
- * the foot is known in a, and likewise in b.
+/* The foot of the camera on the light's plane is a u + b v from the light's corner. Lines of
+ * constant a have a distance of sqrt(det / v.v) per unit of a, det = u.u v.v - (u.v)^2, so that
+ * a strip of given width around the foot is a range of a; the same holds for b.
  *
- *     u = [1e9, 0, 0], v = [0, 1e9, 0] from [-5e8, -5e8, 10], a camera at [0, -6, 2] that looks 6
+ *     u = [1e9, 0, 0], v = [0, 1e9, 0] from [-5e8, -5e8, 10], a camera at [0, -6, 2] that looks
+ *     6
  *         away: the plane is
  *     8 away, the foot at a = 0.5, b = 0.499999994, and the part 80,000 to each side, a from
  *         0.49992 to 0.50008 */
@@ -11,7 +12,8 @@
 #include <math.h>
 
 typedef struct {
-    double at, width; /* of the foot along an edge, and of the reach: in edges */
+    /* position of the foot along an edge, and half width of the part: in edge lengths */
+    double at, width;
 } Along;
 
 static double reach_of(const SceneCamera *camera, double height)
@@ -47,7 +49,7 @@ bool scene_area_cut(const SceneCamera *camera, const SceneLight *light, SceneLig
     bool is_part = false;
     *cut = *light;
     if (!vec3_span(light->edges[0], light->edges[1]))
-        return false; /* a line */
+        return false; /* degenerate: a line */
     find_foot(camera, light, along);
     for (int edge = 0; edge < 2; edge++) {
         const double middle = fmin(fmax(along[edge].at, 0), 1);

@@ -1,4 +1,4 @@
-/* The axes of a camera, and which planes it sees. */
+/* The axes of a camera, and a test for planes behind it. */
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
@@ -18,8 +18,8 @@ SceneAim scene_camera_aim(SceneCamera *camera)
     return !looks ? SCENE_AIM_view : upright && stands ? SCENE_AIM_fine : SCENE_AIM_up;
 }
 
-/* How far behind the camera's own plane the parallel through a corner of the picture meets a
- * plane. */
+/* Returns how far behind the camera's plane the parallel ray through a corner of the picture
+ * hits a plane. */
 static double behind(const Scene *scene, const SceneCamera *camera, const SceneMatrix *plane,
                      int corner)
 {

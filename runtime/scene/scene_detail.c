@@ -5,7 +5,9 @@
 
 #define PI 3.14159265358979323846
 
-enum { LEAST_SAMPLES = 512 /* of a path: --frames may ask for other frames than the scene */ };
+enum {
+    LEAST_SAMPLES = 512 /* min samples of a path: --frames may select other frames than the scene */
+};
 
 static double distance(const double a[3], const double b[3])
 {
@@ -13,8 +15,7 @@ static double distance(const double a[3], const double b[3])
     return sqrt(vec3_dot(way, way));
 }
 
-/* The ball around so many places, and around what lies between two of them, which are at most
- * `step` apart. */
+/* Returns a sphere around positions and the path between them. */
 static SceneDetailEye ball_of(const double (*at)[3], int count)
 {
     SceneDetailEye ball = {{0}, 0};
@@ -30,12 +31,12 @@ static SceneDetailEye ball_of(const double (*at)[3], int count)
     return ball;
 }
 
-/* Each eye takes a run of frames; the first of a run is the last of the one before. */
+/* Each sphere covers a run of frames; consecutive runs share a frame. */
 static void find_eyes(const Scene *scene, SceneDetail *detail)
 {
     const int wanted = scene->motion.frames > LEAST_SAMPLES ? scene->motion.frames : LEAST_SAMPLES,
               run = (wanted + SCENE_DETAIL_EYES - 1) / SCENE_DETAIL_EYES;
-    enum { PART = 64 }; /* a run is seen in parts, whose balls are joined */
+    enum { PART = 64 }; /* max samples of a run */
     for (int eye = 0; eye < SCENE_DETAIL_EYES; eye++) {
         SceneDetailEye *made = &detail->eyes[detail->eye_count++];
         const int stride = (run + PART - 1) / PART;
@@ -58,7 +59,7 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
                  along = camera->half * sides[1] / shorter;
     const bool parallel = camera->kind == SCENE_Orthographic;
     *detail = (SceneDetail){.scene = scene, .pixels = shorter / 2 / camera->half};
-    if (!parallel) /* a corner of the picture, where a sphere becomes an ellipse */
+    if (!parallel) /* max at a corner of the picture, where a sphere becomes an ellipse */
         detail->pixels *= 1 + across * across + along * along;
     if (scene->motion.frames) {
         find_eyes(scene, detail);
@@ -68,7 +69,7 @@ void scene_detail_find(const Scene *scene, const int size[2], SceneDetail *detai
     memcpy(detail->eyes[0].center, camera->position, sizeof camera->position);
 }
 
-/* From a point to a + t b, with t from 0 to `most`. */
+/* Distance of a point from the segment a + t b, t from 0 to `most`. */
 static double from_line(const double at[3], const double a[3], const double b[3], double most)
 {
     double way[3], near[3];
@@ -80,10 +81,10 @@ static double from_line(const double at[3], const double a[3], const double b[3]
     return distance(at, near);
 }
 
-/* How near a body counts as, for its shadow. A lamp makes it larger by as much as it leads it away:
- * a length e at the place C, seen by its shadow at S behind it, has e |S - L| / |C - L| / |S - E|
- * pixels of a camera at E and a lamp at L, at most e over the distance from C to the line from E to
- * L. Of a light from afar the line has no end. */
+/* Returns the distance at which a solid counts because of its shadow. A lamp magnifies a shadow
+ * as much as it moves it away: a length e at C, visible by its shadow at S behind it, has e |S -
+ * L| / |C - L| / |S - E| pixels for a camera at E and a lamp at L, at most e over the distance
+ * from C to the line from E to L. For a directional light the line is infinite. */
 static double shadow_distance(const SceneDetailEye *eye, const SceneLight *light,
                               const double center[3])
 {
@@ -108,16 +109,16 @@ static bool is_magnified(const Scene *scene)
     return is;
 }
 
-/* Pixels that a unit of length of a body within this ball has at most: directly, in plane mirrors,
- * and, across the rays of light, in its shadows of lamps and of Directional lights; INFINITY where
- * the camera may be as near as that. */
+/* Returns the max pixels of a unit of length of a solid within a bounding sphere: directly, in
+ * plane mirrors, and in its shadows, across the light's rays. INFINITY if the camera may be
+ * inside. */
 static double scene_detail_pixels(const SceneDetail *detail, const double center[3], double radius)
 {
     const Scene *scene = detail->scene;
     double nearest = INFINITY;
     if (!scene || !isfinite(radius))
         return INFINITY;
-    if (scene->camera.kind == SCENE_Orthographic) /* whose picture a shadow of a lamp may fill */
+    if (scene->camera.kind == SCENE_Orthographic) /* a lamp's shadow may fill the picture */
         return is_magnified(scene) ? INFINITY : detail->pixels;
     for (int i = 0; i < detail->eye_count; i++) {
         const SceneDetailEye *eye = &detail->eyes[i];
@@ -129,8 +130,8 @@ static double scene_detail_pixels(const SceneDetail *detail, const double center
     return nearest > radius ? detail->pixels / (nearest - radius) : INFINITY;
 }
 
-/* With n steps a chord of a circle is off by r (1 - cos(pi / n)). A sphere's cells are squares of
- * the same angle at most, and their middles off by that of half a diagonal. */
+/* With n steps a chord of a circle has an error of r (1 - cos(pi / n)). A sphere's cells are at
+ * most squares of the same angle, so their centers have the error of half a diagonal. */
 int scene_detail_steps(SceneKind kind, double pixels)
 {
     const double part = kind == SCENE_Sphere ? sqrt(2) : 1;
@@ -182,7 +183,7 @@ double scene_detail_stretch(const SceneMatrix *matrix)
 {
     const double *m = matrix->m;
     double most = 0;
-    /* rows of the Gram matrix: none of its eigenvalues is greater than the largest sum */
+    /* row sums of the Gram matrix bound its eigenvalues */
     for (int i = 0; i < 3; i++) {
         double sum = 0;
         for (int k = 0; k < 3; k++)

@@ -1,16 +1,16 @@
-/* The state of a scene's displacement, shared by its files. */
+/* State of a scene's displacement, shared by its files. */
 #ifndef MATC_SCENE_DISPLACER_H
 #define MATC_SCENE_DISPLACER_H
 #include "runtime/scene/scene_detail.h"
 #include "runtime/scene/scene_seen.h"
 
-/* The part of an object that is displaced. */
+/* The mesh or solid that an object displaces. */
 typedef struct {
-    SceneKind kind; /* SCENE_Plane: nothing is */
+    SceneKind kind; /* SCENE_Plane: not displaced */
     int mesh;       /* of a Mesh */
 } SceneBase;
 
-/* A param of a material that has another value than its document says. */
+/* A parameter of a material whose value differs from its document. */
 typedef struct {
     int material;
     char *name;
@@ -21,23 +21,23 @@ typedef struct {
 struct SceneDisplacer {
     MatcOptions options;
     Word method;        /* WORD_Displacing_mesh, ... */
-    bool processor;     /* whoever draws cannot displace */
-    SceneSeen seen;     /* where meshes go by that */
+    bool processor;     /* the GPU cannot displace */
+    SceneSeen seen;     /* cameras, if subdivision depends on them */
     MatcMoves *moves;   /* by material */
-    SceneDetail detail; /* where that goes by the picture */
-    SceneBall *balls;   /* of the meshes of files */
+    SceneDetail detail; /* views, if detail depends on them */
+    SceneBall *balls;   /* bounding spheres of imported meshes */
     double *
-        /* by material: how far it moves points, infinite where detail does not go by the picture;
-         * NULL: it does nowhere */
+        /* By material: max displacement, infinite if detail does not depend on the picture;
+         * NULL: detail never does. */
         bounds;
     SceneBase *bases; /* by object */
-    Key *keys;        /* by mesh of the scene: what it was made of */
-    int *users;       /* by mesh: so many objects have it */
-    int first;        /* meshes that were displaced: from there on */
-    int vacant;       /* none before it is free for another */
+    Key *keys;        /* by mesh of the scene: hash of its source */
+    int *users;       /* by mesh: number of objects that use it */
+    int first;        /* index of the first displaced mesh */
+    int vacant;       /* no unused mesh before this index */
     SceneDisplacedParam *params;
     int param_count;
-    int fault; /* the material of which `why` is */
+    int fault; /* the material to which `why` belongs */
     const char *why;
 };
 #endif

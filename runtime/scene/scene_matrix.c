@@ -1,4 +1,4 @@
-/* Products, and the matrices that documents write. */
+/* Matrix products, and matrices of transformations in documents. */
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
@@ -31,7 +31,7 @@ static SceneMatrix translation(const double by[3])
     return result;
 }
 
-/* Right-handed about an axis: about z, x goes toward y. */
+/* Right-handed rotation about an axis: about z, x turns toward y. */
 static SceneMatrix rotation(int axis, double angle)
 {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
@@ -52,7 +52,7 @@ static SceneMatrix shearing(const double by[3])
     return result;
 }
 
-/* M = T Rz Ry Rx S H (semantics of XYZTransform): what stands right is applied first. */
+/* M = T Rz Ry Rx S H (semantics of XYZTransform): the rightmost factor is applied first. */
 SceneMatrix scene_matrix_place(const ScenePlace *place)
 {
     const SceneMatrix parts[] = {translation(place->translation), rotation(2, place->rotation[2]),
@@ -81,10 +81,10 @@ static SceneMatrix of_components(const Transform *transform)
 SceneMatrix scene_matrix_of(const Transform *transform)
 {
     if (transform->kind != TRANSFORM_matrix)
-        return of_components(transform); /* what is not said is as if it were not there */
+        return of_components(transform); /* omitted components have neutral defaults */
     SceneMatrix result;
     for (int i = 0; i < 16; i++)
-        result.m[i] = transform->matrix[i % 4 * 4 + i / 4]; /* a document has it by rows */
+        result.m[i] = transform->matrix[i % 4 * 4 + i / 4]; /* documents write matrices by rows */
     return result;
 }
 

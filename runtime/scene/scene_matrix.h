@@ -8,20 +8,19 @@
 SceneMatrix scene_matrix_identity(void);
 /* a b: b is applied first */
 SceneMatrix scene_matrix_multiply(const SceneMatrix *a, const SceneMatrix *b);
-/* Parts of a transformation, each done in turn: shear, scale, rotation about x, y, z (radians),
- * translation. */
+/* Parts of a transformation, in order of application: shear, scale, rotation about x, y, z
+ * (radians), translation. */
 typedef struct {
     double translation[3], rotation[3], scale[3], shear[3];
 } ScenePlace;
 SceneMatrix scene_matrix_place(const ScenePlace *place);
-/* Matrix of a document's transformation; its values are numbers. */
+/* Returns the matrix of a document's transformation, whose values are numbers. */
 SceneMatrix scene_matrix_of(const Transform *transform);
-/* Inverse. False: there is none. */
+/* Inverts a matrix; returns false if it is singular. */
 bool scene_matrix_invert(const SceneMatrix *m, SceneMatrix *inverse);
-/* Determinant of the upper left part. */
+/* Returns the determinant of the upper left part. */
 double scene_matrix_determinant(const SceneMatrix *m);
 
-/* Two directions of length 1 at right angles to `along`, of length 1, and to each other; along = x
- * cross y. */
+/* Completes the unit vector `along` to an orthonormal basis with along = x cross y. */
 void scene_vector_axes(const double along[3], double x[3], double y[3]);
 #endif

@@ -1,16 +1,17 @@
-/* How the camera moves from frame to frame. A path is a cubic Hermite spline through its keys: the
- * slope at a key is that of the chord between its neighbours, at an end that to the one neighbour;
- * so two keys are joined by a straight line.
+/* Camera motion by frame. A path is a cubic Hermite spline through its keys: the slope at a key
+ * is that of the chord between the adjacent keys, at an end that to the single adjacent key; so
+ * two keys are joined by a straight line.
  *
  *     x is 0, 1, 4 at the times 0, 1, 2: the slopes are 1, 2, 3, and at the time 1/2
- *     x = (1 + 2 t) (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2 = 1/8 + 1/2 - 1/4
+ *     x = (1 + 2 t) (1 - t)^2 0 + t (1 - t)^2 1 + t^2 (3 - 2 t) 1 + t^2 (t - 1) 2 = 1/8 + 1/2 -
+ *     1/4
  *         = 3/8 */
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
 enum { POINT = 3 };
 
-/* Rodrigues' formula: v turned by an angle around a unit vector. */
+/* Rodrigues' formula: rotates v by an angle about a unit vector. */
 static void turn(const double axis[3], double angle, double v[3])
 {
     double across[3];
@@ -31,7 +32,7 @@ static void turn_camera(const SceneMotion *motion, double share, SceneCamera *ca
         camera->position[i] = camera->target[i] + from[i];
 }
 
-/* A number of key i: of its position, then of its target. */
+/* Component of key i: of its position, then of its target. */
 static double number(const SceneMotion *motion, int i, int lane)
 {
     const SceneKey *key = &motion->keys[i];
@@ -48,7 +49,7 @@ static double slope(const SceneMotion *motion, int i, int lane)
 static double at_time(const SceneMotion *motion, double time, int lane)
 {
     int i = 0,
-        /* a frame may be one of many, as may a key: the last that is not behind `time` */
+        /* binary search for the last key not after `time`, since paths may have many keys */
         end = motion->key_count - 1;
     while (i + 1 < end) {
         const int middle = (i + end) / 2;

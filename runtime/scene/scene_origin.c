@@ -1,8 +1,8 @@
-/* For precision the origin may be any point near the camera. It is a point that the document names:
- * where an infinite plane stands, or else most of the objects and groups of the outermost list do.
- * A scene that is moved as a whole, by a group around it or object by object, so gets the
- * coordinates that it had before, and the same floats: its picture does not differ by rounding.
- * Where no such point is near, the camera's own position serves. */
+/* For precision any point near the camera would do as origin. It is a point that the document
+ * names: the position of an infinite plane, or else the most frequent position of top-level
+ * objects and groups. A scene that is moved as a whole, by a group around it or object by
+ * object, then gets the same coordinates as before, hence the same floats and the same picture.
+ * If no such point is near, the origin is the camera's own position. */
 #include "runtime/scene/scene_origin.h"
 #include "compiler/base/memory.h"
 #include "runtime/scene/scene_displacer.h"
@@ -11,11 +11,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The distances that follow are multiples of that from the camera to its target, or of half the
- * width of an orthographic picture. A float at that many of them is off by 1e-6 and 6e-5 of one. */
-/* a camera that stands so near the world's origin keeps it */
+/* The distances below are multiples of the camera's distance from its target, or of half the
+ * width of an orthographic picture. At these distances a float has an error of 1e-6 and 6e-5 of
+ * that unit. */
+/* a camera this close to the world's origin keeps it */
 static const double near_reach = 16;
-/* a camera may go so far from the origin until that follows it */
+/* max distance of a camera from the origin before the origin moves */
 static const double travel_reach = 1024;
 
 enum { POINT = 3 };
@@ -36,7 +37,7 @@ static bool is_within(const double at[3], const double around[3], double reach)
     return most <= reach;
 }
 
-/* By place, those of one place in the order of the document. */
+/* Sorts by position, then by order in the document. */
 static int by_place(const void *a, const void *b)
 {
     const SceneRoot *x = a, *y = b;
@@ -51,7 +52,7 @@ static bool same_place(const SceneRoot *a, const SceneRoot *b)
     return a->at[0] == b->at[0] && a->at[1] == b->at[1] && a->at[2] == b->at[2];
 }
 
-/* The place of most of them; of equally frequent places that of the first in the document. */
+/* Returns the most frequent position; of equally frequent ones the first in the document. */
 static const SceneRoot *most_frequent(SceneRoot *roots, int count)
 {
     const SceneRoot *best = NULL;

@@ -1,9 +1,10 @@
-/* Displacement of the points of patches. Within a patch it is its corners' own; on an edge that is
- * hard, the sum of its two sides' normals, mixed between its ends; along a seam, what the first
- * patch has there; at a corner the same of all around it.
+/* Rows by which the points of patches are displaced. Inside a patch the rows of its corners are
+ * interpolated; on a hard edge, the sums of both sides' normals, interpolated between its ends;
+ * along a seam, the rows of the first patch; at a corner, the same row for all patches around
+ * it.
  *
- *     Two faces of a box: their edge moves along the sum of their normals, points beside it along
- *         their own face's. */
+ *     Two faces of a box: their edge moves along the sum of their normals, adjacent points along
+ *         their own face's normal. */
 #include "runtime/scene/scene_patches.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"
@@ -13,16 +14,16 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* An edge by the places of its ends; the lesser first. */
+/* An edge, identified by the position indices of its ends, smaller first. */
 typedef struct {
     int place[2];
     uint32_t owner[2]; /* the vertices of its first patch */
-    uint32_t row[2];   /* theirs, or where normals differ, rows with the sum */
+    uint32_t row[2];   /* those, or, if normals differ, rows with their sum */
 } Edge;
 
 typedef struct {
     const Shape *shape;
-    const int *first; /* by vertex: the first of its place */
+    const int *first; /* by vertex: the first at its position */
     ScenePatches *made;
     Edge *edges;
     int edge_count;
@@ -69,7 +70,7 @@ bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t
     return turned;
 }
 
-/* Normals of one more patch at it. */
+/* Adds the normals of another patch to an edge. */
 static void join(Maker *m, Edge *edge, const uint32_t ends[2])
 {
     ShapeVertex *rows = m->made->rows;
@@ -84,8 +85,8 @@ static void join(Maker *m, Edge *edge, const uint32_t ends[2])
     }
 }
 
-/* All triangles but those with two corners in one place, at a pole: their points lie on an edge
- * that their neighbours share. */
+/* Lists all triangles except degenerate ones with two corners at one position, at a pole: their
+ * points lie on an edge that adjacent triangles share. */
 static void find_patches(Maker *m)
 {
     for (int i = 0; i + 2 < m->shape->index_count; i += 3) {
@@ -114,7 +115,7 @@ static void find_edges(Maker *m)
         }
 }
 
-/* False: memory ran out. */
+/* Finds the rows of all corners. False if memory runs out. */
 static bool find_corners(Maker *m)
 {
     const int count = m->shape->vertex_count;
@@ -186,7 +187,8 @@ static void to_world(const ScenePatches *patches, const float local[3], double w
                    m[8 + i] * (double)local[2] + m[12 + i];
 }
 
-/* By sums of both ends, whose order does not matter. */
+/* Returns the parts of an edge; symmetric in its ends, so that both triangles get the same
+ * number. */
 static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
                         const float *const ends[2])
 {
@@ -205,7 +207,7 @@ static uint8_t parts_of(const ScenePatches *patches, const SceneSeen *seen,
     return (uint8_t)parts;
 }
 
-/* Surfaces rounded by corners, or a symbol, may exceed `bound`. */
+/* Surfaces rounded by push and bulge, or the symbols of points, may exceed `bound`. */
 bool scene_patches_hide(const ScenePatches *patches)
 {
     return patches->pixels > 0 && patches->dividing.push == 0 && patches->dividing.bulge == 0 &&
@@ -228,7 +230,7 @@ int scene_patch_parts(const uint8_t parts[3])
     return larger(larger(parts[0], parts[1]), parts[2]);
 }
 
-/* No edge has more parts than that. */
+/* Returns the number of triangles if no edge has more than `most` parts. */
 static int64_t triangles_of(const ScenePatches *patches, uint8_t (*parts)[3], int most)
 {
     int64_t sum = 0;

@@ -1,62 +1,64 @@
-/* A mesh that is divided and displaced by whoever draws it: patches, which are triangles, and what
- * their points are moved by. */
+/* A mesh that the GPU subdivides and displaces: patches, which are triangles, and the attributes
+ * by which their points are displaced. */
 #ifndef MATC_SCENE_PATCHES_H
 #define MATC_SCENE_PATCHES_H
 #include "runtime/scene/scene_sight.h"
 
-enum { SCENE_PATCH_PARTS = 64 /* that an edge of a patch has at most */ };
+enum { SCENE_PATCH_PARTS = 64 /* max parts of a patch's edge */ };
 
-/* Rows of ScenePatches: points within a patch are mixed of `own`; what moves the points of an edge,
- * or of a corner, is the same for all patches that have it, since these stand in one place. */
+/* Indices of rows in ScenePatches. Points inside a patch interpolate the rows `own`. Points of
+ * an edge or a corner are displaced by the same rows in all patches that share it, so that no
+ * crack opens. */
 typedef struct {
     uint32_t own[3], corner[3];
     uint32_t edge[3][2]; /* edge k is opposite corner k, and leads from corner k + 1 to k + 2 */
 } ScenePatch;
 
 typedef struct ScenePatches {
-    ShapeVertex *rows; /* those of the shape first */
+    ShapeVertex *rows; /* the shape's vertices first */
     ScenePatch *at;
     int row_count, count;
-    Word method; /* of the list Displacing */
+    Word method; /* keyword of the list Displacing */
     int material;
     SceneMatrix world_from_local;
     SceneDividing dividing;
-    bool torn; /* what they become is not closed, even if they are */
-    /* all edges of a patch have as many parts as the one that needs most, whatever its neighbour
-     * has */
+    bool torn; /* the result is not watertight, even if the patches are */
+    /* All edges of a patch have as many parts as the one that needs the most, regardless of
+     * adjacent patches. */
     bool apart;
-    double bound;    /* no point moves farther in the world */
-    double reach[3]; /* no point moves farther along the axes of the object's space */
-    int level;       /* parts of an edge; of those that go by the picture at most */
-    /* that an edge of the triangles they become is long in the picture; 0: all have `level`
-     * parts */
+    double bound;    /* max displacement of a point in world units */
+    double reach[3]; /* max displacement along the axes of local space */
+    int level;       /* parts of an edge; their max if they depend on the picture */
+    /* Target edge length of the final triangles in pixels; 0: all edges have `level` parts. */
     double pixels;
-    int triangles; /* that they become at most then */
+    int triangles; /* max number of final triangles in that case */
 } ScenePatches;
 
-/* Patches of a shape whose vertices differ from each other; the numbers behind row_count are not
- * set. False: memory ran out, *made is empty. */
+/* Makes patches of a shape with distinct vertices; fields after row_count are not set. Returns
+ * false if memory runs out, with *made empty. */
 bool scene_patches_make(const Shape *shape, ScenePatches *made);
-/* Safe on an empty one. */
+/* Frees the patches; safe on empty ones. */
 void scene_patches_free(ScenePatches *patches);
-/* The vertices at the ends of edge k of a patch: the vertex with the lesser place comes first, and
- * first[i] is the place of vertex i (scene_places). Returns whether that turns them round, since
- * the edge leads from corner k + 1 to k + 2. */
+/* Returns the end vertices of edge k of a patch, that with the smaller position index first;
+ * first[i] is the position index of vertex i (scene_places). Returns true if this order is
+ * opposite to the edge's direction, from corner k + 1 to k + 2. */
 bool scene_patch_ends(const ScenePatch *patch, const int *first, int k, uint32_t ends[2]);
-/* Parts of the inside: those of the edge with the most. */
+/* Returns the parts of a patch's interior: the max over its edges. */
 int scene_patch_parts(const uint8_t parts[3]);
-/* A mesh and its patches; leaves an empty one behind. */
+/* Frees a mesh and its patches, and leaves it empty. */
 void scene_mesh_free(SceneMesh *mesh);
-/* Patches that nobody sees may be left out: they go by the picture, and no point goes farther than
- * the height says. */
+/* Reports whether invisible patches may be left out: their subdivision depends on the picture,
+ * and no point moves farther than the height. */
 bool scene_patches_hide(const ScenePatches *patches);
-/* Into how many parts edges 0 to 2 of each patch are divided as `camera` sees them, in a picture of
- * `size` pixels. Triangles that share an edge have the same number for it: it goes by the edge's
- * ends. It is a power of two, so that points of a coarser division are among those of a finer.
- * Triangles are at most as many as the patches say, as long as these are not more themselves.
- * Beyond `sight`, NULL: there is no end, patches that go by the picture are in 0 parts, all edges:
- * wherever their points are moved to, none is seen, nor its shadow. What a tenth of its distance
- * beside the view may come into it is kept. */
+/* Computes the parts of edges 0 to 2 of each patch as viewed by `camera`, in a picture of `size`
+ * pixels. Triangles that share an edge get the same number, since it depends only on the edge's
+ * ends. Numbers are powers of two, so that points of a coarser subdivision are among those of a
+ * finer one. The number of triangles stays within the patches' limit, unless there are more
+ * patches.
+ *
+ * Outside `sight` (NULL: unlimited) patches that depend on the picture get 0 parts for all
+ * edges: neither they nor their shadows are visible, wherever their points are displaced.
+ * Patches within a tenth of their distance from the view are kept. */
 void scene_patches_levels(const ScenePatches *patches, const SceneCamera *camera, const int size[2],
                           const SceneSight *sight, uint8_t (*parts)[3]);
 #endif

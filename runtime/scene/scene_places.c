@@ -1,4 +1,4 @@
-/* Vertices that stand in one place: their number, and what all of them are moved by. */
+/* Groups vertices by position, and computes their common displacement attributes. */
 #include "runtime/scene/scene_places.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
@@ -12,7 +12,7 @@ int *scene_places(const Shape *shape)
     for (int i = 0; first && i < shape->vertex_count; i++) {
         float place[3];
         for (int lane = 0; lane < 3; lane++)
-            place[lane] = shape->vertices[i].position[lane] + 0.f; /* -0 is 0 */
+            place[lane] = shape->vertices[i].position[lane] + 0.f; /* -0 becomes 0 */
         const uint32_t hash = (uint32_t)key_of_bytes(place, sizeof place).low;
         HashProbe probe = hash_probe(&index, hash);
         first[i] = i;

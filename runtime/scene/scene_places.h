@@ -1,11 +1,13 @@
-/* Which vertices of a shape stand in one place. */
+/* Vertices of a shape that have equal positions. */
 #ifndef MATC_SCENE_PLACES_H
 #define MATC_SCENE_PLACES_H
 #include "runtime/gl/shape.h"
 
-/* By vertex: the first that stands in the same place. From malloc; NULL: memory ran out. */
+/* Returns, by vertex, the first vertex with the same position. From malloc; NULL if memory runs
+ * out. */
 int *scene_places(const Shape *shape);
-/* By such a vertex: what all of its place are moved by, which is the first with the sum of their
- * different normals. Others are left alone. */
+/* Computes the attributes by which all vertices at a position are displaced: those of the first
+ * one, with the sum of the different normals. Stored at the first vertex; other elements are
+ * unchanged. */
 void scene_places_join(const Shape *shape, const int *first, ShapeVertex *joined);
 #endif

@@ -1,14 +1,16 @@
-/* Pixels of a unit of length at a distance: half the picture's shorter side is `half` as long as
- * the distance, or, orthographic, as `half` itself.
+/* Pixels of a unit of length at a distance: half the picture's shorter side covers `half` times
+ * the distance, or, orthographic, `half` itself.
  *
- *     600 pixels, 90 degrees, 10 away: 300 pixels are tan 45 degrees times 10, so that a unit has
+ *     600 pixels, 90 degrees, 10 away: 300 pixels cover tan 45 degrees times 10, so that a unit
+ *     has
  *         30 */
 #include "runtime/scene/scene_seen.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
-static const double out_of_view = 8; /* times as far: it is seen in mirrors and by its shadow */
-static const double rim = 1.1;       /* of the picture: displaced points come from beside it */
+static const double out_of_view = 8; /* distance factor: still visible in mirrors and by shadows */
+/* scale of the picture's bounds: displaced points enter from outside */
+static const double rim = 1.1;
 
 void scene_seen_find(const Scene *scene, SceneSeen *seen)
 {

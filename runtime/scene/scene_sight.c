@@ -1,28 +1,29 @@
-/* A triangle, and all places where its shadow may fall, against the sides of what a camera sees.
- * Along a ray from a light, how far it is inside of a side goes evenly: so it is beyond it where it
- * begins to fall, at the triangle, and where it leaves the box around all objects, or nowhere in
- * between is in view.
+/* Tests a triangle, and everything on which its shadow may fall, against the planes of the view
+ * frustum. Along a light ray the distance from a plane is linear: if a ray is outside a plane at
+ * the triangle and where it leaves the box around all objects, no point between is in view.
  *
- *     The half space x > 0 is seen, the box ends at z = 0. Light from (1, 0, -1), a triangle that
- *         ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it ends
- *         at 1 */
+ *     The half space x > 0 is visible, the box ends at z = 0. Light from (1, 0, -1), a triangle
+ *     that
+ *         ends at x = -2, at most 1 high: its shadow ends at -2 + 1, out of view. At 3 high it
+ *         ends
+ *         at 1. */
 #include "runtime/scene/scene_sight.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 
-/* of how far a triangle is away: what comes into view beside it is kept */
+/* margin for turns of the camera, relative to a triangle's distance */
 static const double beside = 0.1;
 static const double lifted =
-    /* of how far away points are, at most, that ask for shadows: they do so a part of a pixel above
-     * the surface */
+    /* Max offset from the surface, relative to the distance, of points that look up shadows: a
+     * part of a pixel. */
     0.001;
-/* of what a map of a lamp shows at a distance of 1, which is no wider */
+/* max width of a lamp's shadow map at a distance of 1 */
 static const double widest = 4;
 
-/* A triangle whose points move by no more than `bound`. */
+/* A triangle whose points move by at most `bound`. */
 typedef struct {
     const double (*corners)[3];
-    double bound, low[3], high[3]; /* around all that */
+    double bound, low[3], high[3]; /* bounding box, including displacement */
 } SightTriangle;
 
 static SightTriangle triangle_of(const double corners[3][3], double bound)
@@ -48,8 +49,8 @@ static double most_inside(const double plane[4], const SightTriangle *moved)
     return most + moved->bound;
 }
 
-/* How far rays by the triangle go on until they have left the box: as a length, or as times what
- * they have gone from a lamp. Infinite: that is not known. */
+/* Returns how far rays past the triangle continue until they have left the box: a length, or,
+ * for a lamp, a multiple of their length so far. Infinite if unknown. */
 static double reach_of(const SceneSight *sight, const SceneLight *light, const SightTriangle *moved)
 {
     double reach = INFINITY;
@@ -66,8 +67,8 @@ static double reach_of(const SceneSight *sight, const SceneLight *light, const S
     return fmax(reach, light_from(light) == LIGHT_FROM_afar ? 0 : 1);
 }
 
-/* Length until no ray is before a ground any more. A ray that never reaches it has no shadow there;
- * infinite: a ray may run along it. */
+/* Returns the length after which all rays have crossed a ground plane. A ray that never reaches
+ * the ground casts no shadow there; infinite if a ray may be parallel to the ground. */
 static double ground_reach(const double ground[4], const SceneLight *light,
                            const SightTriangle *moved)
 {
@@ -84,7 +85,8 @@ static double ground_reach(const double ground[4], const SceneLight *light,
         return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
     }
     const double room =
-        /* a ray that comes nearer to it from the lamp is there when it has come that near */
+        /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground
+         * after |from| / room times that length. */
         fabs(from) - most;
     return least >= fabs(from) ? 1 : room > along * fabs(from) ? fabs(from) / room : INFINITY;
 }
@@ -97,11 +99,11 @@ static double far_from(const double at[3], const double low[3], const double hig
     return sqrt(square);
 }
 
-/* Margin of a map: its filter, and how far a point is lifted before it is looked up. */
+/* Margin of a shadow map: its filter, and the offset of points before the lookup. */
 static double spread_of(const SceneSight *sight, const SceneLight *light,
                         const SightTriangle *moved, double reach)
 {
-    enum { TAPS = 2, MORE = 4 /* texels for one of the filter, and beside */ };
+    enum { TAPS = 2, MORE = 4 /* texels per filter width, and in addition */ };
     const double size = sight->casts->shadow_size,
                  texels = TAPS * sight->casts->shadow_filter + MORE;
     if (light_from(light) == LIGHT_FROM_afar)
