@@ -1,4 +1,4 @@
-/* Reads where the picture is taken from. */
+/* Reads the camera. */
 #include "runtime/scene_reader/scene_part.h"
 #include <math.h>
 

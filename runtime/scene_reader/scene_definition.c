@@ -1,4 +1,4 @@
-/* Objects of the document's `defs:`, which Instances name. They stand there beside maps and
+/* Objects of the document's `defs:`, which Instances name. They are listed with maps and
  * materials, and have the key `object`. */
 #include "runtime/scene_reader/scene_part.h"
 #include <string.h>
@@ -17,7 +17,7 @@ void scene_definition_open(SceneReader *r, const Tree *document)
 {
     const Member *defs = tree_find(document, "defs");
     if (!defs || defs->value->kind != TREE_object)
-        return; /* what it should be is told with the materials */
+        return; /* a wrong type is reported with the materials */
     r->definitions = defs->value;
     r->instanced = ARENA_ARRAY(r->session->arena, bool, defs->value->count + 1);
 }

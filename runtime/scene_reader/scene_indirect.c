@@ -14,8 +14,7 @@ static bool is_so(const SceneThing *thing, int param)
     return scene_thing_number(thing, param) != 0;
 }
 
-/* Without the key all is as it would be with it, but that no method is in use: --indirect may name
- * one. */
+/* A missing `indirect:` gets all defaults but no method: --indirect may select one. */
 void scene_indirect_read(SceneReader *r, Tree *tree)
 {
     SceneThing thing;

@@ -1,9 +1,9 @@
-/* Reads lights: what all kinds share here, the rest by the row of the kind. */
+/* Reads lights: parameters that several kinds share here, the others by the row of the kind. */
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene_reader/scene_part.h"
 #include <string.h>
 
-/* The sky is read already. */
+/* Reads a Sky light. The sky's material was read before. */
 static void read_sky(SceneReader *r, const SceneThing *thing, const double light[3])
 {
     for (int i = 0; i < 3; i++)
@@ -14,7 +14,7 @@ static void read_sky(SceneReader *r, const SceneThing *thing, const double light
     r->fine = false;
 }
 
-/* The parameter of the kind with that name; -1: it has none. */
+/* Returns the index of a kind's parameter by name; -1 if it has none. */
 static int find_param(SceneKind kind, const char *name)
 {
     const SceneKindRow *row = &scene_kind_table[kind];
@@ -44,7 +44,7 @@ static void fail(SceneReader *r, const SceneThing *thing, const LightFault *faul
     r->fine = false;
 }
 
-/* The parameters that kinds share, of which each has some. */
+/* Reads the shared parameters, of which each kind has some. */
 static void read_shared(SceneReader *r, const SceneThing *thing, const LightParams *params,
                         SceneLight *light)
 {

@@ -1,6 +1,5 @@
-/* Materials of a scene: a name of `materials:`; a material, where it stands; one of another file.
- * Those of the document itself are resolved together, as a document's are: an inline one becomes a
- * further member of `materials:`. */
+/* Materials of a scene: a name of `materials:`, an inline material, or one of another file. The
+ * document's own materials are resolved together: an inline one is appended to `materials:`. */
 #include "compiler/base/text.h"
 #include "compiler/document.h"
 #include "runtime/scene_reader/scene_part.h"
@@ -8,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define HASH_FACTOR 0x9E3779B1u /* 2^32 over the golden ratio */
+#define HASH_FACTOR 0x9E3779B1u /* 2^32 / golden ratio */
 
 static int fail(SceneReader *r)
 {
@@ -16,8 +15,8 @@ static int fail(SceneReader *r)
     return -1;
 }
 
-/* The place of a material: among those in use, or, aside, among those that are aside, whose first
- * is none. */
+/* Returns the index of a material, added on first use: in scene->materials, or, for objects
+ * outside the scene, in asides. */
 static int use(SceneReader *r, MatcDocument *document, int index)
 {
     Scene *scene = r->scene;
@@ -56,8 +55,7 @@ static int read_name(SceneReader *r, const Tree *tree)
     return fail(r);
 }
 
-/* As a further member, by a name that no other has; the same place, where an alias stands for it
- * again. */
+/* Appends an inline material under a unique name; an alias of the same tree gets the same index. */
 static int read_inline(SceneReader *r, Tree *tree)
 {
     char name[LIMIT_NAME];
@@ -76,14 +74,14 @@ static int read_inline(SceneReader *r, Tree *tree)
     return use(r, r->document, (int)r->material_count - 1);
 }
 
-/* The first line of what is said of a document, in the arena: what is wrong. */
+/* Returns the first line of a document's diagnostics, in the arena. */
 static const char *first_fault(SceneReader *r, MatcDocument *document)
 {
     const char *all = matc_diagnostics(document, MATC_TEXT);
     return arena_string(r->session->arena, all, strcspn(all, "\n"));
 }
 
-/* Reads a document; its place in scene->documents, or -1 and *why. */
+/* Reads a document; returns its index in scene->documents, or -1 with a reason in *why. */
 static int read_document_file(SceneReader *r, const char *path, const char **why)
 {
     Scene *scene = r->scene;
@@ -101,7 +99,7 @@ static int read_document_file(SceneReader *r, const char *path, const char **why
     return (int)count - 1;
 }
 
-/* A document of that path, read once; NULL: reported. */
+/* Returns the document of a path, read once and cached; NULL after an error was reported. */
 static MatcDocument *open_document(SceneReader *r, const Tree *tree)
 {
     const char *why = "";
@@ -119,7 +117,7 @@ static MatcDocument *open_document(SceneReader *r, const Tree *tree)
 
 static const char *material_name(const void *user, int i) { return matc_material_name(user, i); }
 
-/* Whether it is { file: path, material: name }, or without a name. */
+/* Checks that a tree has only the keys of { file: path, material: name }; the name is optional. */
 static bool is_of_file(SceneReader *r, const Tree *tree)
 {
     for (uint32_t i = 0; i < tree->count; i++) {
@@ -136,7 +134,8 @@ static bool is_of_file(SceneReader *r, const Tree *tree)
     return true;
 }
 
-/* The number of a document's material, of a name or the only one; -1: told. */
+/* Returns the number of a document's material, by name or the only one; -1 after an error was
+ * reported. */
 static int find_material(SceneReader *r, const MatcDocument *document, const Tree *path,
                          const Member *name)
 {
@@ -150,7 +149,7 @@ static int find_material(SceneReader *r, const MatcDocument *document, const Tre
     return index;
 }
 
-/* A document without faults; NULL: told. */
+/* Returns a document that has no errors; NULL after an error was reported. */
 static MatcDocument *sound_document(SceneReader *r, const Tree *path)
 {
     MatcDocument *document = open_document(r, path);
@@ -169,7 +168,7 @@ static int read_file(SceneReader *r, const Tree *tree)
     return index < 0 ? fail(r) : use(r, document, index);
 }
 
-/* Parts without a material in the file have its last one, `default`. */
+/* Parts without a material in the file use its last material, `default`. */
 int scene_material_read_of(SceneReader *r, const Tree *path, int number)
 {
     MatcDocument *document = sound_document(r, path);
@@ -207,7 +206,7 @@ void scene_material_open(SceneReader *r, const Tree *document)
     r->named = materials->value;
 }
 
-/* The document without what is the scene's, and with all materials. */
+/* Returns a copy of the document without scene keys and with all materials. */
 static Tree *only_materials(SceneReader *r, const Tree *document)
 {
     Arena *arena = r->session->arena;
@@ -237,7 +236,7 @@ void scene_material_resolve(SceneReader *r, const Tree *document)
 {
     Tree *tree = only_materials(r, document);
     if (!tree->count)
-        return; /* nothing that has a material */
+        return; /* the scene has no materials */
     document_resolve(r->document, tree);
     r->fine &= r->document->graph != NULL;
 }

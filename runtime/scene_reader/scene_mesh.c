@@ -1,4 +1,4 @@
-/* Meshes of files, each read once; of a file with materials, a mesh for each of them. */
+/* Meshes of files, each read once; a file with materials gives a mesh for each material. */
 #include "compiler/hints/hint.h"
 #include "runtime/mesh_import/model.h"
 #include "runtime/scene_reader/scene_part.h"
@@ -7,7 +7,7 @@
 
 enum { MESSAGE = 1024 };
 
-/* The file that a value names; NULL: told. */
+/* Returns the path that a value names; NULL after an error was reported. */
 static const char *path_of(SceneReader *r, const Tree *tree)
 {
     if (tree->kind == TREE_scalar)
@@ -39,7 +39,7 @@ static bool read_file(SceneReader *r, const ModelSource *source, char *error, si
     return true;
 }
 
-/* Reads a file of that path, or finds it among those that were read. */
+/* Returns the mesh file at a path, read once and cached. */
 static SceneMeshFile file_of(SceneReader *r, const char *path, bool parts)
 {
     char error[MESSAGE];

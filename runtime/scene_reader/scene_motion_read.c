@@ -1,4 +1,4 @@
-/* Reads how the camera moves from frame to frame. */
+/* Reads the camera's motion. */
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene_reader/scene_part.h"
 #include <math.h>
@@ -53,7 +53,7 @@ static bool read_path(SceneReader *r, const SceneThing *thing, SceneMotion *moti
            fault(r, scene_thing_span(thing, S_Path_keys), "a path has two keys or more");
 }
 
-/* The camera can be lost on the way: where it meets its target, or looks straight up. */
+/* Checks all frames: on a path the camera may coincide with its target, or look straight up. */
 static void check_frames(SceneReader *r, const Tree *tree)
 {
     SceneMotion *motion = &r->scene->motion;

@@ -1,4 +1,5 @@
-/* The hierarchy of objects as a flat list: each with its matrix to the world, and its material. */
+/* Flattens the hierarchy of objects into a list: each object with its matrix to world space, and
+ * its material. */
 #include "runtime/scene/scene_matrix.h"
 #include "runtime/scene_reader/scene_part.h"
 #include "runtime/tessellate/scene_scatter.h"
@@ -6,18 +7,18 @@
 #include <math.h>
 #include <string.h>
 
-/* Properties that a group passes to its members. */
+/* Properties that a group passes on to its members. */
 typedef struct {
     SceneMatrix world_from_group;
     int material;     /* -1: none */
-    int depth;        /* groups and instances around it */
-    const char *name; /* of these, joined by '/'; NULL: none has one */
+    int depth;        /* number of enclosing groups and instances */
+    const char *name; /* names of the enclosing groups, joined by '/'; NULL: no names */
 } Around;
 
-/* Where the rows of a kind have what every object has, and its own numbers. */
+/* Indices of the parameters that every object has, and of a kind's numbers. */
 typedef struct {
     int transform, material, name;
-    int numbers[3], lanes; /* params, of so many lanes each; -1: no more */
+    int numbers[3], lanes; /* parameters with `lanes` components each; -1 ends the list */
 } ObjectRow;
 
 static const ObjectRow rows[SCENE_KIND_COUNT] = {
@@ -65,7 +66,7 @@ static void read_numbers(const SceneThing *thing, SceneObject *object)
             object->numbers[i] = scene_thing_number(thing, row->numbers[i]);
 }
 
-/* How far its own numbers lead it along an axis; the matrix takes that further. */
+/* Returns a bound of an object's local coordinates, before its matrix. */
 static double reach_of(const SceneObject *object)
 {
     double reach = 1;
@@ -74,8 +75,8 @@ static double reach_of(const SceneObject *object)
     return reach;
 }
 
-/* An image of unit vectors that is flat, or no number, cannot be drawn; x and y of a plane have to
- * stay at a right angle. */
+/* Checks a matrix: one that flattens an object, or has no finite numbers, cannot be drawn; x and
+ * y of a plane must stay perpendicular. */
 static bool check_matrix(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
     const SceneMatrix *m = &object->world_from_local;
@@ -108,7 +109,7 @@ static bool check_parallelogram(SceneReader *r, const SceneThing *thing, const S
                  "u and v span nothing");
 }
 
-/* Its own, or that of what is around it. */
+/* Returns the object's own material, or that of its group. */
 static int material_of(SceneReader *r, const SceneThing *thing, int around)
 {
     Tree *given = scene_thing_given(thing, rows[thing->kind].material);
@@ -122,8 +123,8 @@ static bool fault_missing(SceneReader *r, const SceneThing *thing, const char *k
     return r->fine = false;
 }
 
-/* The names of the groups around it and its own, joined by '/': lamps/bulb. NULL: there are
- * none. */
+/* Returns the names of the enclosing groups and the object's own, joined by '/', such as
+ * lamps/bulb. NULL without names. */
 static const char *name_of(SceneReader *r, const SceneThing *thing, const char *around)
 {
     const Tree *given = scene_thing_given(thing, rows[thing->kind].name);
@@ -142,7 +143,7 @@ static bool find_mesh(SceneReader *r, const SceneThing *thing, int *mesh)
     return thing->kind != SCENE_Mesh || (file ? *mesh >= 0 : fault_missing(r, thing, "file"));
 }
 
-/* Told once. */
+/* Records a plane. Reports once that there are too many. */
 static bool add_plane(SceneReader *r, const SceneThing *thing)
 {
     if (r->plane_count > SCENE_PLANES)
@@ -160,7 +161,7 @@ static bool fault_many(SceneReader *r, Span span)
     return r->fine = false;
 }
 
-/* Whether there is room for one more; it is told once that there is none. */
+/* Counts an object or group. Returns false if there are too many, which is reported once. */
 static bool count_thing(SceneReader *r, Span span)
 {
     if (r->things > SCENE_OBJECTS)
@@ -174,15 +175,15 @@ static bool push_object(SceneReader *r, const SceneThing *thing, SceneObject obj
     if (!scene_triangles_add(r, thing, &object))
         return false;
     size_t count = (size_t)scene->object_count;
-    r->origin_count = count; /* of objects that were no part of the scene, others are gone */
+    r->origin_count = count; /* objects outside the scene have been removed again */
     ARENA_PUSH(r->session->arena, r->origins, r->origin_count, r->origin_room, thing->tree->span);
     ARENA_PUSH(r->session->arena, scene->objects, count, r->object_room, object);
     scene->object_count = (int)count;
     return true;
 }
 
-/* A mesh of a file with materials, which nothing around it and not the document gives one: an
- * object for each. */
+/* Reports whether a mesh is split by the file's materials into an object for each: the document
+ * gives no material, neither for the mesh nor for its groups. */
 static bool is_in_parts(const SceneThing *thing, int material)
 {
     const Tree *file = thing->kind == SCENE_Mesh ? scene_thing_given(thing, S_Mesh_file) : NULL;
@@ -234,7 +235,7 @@ static void read_list(SceneReader *r, const Tree *list, const Around *around);
 static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around);
 static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around);
 
-/* A place of the outermost list, where the origin may be: scene_origin.c. */
+/* Records a top-level position, a candidate for the origin: scene_origin.c. */
 static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix *matrix)
 {
     Scene *scene = r->scene;
@@ -245,7 +246,7 @@ static void add_root(SceneReader *r, const SceneThing *thing, const SceneMatrix 
     scene->root_count = (int)count;
 }
 
-/* Reports a fault of an object once, however often it is used. */
+/* Reads an object. An error in it is reported once, however often the object is used. */
 static void read_object(SceneReader *r, Tree *tree, const Around *around)
 {
     SceneThing thing;
@@ -272,16 +273,16 @@ static void read_object(SceneReader *r, Tree *tree, const Around *around)
         read_list(r, scene_thing_given(&thing, S_Group_objects), &here);
 }
 
-/* An alias may stand for a list any number of times, in lists that are aliases: what is met is
- * counted. */
+/* Reads a list. Every use of an alias counts, since nested aliases can multiply objects without
+ * limit. */
 static void read_list(SceneReader *r, const Tree *list, const Around *around)
 {
     for (uint32_t i = 0; i < list->count && count_thing(r, list->items[i]->span); i++)
         read_object(r, list->items[i], around);
 }
 
-/* A definition is open while what is in it is read: what is instanced then contains itself. False:
- * told. */
+/* Reads an instance. A definition is open while its content is read: an instance of an open
+ * definition contains itself. Returns false after an error was reported. */
 static bool read_instance(SceneReader *r, const SceneThing *thing, const Around *around)
 {
     const Tree *name = scene_thing_given(thing, S_Instance_of);
@@ -344,8 +345,8 @@ static bool make_surface(SceneReader *r, const SceneThing *thing, int first, Sce
            fault_scatter(r, thing, S_Scatter_on, "the surface has no area");
 }
 
-/* The objects of a tree, in its own space: they are added, and go with what the caller makes of
- * object_count. */
+/* Reads the objects of a tree in local space, outside the scene. They are appended; the caller
+ * removes them by restoring object_count. */
 static void read_aside(SceneReader *r, Tree *tree, int depth)
 {
     const bool before = r->aside;
@@ -358,7 +359,8 @@ static void read_aside(SceneReader *r, Tree *tree, int depth)
     r->stand_count = stands;
 }
 
-/* Reads objects as any, in the copies' space. False: reported. */
+/* Reads the surface of a Scatter, in the copies' space. Returns false after an error was
+ * reported. */
 static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *around,
                          SceneSurface *made)
 {
@@ -376,7 +378,8 @@ static bool read_surface(SceneReader *r, const SceneThing *thing, const Around *
     return done;
 }
 
-/* Copies of a density, rounded to nearest; above the limit: one more than the limit. */
+/* Returns the number of copies for a density, rounded to nearest; limited to one more than
+ * allowed. */
 static int copies_of(const SceneThing *thing, const SceneSurface *surface)
 {
     if (!has(thing, "density"))
@@ -386,7 +389,7 @@ static int copies_of(const SceneThing *thing, const SceneSurface *surface)
                      SCENE_OBJECTS + 1);
 }
 
-/* A fault of one copy is a fault of all. */
+/* Adds copies up to the first error, which all of them would repeat. */
 static void add_copies(SceneReader *r, const SceneThing *thing, const Around *around,
                        const SceneScatter *scatter)
 {
@@ -411,7 +414,7 @@ static void add_copies(SceneReader *r, const SceneThing *thing, const Around *ar
     }
 }
 
-/* False: told. */
+/* Reads a Scatter. Returns false after an error was reported. */
 static bool read_copies(SceneReader *r, const SceneThing *thing, const Around *around)
 {
     SceneSurface surface = {0};
@@ -434,7 +437,7 @@ void scene_objects_read(SceneReader *r, const Tree *list)
     read_list(r, list, &(Around){.world_from_group = scene_matrix_identity(), .material = -1});
 }
 
-/* All of them together may be as much as a scene. */
+/* All definitions together may have as many objects as a scene. */
 void scene_objects_check_unused(SceneReader *r)
 {
     const int objects = r->scene->object_count;

@@ -1,53 +1,55 @@
-/* The parts of a scene, each from its thing into r->scene. Faults are told, and r->fine is false
- * then. */
+/* Readers of a scene's parts, each from a node of the document into r->scene. They report errors
+ * and then set r->fine to false. */
 #ifndef MATC_SCENE_PART_H
 #define MATC_SCENE_PART_H
 #include "runtime/scene_reader/scene_thing.h"
 
-/* All objects of a list, groups in it too. scene_objects.c */
+/* Reads all objects of a list, including groups. scene_objects.c */
 void scene_objects_read(SceneReader *r, const Tree *list);
-/* Tells what is wrong with definitions that nothing has instanced; they are not in the scene. After
- * all objects are read. */
+/* Reports errors in definitions that no object instances, which do not enter the scene. Call
+ * after all objects are read. */
 void scene_objects_check_unused(SceneReader *r);
-/* Objects under `defs:`. scene_definition.c */
+/* Objects under `defs:`; opens them. scene_definition.c */
 void scene_definition_open(SceneReader *r, const Tree *document);
-/* That of a name, which is instanced from now on. NULL: told. */
+/* Returns the definition of a name, and marks it as instanced. NULL after an error was reported. */
 Tree *scene_definition_find(SceneReader *r, const Tree *name);
-/* The i-th, if it is an object that nothing has instanced; else NULL. */
+/* Returns the i-th definition if it is an object that no object instances; else NULL. */
 Tree *scene_definition_unused(const SceneReader *r, uint32_t i);
-/* `defs:` without objects: maps and materials. */
+/* Returns `defs:` without objects: only maps and materials. */
 Tree *scene_definition_others(SceneReader *r, Tree *defs);
 /* scene_light.c */
 void scene_lights_read(SceneReader *r, const Tree *list);
-/* The lights of kind Sky, after all materials are resolved. scene_sun.c */
+/* Adds the sun of a Sky light, after all materials are resolved. scene_sun.c */
 void scene_sun_add(SceneReader *r);
-/* NULL: the default. scene_camera_read.c */
+/* Reads the camera; NULL: the default camera. scene_camera_read.c */
 void scene_camera_read(SceneReader *r, Tree *tree);
-/* After the camera. scene_motion_read.c */
+/* Reads the motion, after the camera. scene_motion_read.c */
 void scene_motion_read(SceneReader *r, Tree *tree);
 
-/* NULL: there is none. scene_indirect.c */
+/* Reads `indirect:`; NULL if missing. scene_indirect.c */
 void scene_indirect_read(SceneReader *r, Tree *tree);
 
-/* Counts the triangles of an object whose mesh no object before it has. False: they are too many,
- * which is told. scene_triangles.c */
+/* Counts the triangles of an object whose mesh no earlier object has. Returns false if there are
+ * too many, which is reported. scene_triangles.c */
 bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object);
 
-/* Warns of a scene that has more than SCENE_HEAVY_TRIANGLES, at the object that has most of them.
- * After all are displaced. */
+/* Warns of a scene with more than SCENE_HEAVY_TRIANGLES, at the object that has the most. Call
+ * after all objects are displaced. */
 void scene_triangles_warn(SceneReader *r);
 
-/* Its place in scene->materials, or -1: it is told what is wrong. scene_material.c */
+/* Returns the index of a material in scene->materials; -1 after an error was reported.
+ * scene_material.c */
 int scene_material_read(SceneReader *r, Tree *tree);
-/* Reads a file's material, by its number. */
+/* Returns the index of a mesh file's material, given its number in the file; -1 after an error. */
 int scene_material_read_of(SceneReader *r, const Tree *path, int number);
-/* `materials:` of the document, before any is read. */
+/* Opens `materials:` of the document, before any material is read. */
 void scene_material_open(SceneReader *r, const Tree *document);
-/* Resolves those of the document that were met or named, after all are read. */
+/* Resolves the document's materials, named or inline, after all objects are read. */
 void scene_material_resolve(SceneReader *r, const Tree *document);
-/* The place in scene->meshes of a file, read when it is met first; or -1. scene_mesh.c */
+/* Returns the index in scene->meshes of a file, which is read on first use; -1 after an error
+ * was reported. scene_mesh.c */
 int scene_mesh_read(SceneReader *r, const Tree *path);
-/* How many meshes there are of the file's materials, side by side from *first on, by ascending
- * material; -1: told. */
+/* Returns the number of meshes of a file split by material, consecutive from *first on, in
+ * ascending order of material; -1 after an error was reported. */
 int scene_mesh_read_parts(SceneReader *r, const Tree *path, int *first);
 #endif

@@ -1,4 +1,4 @@
-/* Text -> Scene: the document's outermost level. */
+/* Reads a scene from text: the top level of its document. */
 #include "compiler/document.h"
 #include "compiler/base/memory.h"
 #include "runtime/tessellate/scene_displace.h"
@@ -162,7 +162,7 @@ static void read_tools(SceneReader *r, Tree *tree)
                                    .light_size = scene_thing_number(&thing, S_Tools_lightSize)};
 }
 
-/* A plane that lies in part behind an orthographic camera would be cut there. */
+/* Rejects planes that lie partly behind an orthographic camera, where they would be clipped. */
 static void check_rays(SceneReader *r, const SceneThing *document)
 {
     const Scene *scene = r->scene;
@@ -179,7 +179,7 @@ static void check_rays(SceneReader *r, const SceneThing *document)
     r->fine = false;
 }
 
-/* Whether a material emits light at one of some points. */
+/* Reports whether a material emits light at some of a few sample points. */
 static bool emits(const SceneMaterial *material)
 {
     static const char *const points[] = {"u=0.5 v=0.5", "u=0.13 v=0.71 x=1 y=2 z=3",

@@ -1,13 +1,13 @@
-/* Reads a document with keys of a scene. */
+/* Reads documents that describe a scene. */
 #ifndef MATC_SCENE_READ_H
 #define MATC_SCENE_READ_H
 #include "runtime/scene/scene.h"
 
-/* Reads a document as matc_read does. If it has keys of a scene, *scene is the scene, or NULL where
- * there are faults; they are among the document's diagnostics. *scene is NULL for a document of
- * materials alone. The scene goes before the document. */
+/* Reads a document like matc_read(). *scene is the scene of a document with scene keys, or NULL
+ * if it has errors, which are among the document's diagnostics. *scene is NULL for a document
+ * with only materials. Free the scene before the document. */
 MatcDocument *scene_read(const char *name, const char *text, size_t size,
                          const MatcOptions *options, Scene **scene);
-/* NULL is nothing. */
+/* Frees a scene. Does nothing for NULL. */
 void scene_free(Scene *scene);
 #endif

@@ -1,10 +1,11 @@
-/* Materials are known when all objects are read, so copies stand on the base first.
+/* Materials are known only after all objects are read, so copies are first placed on the
+ * undisplaced surface.
  *
- * In the space of the copies a copy's matrix is T(p) R(n) O: where it stands, its turn to the
- * normal, if it is aligned, and its own. It becomes T(q) R(m) O, with q and m those of the
- * displaced surface: what is in the world as W T(p) R(n) O X is multiplied by W T(q) R(m) (T(p)
- * R(n))^-1 W^-1 from the left. A copy may hold surfaces with copies of their own; these come behind
- * it, and what they stand on goes with it. */
+ * In the copies' space a copy's matrix is T(p) R(n) O: its position, its rotation to the normal,
+ * if aligned, and its own matrix. It becomes T(q) R(m) O, with q and m those of the displaced
+ * surface: the world matrix W T(p) R(n) O X is multiplied by W T(q) R(m) (T(p) R(n))^-1 W^-1
+ * from the left. A copy may contain surfaces with copies of their own; these come later in the
+ * list, and move with it. */
 #include "runtime/scene_reader/scene_stand.h"
 #include "runtime/tessellate/scene_displacement.h"
 #include "runtime/scene/scene_matrix.h"
@@ -13,7 +14,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { CHUNK = 1024 }; /* copies that are moved by one call */
+enum { CHUNK = 1024 }; /* max copies moved by one call */
 
 void scene_stand_open(SceneReader *r, const SceneMatrix *world_from_group, int objects,
                       bool aligned)
@@ -35,16 +36,16 @@ void scene_stand_add(SceneReader *r, size_t number, const SceneStood *copy)
         ARENA_PUSH(r->session->arena, stand->copies, stand->copy_count, stand->copy_room, *copy);
 }
 
-/* One way through a stand. */
+/* State of moving the copies of one surface. */
 typedef struct {
     SceneReader *r;
     const MatcOptions *options;
     SceneStand *stand;
     SceneSurface surface;
     SceneMatrix group_from_world;
-    bool *moves;  /* by material aside */
-    bool *rounds; /* likewise: push and bulge count */
-    size_t later; /* stand that may be within a copy */
+    bool *moves;  /* by index in asides: the material displaces */
+    bool *rounds; /* by index in asides: push and bulge apply */
+    size_t later; /* first later surface, which may be part of a copy */
 } Standing;
 
 static SceneMatrix place_of(const double at[3], const double normal[3], bool aligned)
@@ -60,8 +61,8 @@ static void apply(const SceneMatrix *m, const double p[3], double w, double resu
         result[i] = m->m[i] * p[0] + m->m[4 + i] * p[1] + m->m[8 + i] * p[2] + m->m[12 + i] * w;
 }
 
-/* The unit normal through the four points around, on the side of the base's; that one, where they
- * span nothing. In the space of the copies. */
+/* Computes the unit normal through the four adjacent points, on the side of the undisplaced
+ * normal, or that normal if they are degenerate. In the copies' space. */
 static void find_normal(const Standing *s, const MatcPoint around[SCENE_SURFACE_AROUND],
                         const double before[3], double normal[3])
 {
@@ -107,12 +108,12 @@ static void place_copy(Standing *s, const SceneStood *copy,
             multiply(&s->r->stands[s->later].world_from_group, &by);
 }
 
-/* A copy on a surface that moves, with the points around it. */
+/* A copy on a displaced surface, with the points around it. */
 typedef struct {
     size_t copy;
     int material;
     MatcPoint around[SCENE_SURFACE_AROUND];
-    double rounded[SCENE_SURFACE_AROUND][3]; /* what push and bulge add, in the world */
+    double rounded[SCENE_SURFACE_AROUND][3]; /* offsets by push and bulge, in world space */
 } Moving;
 
 static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
@@ -136,7 +137,7 @@ static bool moves(const Standing *s, const SceneStood *copy, Moving *made)
     return true;
 }
 
-/* So many, of one material. */
+/* Displaces the points of `count` copies on one material. */
 static bool move_run(Standing *s, Moving *at, int count)
 {
     const SceneMaterial *material = &s->r->asides[at->material];
@@ -155,8 +156,8 @@ static bool move_run(Standing *s, Moving *at, int count)
     return fine;
 }
 
-/* In runs of neighbours that stand on the same material; then each in its order, as what comes
- * behind may be within it. */
+/* Displaces runs of consecutive copies on the same material, then moves each copy in order,
+ * since later copies may be part of earlier ones. */
 static bool move_chunk(Standing *s, Moving *chunk, int count)
 {
     bool fine = true;
@@ -195,8 +196,8 @@ static bool stands_on_moving(const Standing *s)
     return false;
 }
 
-/* Materials aside that move their surfaces, and that round them: volumes do not, nor do materials
- * without that key. */
+/* Materials in asides that displace their surfaces, and those to which push and bulge apply:
+ * volumes and materials without displacement are excluded. */
 typedef struct {
     bool *moves, *rounds, any;
 } Displaced;

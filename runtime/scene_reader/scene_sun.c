@@ -1,4 +1,4 @@
-/* The sun of a SunSkyLight, where the sky is a light: a directional one. */
+/* Adds the sun of a SunSkyLight as a directional light, if the sky gives light. */
 #include "compiler/document.h"
 #include "compiler/graph/graph_sky.h"
 #include "runtime/scene_reader/scene_part.h"
@@ -10,7 +10,7 @@ static void add_sun(SceneReader *r, const GraphSky *sky)
 {
     Scene *scene = r->scene;
     const double direction[3] = {-sky->sun[0], -sky->sun[1], -sky->sun[2]};
-    double sent[3]; /* by a white surface */
+    double sent[3]; /* reflected by a white surface */
     size_t count = (size_t)scene->light_count;
     for (int i = 0; i < 3; i++)
         sent[i] = scene->sky_light[i] * sky->irradiance[i] / PI;

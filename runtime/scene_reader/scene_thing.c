@@ -1,4 +1,4 @@
-/* Tree -> SceneThing, by the rows of scene.def. Every key that no row has is a fault. */
+/* Reads a tree into a SceneThing, by the rows of scene.def. A key that no row has is an error. */
 #include "runtime/scene_reader/scene_thing.h"
 #include "compiler/resolve/scene_check.h"
 #include <string.h>
@@ -10,7 +10,7 @@ static const SceneKindRow *row_of(const SceneThing *thing)
 
 static bool fail(SceneReader *r) { return r->fine = false; }
 
-/* A value that only a shader could be told later has no place in a scene. */
+/* Rejects uniforms: a scene's numbers must be constant. */
 static bool is_number(SceneReader *r, const SceneParamRow *row, const Value *value)
 {
     if (value->kind != VALUE_uniform)
@@ -72,7 +72,7 @@ static bool unknown_key(SceneReader *r, const SceneThing *thing, const Member *m
     return fail(r);
 }
 
-/* Every member but the one that names the kind, and `skips`: keys that belong to others. */
+/* Reads all members except the one that names the kind, and keys for which `skips` returns true. */
 static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const char *key),
                          SceneThing *thing)
 {
@@ -97,7 +97,7 @@ static bool read_members(SceneReader *r, const Tree *tree, bool (*skips)(const c
 bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing)
 {
     if (tree->failed)
-        return false; /* an alias of what was told already */
+        return false; /* an alias whose errors were reported already */
     const int kind = scene_check_kind(r->session, tree, sort);
     thing->kind = (SceneKind)(kind < 0 ? 0 : kind);
     thing->tree = tree;

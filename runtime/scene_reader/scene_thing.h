@@ -1,4 +1,5 @@
-/* One thing of a scene, by its rows of scene.def: its kind, and what its keys say. */
+/* A node of a scene's document, read by its rows of scene.def: its kind, and the values of its
+ * keys. */
 #ifndef MATC_SCENE_THING_H
 #define MATC_SCENE_THING_H
 #include "compiler/base/hash.h"
@@ -7,8 +8,8 @@
 #include "compiler/resolve/resolve.h"
 #include "runtime/scene/scene.h"
 
-/* The meshes of a file lie side by side in scene->meshes. `why`: it cannot be read, and was tried
- * once. */
+/* Meshes of a file, consecutive in scene->meshes. `why`: the reason why the file could not be
+ * read, or NULL. */
 typedef struct {
     int first, count;
     const char *why;
@@ -21,53 +22,54 @@ typedef struct {
 
 /* State of reading a scene. */
 typedef struct {
-    Session *session;  /* of the document, as is all memory */
-    Resolver resolver; /* of the numbers */
+    Session *session;  /* the document's session, which owns all memory */
+    Resolver resolver; /* resolves numbers */
     MatcDocument *document;
     Scene *scene;
     const Tree *named; /* `materials:` of the document, or NULL */
-    Member *materials; /* its members, then those that stand inline */
+    Member *materials; /* members of `materials:`, then inline materials */
     size_t named_count, material_count, material_room;
-    size_t inline_number;    /* of the next name */
-    HashIndex inlines, used; /* the trees of those inline; places in scene->materials */
+    size_t inline_number;    /* number in the next inline material's name */
+    HashIndex inlines, used; /* trees of inline materials; indices in scene->materials */
     size_t object_room, root_room, light_room, used_room, mesh_room, document_room;
-    SceneMeshFiles mesh_files[2]; /* read as a whole; read in parts */
-    Names document_paths;         /* of scene->documents */
-    Span *origins;                /* by object of the scene: where it is written */
+    SceneMeshFiles mesh_files[2]; /* read as a whole; split by material */
+    Names document_paths;         /* paths of scene->documents */
+    Span *origins;                /* by object of the scene: its place in the document */
     size_t origin_count, origin_room;
-    int *planes; /* those of the objects that are one */
+    int *planes; /* indices of objects that are planes */
     size_t plane_count, plane_room;
-    const Tree *definitions; /* the document's `defs:`; NULL: there are none */
-    bool *instanced;         /* by the place of a definition */
-    /* what is read now is no part of the scene: it has no material in use, no plane to be seen */
+    const Tree *definitions; /* the document's `defs:`; NULL if missing */
+    bool *instanced;         /* by index of a definition */
+    /* The current objects do not enter the scene: their materials and planes do not count. */
     bool aside;
-    SceneMaterial *asides; /* materials of it; the first is none */
+    SceneMaterial *asides; /* materials of such objects; element 0 is unused */
     size_t aside_count, aside_room;
-    HashIndex aside_used;      /* places in them */
-    struct SceneStand *stands; /* copies that stand on surfaces, in the order of their objects */
+    HashIndex aside_used;      /* indices in asides */
+    struct SceneStand *stands; /* surfaces with copies, in the order of their objects */
     size_t stand_count, stand_room;
     int things;       /* objects and groups so far */
-    HashIndex solids; /* solid_keys, by them: objects with one key are one mesh */
+    HashIndex solids; /* index of solid_keys: objects with equal keys share a mesh */
     Key *solid_keys;
     size_t solid_count, solid_room;
-    int64_t triangles;         /* of these meshes */
-    int64_t surface_triangles; /* of all surfaces that copies stand on */
-    bool fine;                 /* no fault yet */
+    int64_t triangles;         /* sum over these meshes */
+    int64_t surface_triangles; /* sum over all surfaces with copies */
+    bool fine;                 /* no error so far */
 } SceneReader;
 
-/* Params of scene_param_table are named by their place there: S_Sphere_radius. */
+/* A read node. Parameters are named by their index in scene_param_table, such as
+ * S_Sphere_radius. */
 typedef struct {
     SceneKind kind;
-    const Tree *tree;                /* NULL: it was not given, and all is default */
-    Value values[SCENE_KIND_PARAMS]; /* of the kind's run: those that are plain */
-    Tree *given[SCENE_KIND_PARAMS];  /* those that are not; NULL: not there */
+    const Tree *tree;                /* NULL: missing in the document, all values are defaults */
+    Value values[SCENE_KIND_PARAMS]; /* plain parameters of the kind */
+    Tree *given[SCENE_KIND_PARAMS];  /* other parameters, as trees; NULL: not given */
 } SceneThing;
 
-/* A value of that sort. False: it has faults, which are told. */
+/* Reads a node of a sort. Returns false after errors were reported. */
 bool scene_thing_read(SceneReader *r, Tree *tree, SceneSort sort, SceneThing *thing);
-/* The document itself: as the kind Scene, but that it may have the keys of a document, too. */
+/* Reads the document itself, as the kind Scene; keys of a document are allowed, too. */
 bool scene_thing_read_document(SceneReader *r, Tree *tree, SceneThing *thing);
-/* Default of a part that is not given: the first kind of its sort. */
+/* Sets a missing part to its default: the first kind of its sort. */
 void scene_thing_default(SceneReader *r, SceneSort sort, SceneThing *thing);
 
 /* Sets the parameters that are not given to the values that go with the word of the parameter
@@ -76,11 +78,11 @@ void scene_thing_preset(SceneThing *thing, int key);
 
 double scene_thing_number(const SceneThing *thing, int param);
 void scene_thing_vector(const SceneThing *thing, int param, double vector[3]);
-/* NULL: not given. */
+/* The next two return NULL if the parameter is not given. */
 const Transform *scene_thing_transform(const SceneThing *thing, int param);
 Tree *scene_thing_given(const SceneThing *thing, int param);
-/* A text that names something; NULL where it is not given, or is no text, which is reported. */
+/* Returns a name; NULL if it is missing, or not a text, which is reported. */
 const char *scene_thing_name(SceneReader *r, const Tree *given);
-/* Where a fault of a parameter is: at its value, or at the thing. */
+/* Returns the span for errors of a parameter: its value, or the node. */
 Span scene_thing_span(const SceneThing *thing, int param);
 #endif

@@ -1,5 +1,5 @@
-/* How many triangles the meshes of a scene have: equal solids, and objects of one file, are one
- * mesh; and how many are drawn. */
+/* Counts the triangles of a scene's meshes, where equal solids and objects of one file share a
+ * mesh; and the triangles that are drawn. */
 #include "runtime/tessellate/scene_displacement.h"
 #include "runtime/tessellate/scene_fine.h"
 #include "runtime/scene_reader/scene_part.h"
@@ -21,7 +21,7 @@ static bool is_known(const SceneReader *r, Key key)
     return false;
 }
 
-/* Told once. */
+/* Reports the limit once. */
 bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObject *object)
 {
     const Key key = scene_solid_key(object);
@@ -38,10 +38,10 @@ bool scene_triangles_add(SceneReader *r, const SceneThing *thing, const SceneObj
     return r->fine = false;
 }
 
-/* Objects that are written at one place: copies, and instances of a definition. */
+/* Objects written at one place of the document: copies, and instances of a definition. */
 typedef struct {
     Span span;
-    SceneKind kind; /* of one of them */
+    SceneKind kind; /* kind of one of the objects */
     int copies;
     int64_t triangles;
 } Origin;
@@ -59,7 +59,7 @@ static int by_place(const void *a, const void *b)
                               : (x->start > y->start) - (x->start < y->start);
 }
 
-/* Joins those of one place; the one with most. */
+/* Joins objects of one place; returns the place with the most triangles. */
 static Origin most_of(Origin *origins, int count)
 {
     Origin most = {.triangles = -1}, here = {.triangles = -1};
