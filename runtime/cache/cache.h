@@ -64,10 +64,9 @@ typedef struct {
     bool instances; /* the driver supports instancing */
     CacheKind *kinds;
     int kind_count;
-    CacheKind *
-        /* programs that draw into shadow maps and voxels, of what is transparent; the numbers by
-         * the rows of its kind */
-        casters;
+    /* Programs that draw transparent or alpha-tested surfaces into shadow maps and voxels; their
+     * constants have the same order as those of `kinds`. */
+    CacheKind *casters;
     int caster_count;
     GLuint *numbers; /* by program of the set: a buffer of constants, or 0 */
     int number_count;
@@ -103,9 +102,8 @@ typedef struct {
     CacheOrder *order;    /* scratch memory for sorting places */
     uint32_t *cast_order; /* places of shadow casters, sorted by caster and mesh */
     int cast_count;
-    GLuint matrices, words,
-        /* buffers: of places, of the list, of the block View for the camera and for a light */
-        views[2];
+    /* Buffers: matrices of the places, draw list, uniform block View for [camera, light]. */
+    GLuint matrices, words, views[2];
 } Cache;
 
 typedef struct {

@@ -40,10 +40,9 @@ bool framebuffer_make_named(GlContext *gl, const FramebufferSpec *spec, const ch
  * framebuffer_target() returns 0 on failure; see gl->error. Delete with gl->DeleteTextures. */
 typedef struct {
     int width, height;
-    const char
-        /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F", "DEPTH32F_STENCIL8": depth, sampled as the red
-         * component. */
-        *format;
+    /* "RGBA16F", "RGBA32UI", ...; "DEPTH32F", "DEPTH32F_STENCIL8": depth, sampled as the red
+     * component. */
+    const char *format;
 } TargetSpec;
 GLuint framebuffer_target(GlContext *gl, const TargetSpec *spec);
 /* Texture views (OpenGL 4.3): the first function reports whether the driver supports them. The

@@ -26,10 +26,9 @@ struct SceneDisplacer {
     MatcMoves *moves;   /* by material */
     SceneDetail detail; /* views, if detail depends on them */
     SceneBall *balls;   /* bounding spheres of imported meshes */
-    double *
-        /* By material: max displacement, infinite if detail does not depend on the picture;
-         * NULL: detail never does. */
-        bounds;
+    /* By material: max displacement, infinite if detail does not depend on the picture;
+     * NULL: detail never does. */
+    double *bounds;
     SceneBase *bases; /* by object */
     Key *keys;        /* by mesh of the scene: hash of its source */
     int *users;       /* by mesh: number of objects that use it */

@@ -10,10 +10,9 @@ typedef struct {
     int count;
     /* The scene, if its lights cast shadows by maps and none is an area light; NULL: no shadows. */
     const Scene *casts;
-    double low[3],
-        /* Box around everything on which shadows may fall, except grounds; low >= high: no
-         * limit. */
-        high[3];
+    /* Box around everything on which shadows may fall, except grounds; low >= high: no
+     * limit. */
+    double low[3], high[3];
     /* Infinite planes on which shadows may fall, too: n x + d = 0 with n of unit length. */
     const double (*grounds)[4];
     int ground_count;

@@ -1,4 +1,4 @@
-/* A shape, or a viewpoint that somebody names, in; the scene's camera out. */
+/* Converts a shape or a named viewpoint to the scene's camera. */
 #include "runtime/view/camera.h"
 #include "compiler/base/text.h"
 #include "compiler/base/vec3.h"
@@ -7,13 +7,13 @@
 
 #define RADIANS (3.14159265358979323846 / 180)
 
-/* Degrees; azimuth from the x axis. The sphere is seen from where its seam, at the x axis, hides
- * behind the rim. */
+/* Default viewpoints, in degrees; azimuth from the x axis. The sphere's seam at the x axis is
+ * hidden behind the silhouette. */
 static const struct {
     double azimuth, elevation;
-    double distance; /* from the origin, such that the shape fills the frame */
-    double shift;    /* of the target along z, to centre the shape's outline */
-    double angle;    /* of view */
+    double distance; /* from the origin, chosen to make the shape fill the frame */
+    double shift;    /* of the target along z, to center the shape's outline */
+    double angle;    /* angle of view */
 } viewpoints[SHAPE_count] = {
     [SHAPE_sphere] = {-112, 22, 4.55, 0, 30},  [SHAPE_plane] = {-90, 60, 4.75, -0.06, 30},
     [SHAPE_cube] = {-118, 27, 6.9, -0.04, 30}, [SHAPE_torus] = {-112, 40, 4.5, -0.02, 30},
@@ -21,10 +21,10 @@ static const struct {
 };
 
 #define SKY_ANGLE     (90 * RADIANS)
-#define SKY_ELEVATION (41 * RADIANS) /* the horizon stays in sight */
+#define SKY_ELEVATION (41 * RADIANS) /* keeps the horizon in view */
 #define NEAREST       0.01
 
-/* At a distance from the origin, in a direction. */
+/* Places the viewpoint in a direction (degrees) and at a distance from the origin. */
 static void stand(Viewpoint *viewpoint, double azimuth, double elevation, double distance)
 {
     double a = azimuth * RADIANS, e = elevation * RADIANS;
@@ -45,13 +45,13 @@ Viewpoint camera_viewpoint_for(ShapeKind shape)
 static const struct {
     const char *name;
     double azimuth, elevation;
-    double nearer; /* the distance is multiplied by it */
+    double nearer; /* factor of the distance */
 } presets[] = {
     {"front", -90, 5, 1}, {"left", -180, 5, 1},      {"top", -90, 89, 1},
     {"low", -112, 6, 1},  {"close", -112, 22, 0.45},
 };
 
-/* Up to `most` numbers with commas between them; their count, 0: it is something else. */
+/* Parses up to `most` comma-separated numbers. Returns their count, or 0 on a syntax error. */
 static int read_numbers(const char *text, double *numbers, int most)
 {
     for (int count = 0; count < most; count++) {
@@ -65,7 +65,8 @@ static int read_numbers(const char *text, double *numbers, int most)
     return 0;
 }
 
-/* It stands where it looks, or looks along the axis that is up, or sees nothing or everything. */
+/* Returns whether the viewpoint is unusable: position equals target, view direction along the up
+ * axis, position too far away, or an extreme angle of view. */
 static bool is_blind(const Viewpoint *p)
 {
     const double d[3] = {p->target[0] - p->position[0], p->target[1] - p->position[1],
@@ -106,7 +107,7 @@ static SceneCamera camera_of(const double position[3], const double target[3], d
         .kind = SCENE_Perspective, .upright = {0, 0, 1}, .half = tan(angle / 2), .near = NEAREST};
     memcpy(camera.position, position, sizeof camera.position);
     memcpy(camera.target, target, sizeof camera.target);
-    scene_camera_aim(&camera); /* no viewpoint looks straight up or down */
+    scene_camera_aim(&camera); /* viewpoints never look straight up or down */
     return camera;
 }
 

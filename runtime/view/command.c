@@ -13,7 +13,7 @@
 enum { EDGE = 512, CELL = 192, MEMORY_MOST = 1 << 20 };
 enum { TOOL_grid, TOOL_axes, TOOL_lights, TOOL_none }; /* the words of --tools */
 
-/* -- words of options that take one of a list */
+/* -- words of options with a fixed list of values */
 
 static const char *shape_word(const void *user, int i)
 {
@@ -45,7 +45,7 @@ static const char *indirect_word(const void *user, int i)
     return scene_indirect_name((Word)i);
 }
 
-/* "none, auto, march": all methods, for --help. */
+/* Appends the names of all indirect light methods for --help: "none, auto, march". */
 static void put_indirect_words(Text *out)
 {
     for (int i = 0, count = 0; i < WORD_COUNT; i++)
@@ -53,7 +53,7 @@ static void put_indirect_words(Text *out)
             text_format(out, "%s%s", count++ ? ", " : "", scene_indirect_name((Word)i));
 }
 
-/* -- values that the table's kinds do not know */
+/* -- setters for values that no kind of Option covers */
 
 static const char *set_choice(void *to, const Option *option, const char *value)
 {
@@ -249,7 +249,7 @@ const char *command_help(Command *command)
     return out.at;
 }
 
-/* -- what goes together */
+/* -- conflicts between options */
 
 void command_set_scene(const Command *command, Scene *scene)
 {
@@ -263,7 +263,7 @@ void command_set_scene(const Command *command, Scene *scene)
     scene->tools.lights = tools->lights;
 }
 
-/* NULL, or the option that a scene has no use for. */
+/* Returns NULL, or a message if an option does not apply to scenes. */
 const char *command_check_scene(const Command *command, const Scene *scene)
 {
     if (command->contact || command->mesh || command->material || command->viewpoint ||
@@ -311,7 +311,7 @@ ScenePictureOptions command_pictures(const Command *command, int samples)
                                  .bits = command->bits};
 }
 
-/* Checks the view and the camera. */
+/* Checks the view and the camera, and fills in the preview options. */
 static const char *check_view(Command *command)
 {
     PreviewOptions *preview = &command->preview;
@@ -338,7 +338,7 @@ static const char *check_view(Command *command)
     return NULL;
 }
 
-/* The format is what --format says, else what the name ends in. */
+/* Sets the picture format from --format, else from the output's extension. */
 static const char *check_endings(Command *command)
 {
     const char *named = command->format_named;
@@ -371,7 +371,8 @@ static const char *check_format(const Command *command)
                : NULL;
 }
 
-/* "--aa: there is no 'x', but auto, none, ..." */
+/* Checks the compiler options. Returns NULL, or a message such as "--aa: there is no 'x', but
+ * auto, none, ...". */
 static const char *check_choices(Command *command)
 {
     if (command->compile.layout && !strcmp(command->compile.layout, "auto"))

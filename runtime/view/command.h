@@ -1,4 +1,4 @@
-/* matview's command line, as data. */
+/* Parsed command line of matview. */
 #ifndef MATC_VIEW_COMMAND_H
 #define MATC_VIEW_COMMAND_H
 #include "runtime/render/render.h"
@@ -12,52 +12,54 @@ typedef struct {
     const char **inputs;
     int input_count;
     const char *output, *folder;
-    int size;                 /* pixels, as it was asked for; 0: it was not */
-    int samples;              /* of a pixel, across and down; 0: not asked for */
-    const char *view;         /* what is shown of what was drawn */
+    int size;                 /* pixels, as requested; 0: not given */
+    int samples;              /* per pixel, in each direction; 0: not given */
+    const char *view;         /* --view: name of the displayed buffer */
     const char *format_named; /* --format */
-    PictureFormat format;     /* as it is named, or as the output's name ends */
-    int bits, memory;         /* of a lane, and MiB; 0: not asked for */
+    PictureFormat format;     /* from --format, else from the output's file extension */
+    int bits, memory;         /* bits per component; render target budget in MiB; 0: not given */
     bool progress;
     RenderEdges edges;
-    const char *transparency; /* how transparent surfaces are put in order */
-    const char *lights;       /* how many lights are summed */
+    const char *transparency; /* --transparency: method that orders transparent surfaces */
+    const char *lights;       /* --lights: light selection (auto, bounded, all) */
     const char *emit;         /* --emit=frame */
     bool stats;               /* --stats */
-    bool tools_named[4];      /* words that --tools names; none: no --tools */
+    bool tools_named[4];      /* words that --tools names; all false: no --tools */
     SceneTools tools;         /* the tools that these words select */
     bool watch, help, version;
-    /* of materials alone */
+    /* Options for materials only. */
     PreviewOptions preview;
-    Viewpoint camera; /* where preview.camera points to */
+    Viewpoint camera; /* target of the pointer preview.camera */
     Param params[PARAM_LIMIT];
     int param_count;
     const char *contact, *shape, *mesh, *material, *viewpoint, *slot;
-    /* of scenes alone */
+    /* Options for scenes only. */
     Frames frames;
-    const char *compare; /* all methods of these in one picture: "shadows" or "indirect"; or NULL */
-    Word shadows,
-        /* how lights cast them, how indirect light is found: words of these lists; WORD_COUNT: as
-         * the scene says */
-        indirect;
+    /* list whose methods share one picture: "shadows", "indirect", "displacement"; or NULL */
+    const char *compare;
+    /* Shadow method and indirect light method that override the scene's; WORD_COUNT: keep
+     * the scene's. */
+    Word shadows, indirect;
 
-    Arena words;               /* texts built from arguments, and messages */
-    struct WatchList *watched; /* files that were met; or NULL */
+    Arena words;               /* owns messages and strings built from arguments */
+    struct WatchList *watched; /* input files read so far; or NULL */
 } Command;
 
-/* Reads the arguments. NULL, or what is wrong. command_free in either case. */
+/* Parses the arguments. Returns NULL, or an error message. Call command_free in both cases. */
 const char *command_read(Command *command, int argc, char **argv);
-/* The text of --help. */
+/* Returns the text of --help. */
 const char *command_help(Command *command);
-/* Whether they go together; completes what follows from them. NULL, or what is wrong. */
+/* Checks the options for conflicts and derives the dependent fields. Returns NULL, or an error
+ * message. */
 const char *command_check(Command *command);
-/* Whether they go together with a scene, and with materials alone. NULL, or what is wrong. */
+/* Check the options against a scene, and against a document of materials only. Return NULL, or
+ * an error message. */
 const char *command_check_scene(const Command *command, const Scene *scene);
 const char *command_check_material(const Command *command);
-/* How pictures are drawn that have so many samples unless the command says else; their size is left
- * out. */
+/* Returns the options for drawing pictures. `samples` is the default that --samples overrides.
+ * Width and height stay unset. */
 ScenePictureOptions command_pictures(const Command *command, int samples);
-/* Applies the command's options for a scene's tools, whose sizes stay, and for indirect light. */
+/* Applies --tools (without changing the tools' sizes) and --indirect to the scene. */
 void command_set_scene(const Command *command, Scene *scene);
 void command_free(Command *command);
 #endif

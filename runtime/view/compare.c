@@ -1,19 +1,19 @@
-/* The scene, again and again, with other words. */
+/* Draws the scene once per method of the compared list. */
 #include "runtime/tessellate/scene_displace.h"
 #include "runtime/view/compare.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Method of a cell: a word of the list, and a variant of some shadow techniques. */
+/* Method of a cell: a word of the list, and a variant for some shadow techniques. */
 typedef struct {
-    Word method, variant; /* WORD_COUNT: none */
+    Word method, variant; /* variant is WORD_COUNT: no variant */
 } Way;
 
 typedef struct {
     GlContext *gl;
     ScenePictures *pictures;
-    Scene scene; /* whose lights are a copy, where they change */
+    Scene scene; /* has its own copy of the lights, which the methods change */
     Scene *given;
     unsigned char *rgb;
     Sheet *sheet;
@@ -23,11 +23,11 @@ typedef struct {
 
 typedef struct {
     const char *list;
-    const char *(*name)(Word); /* NULL: the word is not of the list */
+    const char *(*name)(Word); /* returns NULL for words outside the list */
     bool (*use)(Comparison *, Way);
 } Listing;
 
-/* -- ways */
+/* -- methods and their variants */
 
 static bool use_shadows(Comparison *c, Way way)
 {
@@ -80,10 +80,10 @@ static void find_ways(Comparison *c, const Listing *listing)
             add_way(c, (Word)i);
 }
 
-/* -- displacement: no finer than its cells show */
+/* -- displacement, limited to the cells' resolution */
 
-/* Edge of a map: at least one texel for each pixel of a cell. Tracing 4096 x 4096 takes minutes
- * under llvmpipe. */
+/* Returns the size of a shadow map: at least one texel per pixel of a cell. Tracing 4096 x 4096
+ * takes minutes under llvmpipe. */
 static int cell_texels(const Sheet *sheet)
 {
     enum { LEAST = 256 };
@@ -93,7 +93,8 @@ static int cell_texels(const Sheet *sheet)
     return texels;
 }
 
-/* Triangles of a mesh: one for so many pixels, as large as they can be without being visible. */
+/* Returns the triangle limit of a mesh: one per PIXELS pixels of a cell, the coarsest resolution
+ * whose triangles are not visible. */
 static int cell_triangles(const Sheet *sheet)
 {
     enum { PIXELS = 8, LEAST = 4096 };
@@ -109,7 +110,7 @@ static void fit_displacement(const Sheet *sheet, Scene *scene)
     scene->displaced_triangles = least(scene->displaced_triangles, cell_triangles(sheet));
 }
 
-/* -- all of them */
+/* -- the comparison */
 
 static bool draw_way(Comparison *c, const Listing *listing, Way way)
 {
@@ -168,7 +169,7 @@ bool compare_methods(GlContext *gl, Scene *scene, const char *list,
     const Listing *listing = listing_of(list);
     if (!c)
         return gl_fail(gl, "out of memory");
-    of_one.progress = NULL; /* its rows are not the sheet's */
+    of_one.progress = NULL; /* The picture's rows are not the sheet's progress. */
     sheet->width = options->render.width;
     sheet->height = options->render.height;
     *c = (Comparison){.gl = gl, .scene = *scene, .given = scene, .sheet = sheet};

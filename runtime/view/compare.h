@@ -1,16 +1,18 @@
-/* A scene drawn by every method of shadows, of indirect light, or of displacement, side by side
- * with their names. */
+/* Draws a scene with every method of shadows, indirect light or displacement, side by side with
+ * labels. */
 #ifndef MATC_VIEW_COMPARE_H
 #define MATC_VIEW_COMPARE_H
 #include "runtime/view/scene_picture.h"
 #include "runtime/view/sheet.h"
 
-/* Adds a picture for each word of the list: of "shadows", and for each variant of such a technique,
- * of all lights that cast some; of "indirect", or of "displacement", which the scene has again
- * afterwards as it was: a mesh has at most a triangle for 8 pixels of a picture there, and a shadow
- * map's edge at most the power of two that is no less than a picture's. The sheet's cells become as
- * large as they are. The options' progress is told how many are drawn, of how many. False:
- * gl->error says why. */
+/* Adds a picture to the sheet for each method of a list:
+ * "shadows": each method and each of its variants, applied to all lights that cast shadows.
+ * "indirect": each method of indirect light.
+ * "displacement": each method of displacement; the scene's own method is restored afterwards.
+ * Meshes get at most one triangle per 8 pixels of a picture. Shadow maps get at most the least
+ * power of two that is not below the picture's size.
+ * The sheet's cells take the size of the options. options->progress reports the pictures drawn
+ * so far and their total. Returns false with the reason in gl->error. */
 bool compare_methods(GlContext *gl, Scene *scene, const char *list,
                      const ScenePictureOptions *options, Sheet *sheet);
 #endif

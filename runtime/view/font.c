@@ -1,4 +1,4 @@
-/* Drawn as one reads them, sixteen side by side. */
+/* Glyph bitmaps as text, up to sixteen glyphs side by side. */
 #include "runtime/view/font.h"
 #include <string.h>
 

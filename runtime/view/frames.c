@@ -1,10 +1,11 @@
-/* Numbers of frames, in options and in names. */
+/* Parses frame numbers in options and expands them in file names. */
 #include "runtime/view/frames.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Digits alone. NULL: none, or too great. */
+/* Parses decimal digits. Returns the end, or NULL if digits are missing or the number exceeds
+ * FRAMES_MOST. */
 static const char *read_number(const char *text, int *number)
 {
     const size_t digits = strspn(text, "0123456789");
@@ -54,7 +55,7 @@ bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *se
     return !frames->given || scene_motion_camera(scene, frame, frames->whole, &seen->camera);
 }
 
-/* Places that the number has at least; -1: it is no place for a number. */
+/* Returns the minimum field width of a %d or %0Nd conversion; -1: another conversion. */
 static int places_of(const char *percent, const char **end)
 {
     const char *at = percent + 1;

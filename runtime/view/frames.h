@@ -1,4 +1,4 @@
-/* Which frames of a scene's motion are drawn, and the names of their files. */
+/* Selects the frames of a scene's motion to draw, and names their files. */
 #ifndef MATC_VIEW_FRAMES_H
 #define MATC_VIEW_FRAMES_H
 #include "runtime/scene/scene.h"
@@ -6,24 +6,28 @@
 
 enum { FRAMES_MOST = 100000, FRAMES_ROOM = 80, FRAMES_A_SECOND = 25 };
 
-/* {0}: none was asked for. */
+/* Range of frames; {0}: no frames were requested. */
 typedef struct {
     bool given;
-    int first, last; /* the first of all is 0 */
-    int whole;       /* so many has the motion; 0: as many as the scene says */
+    int first, last; /* inclusive, counted from 0 */
+    int whole;       /* frame count of the motion; 0: the scene's own count */
 } Frames;
 
-/* "N": the motion in N frames; "A-B": those of the scene's, A to B. NULL, or what is wanted. */
+/* Parses "N" (the motion in N frames) or "A-B" (frames A to B of the scene's own count). Returns
+ * NULL, or the usage message. */
 const char *frames_read(const char *text, Frames *frames);
-/* "K": that one of the scene's. */
+/* Parses "K" (frame K of the scene's own count). Returns NULL, or the usage message. */
 const char *frames_read_one(const char *text, Frames *frames);
-/* Fills in what the scene says. NULL, or what is wrong, perhaps in `room`. */
+/* Completes the range from the scene. Returns NULL, or an error message, which may be stored in
+ * `room`. */
 const char *frames_check(const Scene *scene, Frames *frames, char room[FRAMES_ROOM]);
 
-/* Where the camera stands in a frame, and when that is. False: it has no direction. */
+/* Sets the camera and the time of `seen` for a frame. Returns false if the camera's direction is
+ * degenerate. */
 bool frames_place(const Frames *frames, const Scene *scene, int frame, Scene *seen);
 
-/* A path whose only % begins %d, or %0 with up to nine places and d, as in out-%04d.png: with the
- * frame's number there. False: it has none, another %, or no room. */
+/* Expands the frame number in a pattern with a single % of the form %d or %0Nd (N from 1 to 9),
+ * as in out-%04d.png. Returns false if the pattern has no or another %, or if the path exceeds
+ * `room` bytes. */
 bool frames_path(const char *pattern, int frame, char *path, size_t room);
 #endif

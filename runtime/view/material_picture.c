@@ -1,4 +1,5 @@
-/* Scenes of materials one after the other, and params by the names that documents have for them. */
+/* Draws the preview scenes of materials one after the other, and sets params by their document
+ * names. */
 #include "runtime/view/material_picture.h"
 #include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
@@ -11,7 +12,7 @@ struct MaterialPictures {
     MaterialPictureOptions options;
     MatcOptions compile;
     ScenePictures *pictures;
-    /* the one that is drawn, and the one before: the renderer has it until then */
+    /* the current preview and its predecessor, which the renderer uses until the scene changes */
     Preview previews[2];
     int shown;
 };
@@ -24,7 +25,7 @@ static const MatcUniform *find_uniform(const MatcProgram *program, const char *p
     return NULL;
 }
 
-/* There is no such param: those that there are. */
+/* Reports an unknown param and lists the material's params. */
 static bool fail_unknown(const MatcProgram *program, const char *name, char *error, size_t room)
 {
     size_t size = (size_t)snprintf(error, room, "--param: the material has no param '%s'%s", name,
@@ -74,7 +75,7 @@ static bool set_params(MaterialPictures *p, MaterialSaid *said)
     return fine;
 }
 
-/* Reports a fault; the compiler's diagnostics have places of their own. */
+/* Reports a failure: compiler diagnostics if the program has errors, else the GL error. */
 static bool fail(const MaterialPictures *p, MaterialSaid *said)
 {
     MatcProgram *program = compile(p, MATC_FRAGMENT);
@@ -119,7 +120,7 @@ MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOpt
     how.render.width = options->preview.width;
     how.render.height = options->preview.height;
     if (!made->compile.layout && !made->compile.custom)
-        /* as matc has it, not this material's smallest */
+        /* matc's default layout, not the smallest that fits the material */
         made->compile.layout = options->slot ? "integer" : "compact";
     if (options->slot) {
         how.look = slot_look_find(options->slot);

@@ -1,4 +1,4 @@
-/* Pictures of materials: each as its preview's scene, all by one renderer. */
+/* Pictures of materials: each material is drawn in a preview scene, all with one renderer. */
 #ifndef MATC_VIEW_MATERIAL_PICTURE_H
 #define MATC_VIEW_MATERIAL_PICTURE_H
 #include "runtime/view/param.h"
@@ -6,32 +6,33 @@
 #include "runtime/view/scene_picture.h"
 
 typedef struct {
-    /* without a layout it is the compiler's default, of a slot "integer" */
+    /* With no layout named: the compiler's default layout, or "integer" if `slot` is set. */
     ScenePictureOptions pictures;
     PreviewOptions preview;
-    /* of the G-buffer: it is shown, and no light; there is a look for it. Or NULL */
+    /* G-buffer slot that is shown instead of lighting; its SlotLook exists. Or NULL. */
     const char *slot;
-    SceneTools tools;    /* which are drawn */
-    const Param *params; /* for uniforms, instead of the document's defaults */
+    SceneTools tools;    /* overlays to draw */
+    const Param *params; /* override the document's defaults */
     int param_count;     /* at most PARAM_LIMIT */
 } MaterialPictureOptions;
 
 typedef struct MaterialPictures MaterialPictures;
 
-/* Messages about a material. */
+/* Messages about a material's picture. */
 typedef struct {
-    char *diagnostics; /* of its programs, from malloc; or NULL */
-    char error[8192];  /* what else went wrong, or "" */
+    char *diagnostics; /* compiler diagnostics, from malloc; or NULL */
+    char error[8192];  /* any other error, or "" */
 } MaterialSaid;
 
-/* Opens; data that the options point to must live until the end. NULL: gl->error says why. */
+/* Opens a renderer for materials. Data that the options point to must outlive the result.
+ * Returns NULL with the reason in gl->error. */
 MaterialPictures *material_pictures_open(GlContext *gl, const MaterialPictureOptions *options);
-/* Makes a material's scene, which is drawn next. False: see the diagnostics, then the error, which
- * stays empty when they tell it. */
+/* Builds the preview scene of a material, to be drawn next. Returns false on failure: the reason
+ * is in said->diagnostics, or else in said->error. */
 bool material_pictures_show(MaterialPictures *pictures, MatcDocument *document, int material,
                             MaterialSaid *said);
-/* That draw it. */
+/* Returns the pictures that draw the current preview scene. */
 ScenePictures *material_pictures_of(MaterialPictures *pictures);
-/* NULL is nothing. */
+/* Closes the renderer; NULL is allowed. */
 void material_pictures_close(MaterialPictures *pictures);
 #endif

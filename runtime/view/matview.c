@@ -1,4 +1,5 @@
-/* The program matview: draws pictures of materials and scenes. The only file here that prints. */
+/* Main program matview: draws pictures of materials and scenes. The only file in this folder
+ * that prints. */
 #include "compiler/base/file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/output.h"
@@ -41,7 +42,7 @@ static int height_for(const Scene *scene, int width)
     return height > 0 ? (int)height : 1;
 }
 
-/* *scene is NULL for materials alone. */
+/* Reads a document. *scene stays NULL for a document of materials only. */
 static MatcDocument *read_document(const Command *command, const char *path, Scene **scene)
 {
     size_t size;
@@ -64,8 +65,8 @@ static MatcDocument *read_document(const Command *command, const char *path, Sce
 /* State of the progress line of the terminal. */
 typedef struct {
     double last;
-    int frame, frames; /* of a motion: the one that is drawn, of several */
-    const char *parts; /* that a picture is drawn in */
+    int frame, frames; /* current frame and frame count of a motion */
+    const char *parts; /* noun for the parts of a picture that are counted */
 } Shown;
 
 static void show_rows(void *user, int done, int rows)
@@ -86,17 +87,18 @@ static void show_rows(void *user, int done, int rows)
 typedef struct {
     const Command *command;
     GlContext *gl;
-    /* where pictures of materials go while a contact sheet is made; or NULL */
+    /* collects the pictures of materials for --contact; or NULL */
     Sheet *sheet;
-    MaterialPictures *materials; /* NULL before the first */
+    MaterialPictures *materials; /* opened at the first material */
     const Shape *mesh;           /* or NULL */
-    MatcDocument *drawn;         /* the document before */
-    const char *input;           /* the document that is drawn */
+    MatcDocument *drawn;         /* the previous document, which the renderer may still use */
+    const char *input;           /* the current document */
     PictureOwners owners;
     Shown shown;
 } Run;
 
-/* Samples see what edges do not: a material's own jumps, and folds that cross. */
+/* Default samples per pixel and direction for materials. Supersampling smooths what edge
+ * antialiasing misses: discontinuities of the material and intersecting folds. */
 enum { MATERIAL_SAMPLES = 2 };
 
 static void show_progress(Run *run, ScenePictureOptions *options)
@@ -122,7 +124,7 @@ static bool open_materials(Run *run)
     return run->materials != NULL;
 }
 
-/* Draws what is shown; `input` is what a fault is told of. */
+/* Draws the current scene into `path`. Errors are reported under the name `input`. */
 static int draw_picture(Run *run, ScenePictures *pictures, const char *input, const char *path)
 {
     ScenePicture picture = {0};
@@ -141,7 +143,7 @@ static int draw_picture(Run *run, ScenePictures *pictures, const char *input, co
     return FINE;
 }
 
-/* Into a cell of the contact sheet. */
+/* Draws the current scene into a cell of the contact sheet. */
 static int draw_cell(Run *run, ScenePictures *pictures, const char *name)
 {
     unsigned char *rgb =
@@ -210,7 +212,7 @@ static ScenePictureOptions scene_options(Run *run, const Scene *scene)
     return options;
 }
 
-/* The pictures of a scene: each frame is the scene with another camera. */
+/* State of drawing a scene's frames: each frame draws the copy `seen` with another camera. */
 typedef struct {
     Run *run;
     const char *input;
@@ -299,7 +301,8 @@ static int draw_scene(Run *run, Scene *scene, const char *input)
     return status;
 }
 
-/* Files that the picture depends on, also for a document that could not be read. */
+/* Adds the files that the picture depends on to the watch list. `document` is NULL if the input
+ * could not be read. */
 static void watch_input(const Command *command, const char *input, const MatcDocument *document)
 {
     if (!command->watched)
@@ -310,7 +313,7 @@ static void watch_input(const Command *command, const char *input, const MatcDoc
             watch_list_add(command->watched, matc_depend(document, i));
 }
 
-/* The renderer has what it drew last until it draws something else. */
+/* Keeps the document alive, since the renderer uses the last drawn scene until the next. */
 static void keep_document(Run *run, MatcDocument *document)
 {
     matc_document_free(run->drawn);
@@ -338,7 +341,7 @@ static int run_input(Run *run, const char *input)
     return status;
 }
 
-/* A contact sheet is written if nothing is wrong in any of its documents. */
+/* Draws all inputs. The contact sheet is written only if no document has an error. */
 static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
 {
     Sheet sheet = {.width = command->preview.width, .height = command->preview.width};
@@ -356,7 +359,7 @@ static int draw_inputs(const Command *command, GlContext *gl, const Shape *mesh)
     return status;
 }
 
-/* On the shape, or a mesh that is read anew every time. */
+/* Draws all inputs on the shape, or on the mesh of --mesh, which is read in every run. */
 static int run_inputs(const Command *command, GlContext *gl)
 {
     char error[LONGEST_MESSAGE];
@@ -376,8 +379,8 @@ static int run_inputs(const Command *command, GlContext *gl)
     return shape_free(&mesh), status;
 }
 
-/* Until a signal comes; the context stays open. A document with a fault leaves its picture as it
- * was. */
+/* Redraws after every change until a signal arrives; the GL context stays open. A document with
+ * an error keeps its previous picture. */
 static int run_watching(Command *command, GlContext *gl)
 {
     Watch *watch = watch_open();

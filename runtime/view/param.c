@@ -1,10 +1,10 @@
-/* A value is read by the compiler, as the default of a param in a document that has nothing else:
- * so it may be all that a document may say, and its faults are told as a document's are. */
+/* The compiler parses a value as a param's default in a minimal document. All document syntax is
+ * therefore accepted, and errors are the compiler's diagnostics. */
 #include "runtime/view/param.h"
 #include <stdio.h>
 #include <string.h>
 
-/* Reads the uniform that the compiler made of "{ param: name, default: VALUE }". */
+/* Reads the uniform that the compiler generated for "{ param: name, default: VALUE }". */
 static bool take_uniform(const MatcDocument *document, const MatcOptions *options, Param *param,
                          int colors)
 {
@@ -29,7 +29,7 @@ static const char *read_value(const char *value, Param *param, int colors, char 
     options.validate = false;
     options.pass = "value";
     options.slot = "emissive";
-    const char *quote = *value == '#' ? "\"" : ""; /* bare, a # begins a comment */
+    const char *quote = *value == '#' ? "\"" : ""; /* unquoted, # starts a comment */
     int size = snprintf(room, PARAM_ROOM,
                         "colors: %s\nmaterial: Phong\nemissive:\n  param: %s\n  default: %s%s%s\n",
                         names[colors], param->name, quote, value, quote);
@@ -59,7 +59,8 @@ const char *param_read(const char *text, Param *param, char room[PARAM_ROOM])
     return fault ? fault : read_value(equal + 1, param, 1, room);
 }
 
-/* The key stands alone in a line of the document as it was read, whichever way it was written. */
+/* Looks for the key in the normalized document text, which has one line per key however the
+ * document was written. */
 int param_colors(MatcDocument *document)
 {
     static const char key[] = "\ncolors: srgb\n";

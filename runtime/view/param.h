@@ -1,29 +1,31 @@
-/* Values for a document's params, as a command line gives them. */
+/* Values for a document's params, parsed from the command line. */
 #ifndef MATC_VIEW_PARAM_H
 #define MATC_VIEW_PARAM_H
 #include "compiler/matc.h"
 
 enum {
     PARAM_NAME = 64,
-    PARAM_ROOM = 8192, /* of a message */
-    PARAM_LIMIT = 64   /* that a command line gives */
+    PARAM_ROOM = 8192, /* size of a message buffer */
+    PARAM_LIMIT = 64   /* max count on one command line */
 };
 
 typedef struct {
     char name[PARAM_NAME];
     int lanes; /* 1 to 4 */
-    /* the first lanes are set: first for documents whose colours are linear, then for sRGB */
+    /* [0]: for documents with linear colors, [1]: for sRGB documents; the first `lanes` of each
+     * are set */
     float values[2][16];
 } Param;
 
-/* Reads "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": behind the name stands what a document may
- * give as a param's default. NULL, or what is wrong, in `room`. */
+/* Parses "tint=#c04020", "gloss=0.7", "offset=[0, 1, 0]": a name, then any value that a document
+ * accepts as a param's default. Returns NULL, or an error message stored in `room`. */
 const char *param_read(const char *text, Param *param, char room[PARAM_ROOM]);
 
-/* Which of the two a document means: 1 if its own `colors:` are sRGB. */
+/* Returns the index into Param.values for a document: 1 if the document sets `colors: srgb`,
+ * else 0. */
 int param_colors(MatcDocument *document);
 
-/* The values as a uniform of that many lanes holds them: one number fills all of them, a colour of
- * three has alpha 1 in four. False: it is of another width. */
+/* Converts the values to a uniform of `lanes` components. A scalar fills all components; RGB
+ * gets alpha 1 in a vec4. Returns false for any other size mismatch. */
 bool param_fit(Param *param, int lanes);
 #endif

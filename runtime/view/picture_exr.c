@@ -1,5 +1,5 @@
-/* OpenEXR files of halves or floats, by the library's C core: scan lines, in blocks of 16 that zip
- * compresses. */
+/* Writes OpenEXR files of halves or floats through the library's C core: scan lines in
+ * ZIP-compressed blocks of 16. */
 #include "runtime/view/picture_file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/text.h"
@@ -12,10 +12,10 @@ typedef struct {
     PictureSpec spec;
     FILE *out;
     exr_context_t exr;
-    float *rows; /* of a block, four floats a pixel */
-    int block;   /* rows of one */
-    int held;    /* rows that wait */
-    int done;    /* rows that are written */
+    float *rows; /* rows of the current block, four floats per pixel */
+    int block;   /* rows per block */
+    int held;    /* rows buffered for the current block */
+    int done;    /* rows written */
 } ExrWriter;
 
 static const char *fault(exr_result_t code)
@@ -33,13 +33,13 @@ static int64_t write_at(exr_const_context_t exr, void *user, const void *bytes, 
     return -1;
 }
 
-/* Faults are returned, too. */
+/* Silences the library: errors are also returned as codes. */
 static void on_error(exr_const_context_t exr, exr_result_t code, const char *message)
 {
     (void)exr, (void)code, (void)message;
 }
 
-/* The library keeps channels in the order of their names. */
+/* Adds the channels; the library sorts them by name. */
 static exr_result_t add_channels(ExrWriter *w)
 {
     static const char *const names[] = {[1] = "Y", [3] = "RGB", [4] = "RGBA"};
@@ -103,7 +103,8 @@ static void *open_exr(const PictureSpec *spec, FILE *out, const char **why)
 static void set_channel(const ExrWriter *w, exr_coding_channel_info_t *channel)
 {
     static const char order[] = "RGBA";
-    const char *place = strchr(order, *channel->channel_name); /* of Y there is none: the first */
+    /* NULL for Y, which is the first component */
+    const char *place = strchr(order, *channel->channel_name);
     const float *from = w->rows + (place ? place - order : 0);
     channel->user_data_type = EXR_PIXEL_FLOAT;
     channel->user_bytes_per_element = sizeof(float);
@@ -140,7 +141,7 @@ static const char *row_exr(void *state, const float *rgba)
     return full ? fault(write_block(w)) : NULL;
 }
 
-/* The table of blocks is written last. */
+/* Completes the file; the library writes the block offset table last. */
 static const char *finish_exr(void *state) { return fault(exr_finish(&((ExrWriter *)state)->exr)); }
 
 const PictureWriter picture_exr = {open_exr, row_exr, finish_exr, close_exr};

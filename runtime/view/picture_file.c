@@ -1,4 +1,4 @@
-/* A temporary file, and the writer of a format. */
+/* Buffers a picture in a temporary file through the writer of its format. */
 #include "runtime/view/picture_file.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/output.h"
@@ -14,7 +14,7 @@ struct PictureFile {
     const PictureWriter *writer;
     void *state;
     FILE *out;
-    int missing; /* rows */
+    int missing; /* rows still to be written */
 };
 
 bool picture_file_ending(const char *path, PictureFormat *format)
@@ -29,7 +29,8 @@ bool picture_file_ending(const char *path, PictureFormat *format)
     return png || exr;
 }
 
-/* A file without a name in a folder; NULL where the folder or its file system has none. */
+/* Opens an unnamed file in a folder. Returns NULL if the folder is missing or its file system
+ * lacks O_TMPFILE. */
 static FILE *nameless_file(const char *folder)
 {
     const int number = open(folder, O_TMPFILE | O_RDWR | O_CLOEXEC, 0600);
@@ -39,7 +40,7 @@ static FILE *nameless_file(const char *folder)
     return file;
 }
 
-/* In TMPDIR; else where tmpfile() puts its files. */
+/* Opens a temporary file in TMPDIR, else in tmpfile()'s folder. */
 static FILE *temporary_file(void)
 {
     const char *folder = getenv("TMPDIR");
@@ -64,8 +65,8 @@ PictureFile *picture_file_open(const PictureSpec *spec, const char **why)
     return NULL;
 }
 
-/* Why the format's library failed: of a file that cannot be written it says no more than that.
- * errno was 0 before. */
+/* Returns the reason of a failure: the system's message for a write error, which the format's
+ * library reports only vaguely. errno must be 0 before the call to the library. */
 static const char *cause(const PictureFile *file, const char *why)
 {
     return why && errno && ferror(file->out) ? text_error(errno) : why;
@@ -78,7 +79,8 @@ const char *picture_file_row(PictureFile *file, const float *rgba)
     return cause(file, file->writer->row(file->state, rgba));
 }
 
-/* The pages come from the file as they are read. */
+/* Writes the temporary file's contents to `path`. The file is memory-mapped, so pages load on
+ * demand. */
 static const char *put(FILE *out, const char *path)
 {
     const off_t size = fseeko(out, 0, SEEK_END) ? -1 : ftello(out);

@@ -1,6 +1,6 @@
-/* A picture as a PNG or OpenEXR file, row by row: no more of it is in memory than some rows. It is
- * made in a temporary file without a name (in TMPDIR, else where tmpfile() puts it); its bytes come
- * to their place at the end, whole or not at all (output.h). */
+/* Writes a picture to a PNG or OpenEXR file row by row, so that only a few rows are in memory.
+ * The file is first an unnamed temporary file (in TMPDIR, else in tmpfile()'s folder). At the
+ * end its bytes are written to their path as a whole or not at all (output.h). */
 #ifndef MATC_VIEW_PICTURE_FILE_H
 #define MATC_VIEW_PICTURE_FILE_H
 #include <stdbool.h>
@@ -12,27 +12,28 @@ typedef enum { PICTURE_FORMAT_png, PICTURE_FORMAT_exr } PictureFormat;
 typedef struct {
     PictureFormat format;
     int width, height;
-    int lanes;  /* 1, 3 or 4: grey, RGB, and with alpha; OpenEXR: Y, R G B, R G B A */
-    int bits;   /* of a lane. PNG: 8 or 16, 0 to 1; OpenEXR: 16 or 32, a half or a float */
-    bool color; /* the lanes are sRGB's; else numbers. A PNG says so */
+    int lanes;  /* 1, 3 or 4 components: gray, RGB, RGBA; OpenEXR channels: Y, R G B, R G B A */
+    int bits;   /* per component. PNG: 8 or 16, unorm; OpenEXR: 16 (half) or 32 (float) */
+    bool color; /* sRGB colors, which a PNG declares; else plain numbers */
 } PictureSpec;
 
-/* Format of a file by the ending of its name; a name without an ending leaves format unchanged.
- * False: an unknown ending. */
+/* Sets the format from a path's extension; a name without extension leaves *format unchanged.
+ * Returns false for an unknown extension. */
 bool picture_file_ending(const char *path, PictureFormat *format);
 
 typedef struct PictureFile PictureFile;
 
-/* NULL: *why. */
+/* Opens a picture. Returns NULL with the reason in *why. */
 PictureFile *picture_file_open(const PictureSpec *spec, const char **why);
-/* The next row, from the top one on: `lanes` of every four floats. NULL, or why not. */
+/* Writes the next row, top row first. `rgba` has four floats per pixel, of which the first
+ * `lanes` are written. Returns NULL, or an error message. */
 const char *picture_file_row(PictureFile *file, const float *rgba);
-/* Writes what is whole by now to a path, as output_write does. NULL, or why not. */
+/* Writes the completed picture to a path with output_write. Returns NULL, or an error message. */
 const char *picture_file_finish(PictureFile *file, const char *path);
-/* NULL is nothing. */
+/* Closes a picture; NULL is allowed. */
 void picture_file_close(PictureFile *file);
 
-/* The parts of a format: picture_png.c, picture_exr.c. `state` is theirs. */
+/* Functions of a format's writer: picture_png.c, picture_exr.c. `state` belongs to the writer. */
 typedef struct {
     void *(*open)(const PictureSpec *spec, FILE *out, const char **why);
     const char *(*row)(void *state, const float *rgba);

@@ -1,4 +1,4 @@
-/* From documents and the command line to names of files. */
+/* Derives file names of pictures from documents and the command line. */
 #include "runtime/view/picture_name.h"
 #include "compiler/base/text.h"
 #include <stdio.h>

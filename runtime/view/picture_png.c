@@ -1,4 +1,5 @@
-/* PNG files of 8 or 16 bits a lane, by libpng, which leaves by longjmp where something fails. */
+/* Writes PNG files of 8 or 16 bits per component through libpng, which reports errors by
+ * longjmp. */
 #include "runtime/view/picture_file.h"
 #include "compiler/base/memory.h"
 #include <math.h>
@@ -17,7 +18,7 @@ typedef struct {
 static void on_error(png_structp png, png_const_charp message)
 {
     PngWriter *w = png_get_error_ptr(png);
-    w->why = message; /* libpng's own texts, which stay */
+    w->why = message; /* a static string of libpng */
     longjmp(png_jmpbuf(png), 1);
 }
 
@@ -66,7 +67,7 @@ static void *open_png(const PictureSpec *spec, FILE *out, const char **why)
     return NULL;
 }
 
-/* The nearest of the steps from 0 to 1. NaN is 0. */
+/* Rounds a value in [0, 1] to an integer of 8 or 16 bits; NaN gives 0. */
 static unsigned whole_of(float lane, int bits)
 {
     const double most = bits == 8 ? 255 : 65535;

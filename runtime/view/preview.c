@@ -1,26 +1,27 @@
-/* Builds the scene by hand: lamps stand in the eye's space, so that every shape is lit alike; a sky
- * is looked at where it is brightest. Phong's highlights are what it sees of a lamp, so that lamps
- * are directions; facets are mirrors, which show what a lamp looks like: for them each is a square
- * that lights the middle of the object as much. */
+/* Builds the preview scene directly. Lamps are fixed in view space, so every shape is lit alike.
+ * A sky is viewed toward its brightest azimuth. For Phong materials the lamps are directional
+ * lights. Microfacet materials reflect the lamp's shape, so each lamp is a square area light
+ * with the same irradiance at the object's center. */
 #include "runtime/view/preview.h"
 #include "compiler/evaluate.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>
 
-/* Towards the lamps, to the right, up and back: a warm key light, a cool fill, a rim from
- * behind. */
+/* Lamps: `way` points to the lamp in view space (right, up, back). A warm key light, a cool fill
+ * light, and a rim light from behind. */
 static const struct {
-    double way[3], light[3], half; /* half an edge of the square */
+    double way[3], light[3], half; /* half the edge length of the square */
 } lamps[PREVIEW_LAMPS] = {{{-.4968, .6211, .6062}, {.88, .84, .77}, 3.2},
                           {{.8729, .0970, .4783}, {.15, .19, .25}, 3.2},
                           {{.3651, .5477, -.7528}, {.42, .45, .5}, 2.4}};
 
-static const double away = 4; /* of the squares' middles; the object is as large as 1 */
+static const double away = 4; /* distance of the squares' centers; the object's size is about 1 */
 static const double above[3] = {.42, .44, .48}, below[3] = {.11, .104, .098};
 
-/* The azimuth at which the material is brightest a little above the horizon, by the C reference. A
- * direction that takes too long is no number, and never the brightest. */
+/* Returns the azimuth at which the material is brightest slightly above the horizon, evaluated
+ * by the C reference. A direction that exceeds the operation limit gives NaN and is never
+ * chosen. */
 static double find_azimuth(const SceneMaterial *material, const MatcOptions *options)
 {
     enum { STEPS = 72 };
@@ -51,8 +52,9 @@ static void add_lamp(int lamp, const double way[3], SceneLight *light)
     *light = light_directional_new(direction, lamps[lamp].light);
 }
 
-/* Across the way, with edges along the horizon. Of what shines from all sides, a square of half an
- * edge a from d away is 4 / pi s atan(s), s = a / sqrt(a^2 + d^2). */
+/* Sets a square area light perpendicular to the direction `way`, with horizontal edges. From a
+ * uniform sphere of radiance, a square of half edge a at distance d receives the share 4 / pi s
+ * atan(s), s = a / sqrt(a^2 + d^2). */
 static void add_square(int lamp, const double way[3], const double up[3], SceneLight *light)
 {
     const double half = lamps[lamp].half, sine = half / hypot(half, away),
@@ -91,7 +93,7 @@ static void add_lights(Preview *p)
     p->scene.light_count = PREVIEW_LAMPS + 1;
 }
 
-/* The shape stands where it is, so local space is the world. */
+/* Adds the object with an identity transform: local space is world space. */
 static bool add_object(const PreviewOptions *o, Preview *p)
 {
     p->owns_mesh = !o->mesh;
@@ -107,7 +109,8 @@ static bool add_object(const PreviewOptions *o, Preview *p)
     return true;
 }
 
-/* A sky has no upper limit; film has. */
+/* Sets up a sky scene. Sky radiance is unbounded, so the tone curve is exponential, as film
+ * responds. */
 static void be_sky(const MatcOptions *compile, Preview *p)
 {
     p->scene.sky = 0;

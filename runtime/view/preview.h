@@ -1,5 +1,5 @@
-/* A material as a small scene: on a shape in three lamps and light from all around, before a glow,
- * or as the sky that it is. */
+/* Builds a small scene that previews a material: a shape under three lamps and hemisphere light
+ * in front of a glow, or the sky for a sky material. */
 #ifndef MATC_VIEW_PREVIEW_H
 #define MATC_VIEW_PREVIEW_H
 #include "runtime/scene/scene.h"
@@ -7,28 +7,28 @@
 
 typedef struct {
     ShapeKind shape;
-    const Shape *mesh;       /* instead of the shape; or NULL */
-    const Viewpoint *camera; /* NULL: where the shape looks best */
-    int width, height;       /* of the picture */
+    const Shape *mesh;       /* replaces the shape; or NULL */
+    const Viewpoint *camera; /* NULL: the shape's default viewpoint */
+    int width, height;       /* of the picture, in pixels */
     bool sky;
 } PreviewOptions;
 
 enum { PREVIEW_LAMPS = 3 };
 
-/* The scene, and what it is made of. */
+/* The preview scene and the storage that its pointers refer to. */
 typedef struct {
     Scene scene;
     SceneObject object;
     SceneLight lights[PREVIEW_LAMPS + 1];
     SceneMaterial material;
     SceneMesh mesh;
-    bool owns_mesh; /* else it is the caller's */
+    bool owns_mesh; /* false: the mesh belongs to the caller */
 } Preview;
 
-/* The scene is there until preview_free, as are the material's document and the caller's mesh.
- * False: memory ran out. */
+/* Builds the preview scene, which is valid until preview_free. The material's document and the
+ * caller's mesh must live as long. Returns false if memory runs out. */
 bool preview_make(const PreviewOptions *options, SceneMaterial material, const MatcOptions *compile,
                   Preview *made);
-/* Safe on an empty one, which it leaves behind. */
+/* Frees the scene and resets *preview to empty; safe on an empty preview. */
 void preview_free(Preview *preview);
 #endif

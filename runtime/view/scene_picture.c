@@ -1,5 +1,5 @@
-/* Opens a renderer for all pictures. Tiles are drawn from the top row of them to the lowest: files
- * begin there. */
+/* Draws all pictures with one renderer. Tiles are drawn from the top row of tiles down, since
+ * image files start at the top. */
 #include "runtime/view/scene_picture.h"
 #include "runtime/scene/scene_origin.h"
 #include "runtime/view/view_look.h"
@@ -10,19 +10,18 @@
 struct ScenePictures {
     GlContext *gl;
     ScenePictureOptions options;
-    const Scene *scene;   /* the one that is drawn */
-    const ViewLook *look; /* of a PNG; or NULL */
+    const Scene *scene;   /* the current scene */
+    const ViewLook *look; /* mapping of the view for a PNG; or NULL */
     Render *render;
-    float *band; /* a row of tiles, four floats a pixel; NULL: no picture was drawn yet */
-    float *tile; /* what was read last, where a row has several; or NULL */
+    float *band; /* one row of tiles, four floats per pixel; NULL before the first picture */
+    float *tile; /* the last tile read, if a row has several tiles; or NULL */
 };
 
 static int least(int a, int b) { return a < b ? a : b; }
 
 static bool is_picture(const char *view) { return !view || render_view_is_picture(view); }
 
-/* Where a picture goes: a file, from the top row on, or bytes of RGB, whose row 0 is the bottom
- * row. */
+/* Destination of a picture: a file (top row first), or RGB bytes (bottom row first). */
 typedef struct {
     PictureFile *file;
     unsigned char *rgb;
@@ -48,7 +47,7 @@ static PictureSpec spec_of(const ScenePictures *p)
                                   (p->look && view_look_is_color(p->look))};
 }
 
-/* One tile into its place in the band, whose lowest row is the picture's row y. */
+/* Draws the tile at (x, y) into the band; y is the picture row of the band's lowest row. */
 static bool draw_tile(ScenePictures *p, int x, int y, int rows)
 {
     const size_t tile = (size_t)render_tile_width(p->render),
@@ -63,14 +62,14 @@ static bool draw_tile(ScenePictures *p, int x, int y, int rows)
     return true;
 }
 
-/* To the nearest of 255. */
+/* Converts floats in [0, 1] to bytes, rounded to nearest. */
 static void put_bytes(const float *rgba, int width, unsigned char *rgb)
 {
     for (int i = 0; i < 3 * width; i++)
         rgb[i] = (unsigned char)(255 * fminf(fmaxf(rgba[i / 3 * 4 + i % 3], 0), 1) + .5f);
 }
 
-/* A band whose lowest row is the picture's row y. */
+/* Writes a band; y is the picture row of the band's lowest row. */
 static bool write_rows(const ScenePictures *p, const Sink *sink, int y, int rows)
 {
     const int width = render_width(p->render);
@@ -107,7 +106,7 @@ static bool draw_bands(ScenePictures *p, const Sink *sink)
     return true;
 }
 
-/* Room for a row of tiles, once for all pictures of a scene. */
+/* Allocates a row of tiles, once for all pictures of a scene. */
 static bool make_band(ScenePictures *p)
 {
     const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
@@ -120,7 +119,7 @@ static bool make_band(ScenePictures *p)
     return p->band || gl_fail(p->gl, "out of memory");
 }
 
-/* All maps beside each other, the first on the left. */
+/* Writes all shadow maps side by side, the first on the left. */
 static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, float *rgba)
 {
     const int count = render_map_count(p->render), size = render_map_size(p->render);
@@ -201,7 +200,7 @@ bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
     return make_band(p) && draw_bands(p, &(Sink){.rgb = rgb});
 }
 
-/* An origin that has moved makes it another scene. */
+/* A moved origin changes the whole scene. */
 bool scene_pictures_turn(ScenePictures *p, Scene *scene, Scene *seen)
 {
     if (!scene_origin_follow(scene, &seen->camera))
@@ -226,7 +225,7 @@ static void forget_band(ScenePictures *p)
 
 bool scene_pictures_show(ScenePictures *p, const Scene *scene)
 {
-    forget_band(p); /* its tiles may be others */
+    forget_band(p); /* the new scene may have another tile size */
     p->scene = scene;
     if (!render_scene(p->render, scene))
         return false;

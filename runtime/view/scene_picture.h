@@ -1,5 +1,5 @@
-/* From scenes to pictures: drawn by the renderer, tile by tile, and written row by row. Frames of a
- * motion are one scene whose camera moves: what does not depend on it is made once. */
+/* Draws scenes to pictures: rendered tile by tile and written row by row. Frames of a motion
+ * share one scene whose camera moves; data that does not depend on the camera is computed once. */
 #ifndef MATC_VIEW_SCENE_PICTURE_H
 #define MATC_VIEW_SCENE_PICTURE_H
 #include "runtime/render/render.h"
@@ -8,42 +8,44 @@
 
 typedef struct {
     RenderOptions render;
-    const SlotLook *look; /* the view is a slot, which is shown so; NULL: as the view says */
-    bool stats, graph;    /* what ran, in words; of the graph alone: instead of a picture */
-    PictureFormat
-        /* PNG has the picture as it is shown, OpenEXR its linear light, before exposure and tone
-         * mapping */
-        format;
-    int bits; /* of a lane; 0: 8, of OpenEXR 16, and 32 for what is no picture */
+    const SlotLook *look; /* mapping of a slot view to colors; NULL: chosen from the view's name */
+    bool stats, graph;    /* report render statistics; report the frame graph instead of drawing */
+    /* PNG stores the displayed picture. OpenEXR stores its linear radiance before exposure
+     * and tone mapping. */
+    PictureFormat format;
+    int bits; /* per component; 0: 8 for PNG, 16 for OpenEXR pictures, 32 for OpenEXR data */
     void (*progress)(void *user, int done, int rows); /* or NULL */
     void *user;
 } ScenePictureOptions;
 
 typedef struct {
-    char *words;        /* that were asked for, from malloc; or NULL */
-    const char *faulty; /* the path, where it is the file that could not be written */
+    char *words;        /* requested statistics or graph, from malloc; or NULL */
+    const char *faulty; /* the path if the file could not be written, else NULL */
 } ScenePicture;
 
 typedef struct ScenePictures ScenePictures;
 
-/* Opens; data that the options point to must live until the end. NULL: gl->error says why. */
+/* Opens a renderer for scenes. Data that the options point to must outlive the result. Returns
+ * NULL with the reason in gl->error. */
 ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options);
-/* The scene that is drawn from now on, and is there until the next one, or the end. False:
- * gl->error says why. */
+/* Sets the scene that later calls draw. The scene must live until the next scene is set or the
+ * pictures are closed. Returns false with the reason in gl->error. */
 bool scene_pictures_show(ScenePictures *pictures, const Scene *scene);
-/* Warnings of its programs, from malloc. */
+/* Returns the compiler warnings of the scene's programs, from malloc. */
 char *scene_pictures_diagnostics(const ScenePictures *pictures);
-/* A uniform of the scene's first material. False: gl->error says why. */
+/* Sets a uniform of the scene's first material. Returns false with the reason in gl->error. */
 bool scene_pictures_param(ScenePictures *pictures, const char *uniform, const float *lanes,
                           int count);
-/* The camera of the scene that is drawn, `seen`, is another than before. `scene` is the scene that
- * `seen` was copied from, whose objects and lights it shares: where the camera has gone far, both
- * get another origin. False: gl->error says why. */
+/* Updates the renderer after the camera of `seen` moved. `seen` is the drawn copy of `scene` and
+ * shares its objects and lights. After a large movement both get a new origin. Returns false
+ * with the reason in gl->error. */
 bool scene_pictures_turn(ScenePictures *pictures, Scene *scene, Scene *seen);
-/* False: gl->error says why, and there is no file. */
+/* Draws the scene into a file. Returns false with the reason in gl->error; then no file is
+ * written. */
 bool scene_pictures_draw(ScenePictures *pictures, const char *path, ScenePicture *picture);
-/* The picture as bytes: three a pixel, row 0 is the bottom row. */
+/* Draws the scene into `rgb`: three bytes per pixel, bottom row first. Returns false with the
+ * reason in gl->error. */
 bool scene_pictures_pixels(ScenePictures *pictures, unsigned char *rgb);
-/* NULL is nothing. */
+/* Closes the pictures; NULL is allowed. */
 void scene_pictures_close(ScenePictures *pictures);
 #endif

@@ -1,4 +1,4 @@
-/* Cells from the upper left, row by row; the bytes of a picture go from its bottom row upwards. */
+/* Lays out cells from the upper left, row by row. Picture bytes start at the bottom row. */
 #include "runtime/view/sheet.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/output.h"
@@ -16,13 +16,13 @@ enum {
     PAPER = 24,
     INK = 214,
     GAP = 6,
-    LARGE = 160 /* a width from which letters are twice as large */
+    LARGE = 160 /* min picture width at which letters are doubled */
 };
 
 const char sheet_too_large[] =
     "the contact sheet is larger than 16384 pixels; --size makes its pictures smaller";
 
-/* As sheet_columns() has at least the root of the number side by side. */
+/* Uses the lower bound of sheet_columns(): the square root of the count. */
 bool sheet_has_room(const Sheet *sheet)
 {
     return ceil(sqrt(sheet->count + 1)) * (sheet->width + GAP) + GAP <= PNG_SIZE_LIMIT;
@@ -45,8 +45,8 @@ void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb)
     strncpy(cell->name, name, SHEET_NAME - 1);
 }
 
-/* At most three times as many as there are rows. For 10 pictures, rows of 4 leave 2 cells empty,
- * rows of 5 none: 5. */
+/* The column count is at most three times the row count. Example: for 10 pictures, rows of 4
+ * leave 2 cells empty and rows of 5 none, so the result is 5. */
 int sheet_columns(int count)
 {
     int least = (int)ceil(sqrt(count)), most = (int)sqrt(3.0 * count), best = least;
@@ -64,7 +64,7 @@ static void put(const PngPicture *picture, int x, int y, int grey)
                grey, 3);
 }
 
-/* A letter whose pixels are squares. x and y from the upper left. */
+/* Draws a glyph with pixels of scale x scale; (x, y) is the upper left corner. */
 static void draw_letter(const PngPicture *picture, char letter, int scale, int x, int y)
 {
     for (int row = 0; row < FONT_HEIGHT * scale; row++)
@@ -75,7 +75,7 @@ static void draw_letter(const PngPicture *picture, char letter, int scale, int x
 
 static int scale_for(int width) { return width < LARGE ? 1 : 2; }
 
-/* In the middle below its picture: smaller if it is too long, and cut if that does not help. */
+/* Draws a name centered below its picture; a long name is drawn smaller, then truncated. */
 static void draw_name(const PngPicture *picture, const char *name, int width, int x, int y)
 {
     int size = (int)strlen(name), scale = scale_for(width);

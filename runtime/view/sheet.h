@@ -1,4 +1,4 @@
-/* A contact sheet: pictures of one size side by side, each with its name below. */
+/* Contact sheet: a grid of equally sized pictures, each with its name below. */
 #ifndef MATC_VIEW_SHEET_H
 #define MATC_VIEW_SHEET_H
 #include "runtime/gl/png_write.h"
@@ -6,28 +6,28 @@
 
 enum { SHEET_NAME = 128 };
 
-/* Pictures as they come; {width, height} at first. */
+/* Pictures in order of insertion; initialize to {width, height}. */
 typedef struct {
     int width, height; /* of every picture, in pixels */
     int count, room;
     struct SheetCell *cells;
 } Sheet;
 
-/* False: with one more it is too large, and stays so whatever comes behind. It may be too large all
- * the same. */
+/* Returns false if the sheet with one more picture exceeds the size limit of a file, however
+ * many follow. True does not guarantee that the sheet fits. */
 bool sheet_has_room(const Sheet *sheet);
 extern const char sheet_too_large[];
-/* Adds a picture: its pixels of RGB, row 0 is the bottom row. Both are copied; a long name is
- * cut. */
+/* Adds a picture: RGB bytes, bottom row first. Copies the pixels and the name; a long name is
+ * truncated. */
 void sheet_add(Sheet *sheet, const char *name, const unsigned char *rgb);
-/* How many of so many pictures stand side by side: the sheet is wider than high, with as few empty
- * cells as can be. */
+/* Returns the number of columns for `count` pictures: the sheet is wider than high and has as
+ * few empty cells as possible. */
 int sheet_columns(int count);
-/* Draws it; picture->bytes is from malloc. NULL, or why not: there is no picture, or the sheet
- * would be too large for a file. */
+/* Draws the sheet; picture->bytes is from malloc. Returns NULL, or an error message if the sheet
+ * is empty or too large for a file. */
 const char *sheet_draw(const Sheet *sheet, PngPicture *picture);
-/* Writes it as a PNG. NULL, or why not. */
+/* Writes the sheet as a PNG file. Returns NULL, or an error message. */
 const char *sheet_write(const Sheet *sheet, const char *path);
-/* Back to {width, height}. */
+/* Removes all pictures; the cell size stays. */
 void sheet_free(Sheet *sheet);
 #endif

@@ -1,4 +1,4 @@
-/* A row for each slot. */
+/* Table of the slots and their mapping to colors. */
 #include "runtime/view/slot.h"
 #include <math.h>
 #include <stdbool.h>
@@ -57,24 +57,24 @@ const SlotLook *slot_look_find(const char *name)
 double slot_encoded(double linear)
 {
     if (!(linear > 0))
-        return 0; /* NaN too, which no picture can hold */
+        return 0; /* also NaN, which images cannot hold */
     if (linear >= 1)
         return 1;
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * pow(linear, 1 / 2.4) - 0.055;
 }
 
-/* A lane of the slot, from 0 to 1. */
+/* Maps a component of the slot to [0, 1]. */
 static double shown(Look look, double value)
 {
     switch (look) {
     case NORMAL:
         return .5 + .5 * value;
     case EXPONENT:
-        return log2(fmax(value, 1)) / 16; /* they reach from 1 to 2^16 */
+        return log2(fmax(value, 1)) / 16; /* exponents range from 1 to 2^16 */
     case RATIO:
         return value - 1;
     case PATH:
-        return value / 5; /* at most so many micrometres: slots.def */
+        return value / 5; /* in micrometers; at most 5 by slots.def */
     default:
         return value;
     }
@@ -87,7 +87,7 @@ void slot_look_show(const SlotLook *look, float *rgba, size_t pixels)
         look->look == NUMBER || look->look == EXPONENT || look->look == RATIO || look->look == PATH;
     for (float *end = rgba + 4 * pixels; rgba < end; rgba += 4) {
         const double share = rgba[3];
-        /* the first one last, as all grey ones are made of it */
+        /* Component 0 is written last, since all components of a gray pixel read it. */
         for (int lane = 2; lane >= 0; lane--) {
             const double value =
                 share * shown(look->look, rgba[grey ? 0 : lane]) + (1 - share) * nothing;

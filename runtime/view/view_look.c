@@ -1,4 +1,4 @@
-/* One row for each view that needs a mapping. */
+/* Table of the views that need a mapping to [0, 1]. */
 #include "runtime/view/view_look.h"
 #include "runtime/view/slot.h"
 #include <math.h>
@@ -9,11 +9,12 @@ typedef void Show(const SceneCamera *camera, float rgba[4]);
 struct ViewLook {
     const char *view;
     bool color;
-    Show *show; /* one pixel */
+    Show *show; /* maps one pixel */
 };
 
-/* The distance along the view of what the renderer stores: near / distance, or, of an orthographic
- * camera, 1 - distance / depth. The background, 0, is infinitely far. */
+/* Returns the distance along the view axis from the stored depth: near / distance for a
+ * perspective camera, 1 - distance / depth for an orthographic one. The background, stored as 0,
+ * is infinitely far. */
 static double distance_of(const SceneCamera *camera, double stored)
 {
     if (!(stored > 0))
@@ -22,9 +23,9 @@ static double distance_of(const SceneCamera *camera, double stored)
                                               : camera->near / stored;
 }
 
-/* T^2 / (T^2 + d^2) with T the distance from the camera to its target: white at the camera, 0.5 at
- * the target, where the slope by ln d is steepest, and black infinitely far. It depends on no other
- * pixel, so that tiles fit together and frames of a motion do not flicker. */
+/* Shows depth as T^2 / (T^2 + d^2), with T the distance from the camera to its target: white at
+ * the camera, 0.5 at the target (where the slope over ln d is steepest), black at infinity. The
+ * result depends on no other pixel, so tiles match and frames of a motion do not flicker. */
 static void show_depth(const SceneCamera *camera, float rgba[4])
 {
     double way[3], square = 0;
@@ -38,7 +39,7 @@ static void show_depth(const SceneCamera *camera, float rgba[4])
         rgba[lane] = (float)shown;
 }
 
-/* Radiance as sRGB, cut at 1. */
+/* Shows radiance as sRGB, clamped at 1. */
 static void show_light(const SceneCamera *camera, float rgba[4])
 {
     (void)camera;
