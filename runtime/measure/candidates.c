@@ -1,9 +1,10 @@
-/* Compiles every variant; equal programs are kept once. */
+/* Compiles every variant and removes duplicate programs. */
 #include "runtime/measure/candidates.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* Measurements use GLSL 3.30; the requested target may be another one, which can lack a layout. */
+/* Returns whether the variant compiles for the requested target, which can lack a layout. The
+ * measurement itself uses GLSL 3.30. */
 static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
 {
     if (!options->target || !strcmp(options->target, "glsl330"))
@@ -17,7 +18,7 @@ static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
     return ok;
 }
 
-/* NULL: it is not asked for, or does not compile. */
+/* Returns NULL if the variant does not compile, or does not for the requested target. */
 static MatcProgram *compile_variant(const MeasureRequest *request, const Variant *variant)
 {
     MatcOptions options = variant_options(variant, request->options);
@@ -28,7 +29,7 @@ static MatcProgram *compile_variant(const MeasureRequest *request, const Variant
                            &options);
 }
 
-/* Whether one of them has the same text. */
+/* Returns whether a kept candidate has an equal program. */
 static bool is_among(const Candidate *kept, int count, const MatcProgram *program)
 {
     const char *text = matc_output(program, MATC_FRAGMENT, NULL);

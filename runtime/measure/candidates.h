@@ -1,15 +1,16 @@
-/* The different programs that a request's variants come out as. */
+/* Distinct programs among the variants of a measurement. */
 #ifndef MATC_MEASURE_CANDIDATES_H
 #define MATC_MEASURE_CANDIDATES_H
 #include "runtime/measure/measure.h"
 
-/* A program of pass gbuffer, with its unpacking. */
+/* A program of pass gbuffer with its unpacking code. */
 typedef struct {
     Variant variant;
     MatcProgram *program;
 } Candidate;
 
-/* From malloc, the given variant first unless it does not compile; the programs are the caller's.
- * Counts in the list what is the same as another, and what does not compile. */
+/* Compiles all variants and keeps one candidate per distinct program. Returns an array from
+ * malloc, beginning with the base variant unless that fails to compile; the caller frees the
+ * programs. Counts duplicates in list->same and failures in list->refused. */
 Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, int *count);
 #endif

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* samples along a pixel's side, for a picture that others are compared with */
+/* Samples per pixel and direction of a supersampled reference picture. */
 enum { REFERENCE_SIDE = 16 };
 
 static void *grow(void *list, int count, int *room, size_t size)
@@ -27,7 +27,7 @@ void *errors_room(size_t count, size_t size)
     return memory;
 }
 
-/* Two noises are two pictures, and so are two kinds of derivatives. */
+/* Variants share a reference only if their noise and derivatives are equal. */
 static int truth_index(const Variant *variant)
 {
     return variant->choice[AXIS_noise] * CHOICE_COUNT + variant->choice[AXIS_derivatives];
@@ -71,7 +71,7 @@ bool errors_open(Errors *e, Meter *m, const MeasureRequest *request)
            message_fail(m->error, sizeof m->error, "%s", m->gl->error);
 }
 
-/* n for n x n samples: as many as a second of drawing allows. */
+/* Returns n for n x n samples within about a second of drawing. */
 static int mean_side(Errors *e, const MeterDraw *draw)
 {
     const double seconds = clamp(e->request->seconds / 50, 0.05, 0.8);
@@ -84,7 +84,7 @@ static int mean_side(Errors *e, const MeterDraw *draw)
     return (int)clamp(sqrt(seconds / once), 8, 2 * REFERENCE_SIDE);
 }
 
-/* The supersampled picture of a slot, without antialiasing. */
+/* Returns the supersampled picture of a slot, drawn without procedural antialiasing. */
 static const float *mean_of(Errors *e, const Variant *variant, int slot)
 {
     Truth *truth = truth_of(e, variant);
@@ -95,7 +95,7 @@ static const float *mean_of(Errors *e, const Variant *variant, int slot)
     plain.choice[AXIS_noise] = variant->choice[AXIS_noise];
     plain.choice[AXIS_derivatives] = variant->choice[AXIS_derivatives];
     plain.choice[AXIS_aa] = CHOICE_aa_none;
-    /* what rounds a coordinate is no reference */
+    /* exact: the reference must not round coordinates */
     plain.choice[AXIS_coordinates] = CHOICE_coordinates_long;
     MatcOptions options = variant_options(&plain, e->request->options);
     options.pass = "value";
@@ -172,7 +172,7 @@ static const Known *find_known(const Errors *e, const char *fragment, int slot, 
     return NULL;
 }
 
-/* A material that is constant over the surface has no varyings; it is neither slow nor aliased. */
+/* A program without varyings is constant over the surface and cannot alias. */
 static bool is_constant(const char *fragment) { return !strstr(fragment, "\nin "); }
 
 static const Known *learn(Errors *e, const Variant *variant, int slot, MatcProgram *program)
@@ -193,7 +193,7 @@ static const Known *learn(Errors *e, const Variant *variant, int slot, MatcProgr
     return &e->known[e->known_count++];
 }
 
-/* The errors of a slot before it is packed. */
+/* Measures a slot's error before packing. */
 static void find_slot(Errors *e, Measured *m, int slot)
 {
     MatcOptions options = variant_options(&m->variant, e->request->options);
@@ -235,7 +235,7 @@ static void sum_up(Measured *m)
     m->error = m->rms = 0;
     m->aliasing = NAN;
     for (int slot = 0; slot < SLOT_COUNT; slot++) {
-        m->error = fmax(m->error, m->packed[slot].maximum); /* fmax passes a NaN over */
+        m->error = fmax(m->error, m->packed[slot].maximum); /* fmax ignores NaN */
         m->rms = fmax(m->rms, m->packed[slot].rms);
         m->aliasing = fmax(m->aliasing, m->aliased[slot].rms);
     }

@@ -1,24 +1,24 @@
-/* How far the numbers and the picture of a variant are from what they should be. */
+/* Errors of a variant: deviation of its slot values and its picture from the reference. */
 #ifndef MATC_MEASURE_ERRORS_H
 #define MATC_MEASURE_ERRORS_H
 #include "runtime/measure/measure.h"
 #include "runtime/measure/meter.h"
 
-/* A program of pass value whose errors are known: variants often share it. */
+/* Cached errors of a program of pass value, which several variants often share. */
 typedef struct {
     char *fragment;
-    int slot, truth; /* of the reference */
+    int slot, truth; /* slot, and index of the reference in Errors.truth */
     Distance computed, aliased;
 } Known;
 
-/* Values that several variants are compared with. */
+/* Reference values shared by several variants. */
 typedef struct {
-    SlotValues *values;      /* by the C reference */
-    bool unknown;            /* they take it too many operations */
-    float *mean[SLOT_COUNT]; /* supersampled; NULL: not made yet */
+    SlotValues *values;      /* slot values at the points, from the C reference */
+    bool unknown;            /* the reference exceeded its operation limit */
+    float *mean[SLOT_COUNT]; /* supersampled picture per slot; NULL: not drawn yet */
 } Truth;
 
-/* State of drawing, and results of the programs that were drawn. */
+/* State of error measurement, with the cached results. */
 typedef struct {
     Meter *meter;
     const MeasureRequest *request;
@@ -27,18 +27,20 @@ typedef struct {
     Framebuffer picture;
     Known *known;
     int known_count, known_room;
-    Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* by the choices of noise and derivatives */
+    Truth truth[CHOICE_COUNT * CHOICE_COUNT]; /* indexed by the choices of noise and derivatives */
 } Errors;
 
-/* False, with a word in the meter: there is no room to draw in. Closed either way. */
+/* Opens error measurement. Returns false with the message in meter->error if render targets
+ * cannot be created. Call errors_close in both cases. */
 bool errors_open(Errors *e, Meter *meter, const MeasureRequest *request);
 void errors_close(Errors *e);
-/* False, with a word in the meter: the reference takes too long for what nothing can then be
- * compared with. */
+/* Returns whether reference values exist for a variant. Returns false with the message in
+ * meter->error if the reference takes too long; then no variant with these choices can be
+ * measured. */
 bool errors_has_truth(Errors *e, const Variant *variant);
-/* Measures m->variant, whose program of pass gbuffer is given: makes its material, and fills in all
- * errors of m. False: it cannot be drawn. */
+/* Measures m->variant from its program of pass gbuffer: creates its material and fills in all
+ * errors of *m. Returns false if the program cannot be drawn. */
 bool errors_measure(Errors *e, Measured *m, MatcProgram *program, Material *material);
-/* From calloc; memory that is missing ends the process. */
+/* Allocates with calloc; ends the process if memory runs out. */
 void *errors_room(size_t count, size_t size);
 #endif

@@ -1,4 +1,4 @@
-/* Measures variants one after the other: errors first, then all times together. */
+/* Measures the errors of all variants one after the other, then their times together. */
 #include "runtime/measure/candidates.h"
 #include "runtime/measure/errors.h"
 #include "runtime/gl/message.h"
@@ -14,11 +14,11 @@ typedef struct {
     Errors errors;
     Meter *meter;
     const MeasureRequest *request;
-    Material *materials; /* of pass gbuffer, one for each of the list */
+    Material *materials; /* of pass gbuffer, parallel to list->at */
     double start;
 } Work;
 
-/* Two thirds of the time for errors, the rest for times. */
+/* Errors get two thirds of the time budget, timing the rest. */
 static bool has_time(const Work *w) { return meter_now() - w->start < w->request->seconds * 2 / 3; }
 
 static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredList *list)
@@ -44,7 +44,7 @@ static void measure_errors(Work *w, Candidate *candidates, int count, MeasuredLi
     }
 }
 
-/* Targets to be timed with: one set a layout. */
+/* Creates the render targets for timing: one set per layout, and one of the constant color. */
 static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[LAYOUT_COUNT],
                          Framebuffer *plain)
 {
@@ -61,7 +61,7 @@ static bool make_targets(Work *w, const MeasuredList *list, Framebuffer targets[
            message_fail(w->meter->error, sizeof w->meter->error, "%s", w->meter->gl->error);
 }
 
-/* As many rounds as the rest of the time allows. */
+/* Returns the number of timing rounds that fit into the remaining time. */
 static int find_rounds(Work *w, const MeterDraw *draws, int count)
 {
     double *scratch = errors_room((size_t)count, sizeof *scratch), start = meter_now();
@@ -121,7 +121,7 @@ static void discard(Work *w, int materials)
     free(w);
 }
 
-/* Errors of all candidates, then the times of those that are left. */
+/* Measures the errors of all candidates, then the times of those that could be drawn. */
 static bool measure_candidates(Work *w, MeasuredList *list)
 {
     int count;

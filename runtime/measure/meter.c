@@ -1,4 +1,4 @@
-/* Contexts, targets, points, unpacking, means. */
+/* Contexts, render targets, drawing of points, unpacking and supersampled means. */
 #include "runtime/measure/meter.h"
 #include "runtime/gl/message.h"
 #include <math.h>
@@ -32,7 +32,7 @@ void meter_close(Meter *m)
     for (int i = 0; i < LAYOUT_COUNT; i++)
         reader_delete(&m->readers[i]);
     store_free(m->store);
-    gl_close(m->gl); /* and the rest with it */
+    gl_close(m->gl); /* also deletes all GL objects of the context */
     free(m);
 }
 
@@ -112,7 +112,7 @@ bool meter_draw_packed(Meter *m, Material *material, Layout layout, const Field 
     return fine;
 }
 
-/* A number in [0, 1) for each place, without pattern. */
+/* Hashes an integer to a number in [0, 1). */
 static double scatter(unsigned seed)
 {
     seed = (seed ^ seed >> 16) * 0x7FEB352Du;

@@ -1,4 +1,4 @@
-/* Tables, plots and choices. */
+/* Formats tables and plots, and applies the measured choices. */
 #include "runtime/measure/pareto.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/output.h"
@@ -58,7 +58,8 @@ static bool write_text(const char *basename, const char *suffix, const char *tex
     return !why || message_fail(answer->error, sizeof answer->error, "%s: %s", path, why);
 }
 
-/* A missing library for the PNG is no fault: the SVG is there, and `out` tells. */
+/* Writes CSV, SVG and PNG. A missing PNG library is not an error: `out` reports the missing
+ * file. */
 static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl,
                         FILE *out, ParetoAnswer *answer)
 {
@@ -138,7 +139,7 @@ bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, Pa
     return done && out;
 }
 
-/* Choices vary how well something is computed, not what. */
+/* Returns the axes that change the precision of a program but not what is computed. */
 static VariantAxes open_for_choice(const MatcOptions *options)
 {
     VariantAxes open = variant_open(options);
@@ -154,7 +155,7 @@ static const char *worst_slot(const Measured *m)
     return "?";
 }
 
-/* All choices that were open, by name. */
+/* Formats the names of all choices that were open. */
 static void chosen_name(const Measured *m, const VariantAxes *open, char name[VARIANT_NAME])
 {
     Variant other = m->variant;
@@ -200,7 +201,7 @@ static bool refuse(const MeasuredList *list, int best, double most, const Varian
                         name, list->at[best].error, worst_slot(&list->at[best]));
 }
 
-/* Sets the open axes; the rest stays as it was given. */
+/* Sets the choices of the open axes in *options. */
 static void take(const Variant *variant, const VariantAxes *open, MatcOptions *options)
 {
     if (open->layout)

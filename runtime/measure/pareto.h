@@ -1,5 +1,5 @@
-/* Implements matc's --pareto and --max-error: measures, and writes the results as words and
- * pictures. Prints nothing. */
+/* Implements matc's --pareto and --max-error: measures, and formats the results as text and
+ * plots. Prints nothing. */
 #ifndef MATC_MEASURE_PARETO_H
 #define MATC_MEASURE_PARETO_H
 #include "runtime/measure/measure.h"
@@ -8,30 +8,30 @@ typedef struct {
     const MatcDocument *document; /* read with `pixels` */
     int material;
     GlKind gl;
-    double range;         /* coordinates that count are in [-range, range] */
-    const char *basename; /* of the files to be written, or NULL */
-    /* programs that errors were measured of; NULL: nobody asks */
+    double range;         /* relevant coordinates are in [-range, range] */
+    const char *basename; /* of the output files; NULL: no files */
+    /* called per measured program; or NULL */
     void (*progress)(void *user, int done, int total);
     void *user;
 } ParetoSubject;
 
 typedef struct {
-    char *text;       /* to be printed, from malloc */
-    char error[4096]; /* what went wrong; there is no text then */
+    char *text;       /* output text, from malloc */
+    char error[4096]; /* error message; `text` is then unset */
 } ParetoAnswer;
 
-/* Measures every combination of what `options` leave open, for some 40 seconds, and writes
- * BASENAME.csv, .svg and .png. The noise is open too: each has itself as its reference. The text is
- * a table, and says what could not be done. False: see the error. */
+/* Measures every combination of the choices that `options` leave open, within about 40 seconds,
+ * and writes BASENAME.csv, .svg and .png. Noise varies too: each noise has its own reference.
+ * The text is a table that also lists failures. Returns false with the reason in answer->error. */
 bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, ParetoAnswer *answer);
 
-/* Sets, in *options, the fastest choices whose greatest packed error at any slot and point is at
- * most `most`. Noise, aa and derivatives say what is computed: they are as the options name them,
- * or their defaults. All else that the options do not name is chosen. The text tells what was
- * chosen and why. False: no choice is that exact, or nothing can be measured; see the error. */
+/* Sets the fastest choices in *options whose packed error is at most `most` at every slot and
+ * point. Noise, aa and derivatives define what is computed and are never varied. All other
+ * choices that the options leave open are chosen. The text explains the choice. Returns false
+ * with the reason in answer->error if no choice is precise enough or measurement fails. */
 bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options,
                    ParetoAnswer *answer);
 
-/* Error and aliasing against time: two panels, as SVG. From malloc. */
+/* Plots error and aliasing against time as SVG in two panels. Returns a string from malloc. */
 char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *gl);
 #endif

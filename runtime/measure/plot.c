@@ -1,4 +1,4 @@
-/* Writes SVG by hand. */
+/* Formats plots as SVG text. */
 #include "runtime/measure/plot.h"
 #include <math.h>
 #include <stdio.h>
@@ -16,8 +16,8 @@ enum {
     LABELS = 256
 };
 
-/* Key of lines, a row at the top of the panel: length of a line's sample, and the width of a
- * letter. */
+/* Legend of lines, one row at the top of the panel: length of a line sample, gap, width of a
+ * character, height. */
 enum { KEY_SAMPLE = 14, KEY_GAP = 4, KEY_LETTER = 6, KEY_HEIGHT = 18 };
 
 static const char style[] =
@@ -40,7 +40,7 @@ static const char style[] =
     "}";
 
 typedef struct {
-    double low, high; /* decades: powers of ten */
+    double low, high; /* log10 of the limits */
 } Axis;
 
 typedef struct {
@@ -49,9 +49,9 @@ typedef struct {
 
 typedef struct {
     FILE *out;
-    Box field; /* of the panel's data */
+    Box field; /* data area of the panel */
     Axis x, y;
-    Box taken[LABELS]; /* by labels and points */
+    Box taken[LABELS]; /* occupied by labels and points */
     int taken_count;
 } Canvas;
 
@@ -73,7 +73,7 @@ static void put_text(FILE *out, const char *text)
         }
 }
 
-/* Where a text stands: its start, middle or end. */
+/* Position of a text and its SVG anchor: start, middle or end. */
 typedef struct {
     double x, y;
     const char *anchor;
@@ -97,7 +97,8 @@ static bool has_lines(const PlotPanel *panel)
     return false;
 }
 
-/* 1, 2 or 5 times a power of ten, as a decade: the last one below, or the first one above. */
+/* Returns the nearest value of 1, 2 or 5 times a power of ten as log10: the greatest not above
+ * `decade`, or the least not below. */
 static double step_beside(double decade, bool above)
 {
     static const double steps[] = {0, 0.30103, 0.69897, 1};
@@ -108,8 +109,8 @@ static double step_beside(double decade, bool above)
     return whole + steps[i];
 }
 
-/* Whole decades around all numbers above 0, with one more below for those that are not; of lines
- * less, and room for their key. */
+/* Returns the limits of an axis: whole decades around all positive values, plus a decade below
+ * if values <= 0 exist. For lines: tight limits of steps 1, 2, 5, plus space for the legend. */
 static Axis find_axis(const PlotPanel *panel, bool vertical)
 {
     Axis axis = {INFINITY, -INFINITY};
@@ -169,7 +170,8 @@ static void draw_level(const Canvas *c, double decade)
     text_at(c->out, "tick", (TextAnchor){c->field.x - 6, y + 3.5, "end"}, text);
 }
 
-/* Decades, every second one of many; within two of them what is 1, 2 and 5 times as much, too. */
+/* Draws horizontal grid lines: per decade, every second one beyond 8 decades, and 1, 2, 5 per
+ * decade up to 2 decades. */
 static void draw_levels(const Canvas *c)
 {
     const double near = 1e-6, far = c->y.high - c->y.low;
@@ -232,7 +234,7 @@ static void draw_lines(const Canvas *c, const PlotPoint *sorted, int count)
             draw_line(c, sorted, count, line);
 }
 
-/* A line's name beside a piece of it, for each line that has one. */
+/* Draws the legend: a sample of each named line with its name. */
 static void draw_key(const Canvas *c, const PlotPoint *points, int count)
 {
     double x = c->field.x + KEY_GAP;
@@ -272,13 +274,13 @@ static void take(Canvas *c, Box box)
         c->taken[c->taken_count++] = box;
 }
 
-/* Beside the point, where there is room; none where there is not. */
+/* Draws a label near its point at the first free position, or no label if all are occupied. */
 static void draw_label(Canvas *c, const PlotPoint *point)
 {
     const double height = 11, gap = 7, width = 6.1 * (double)strlen(point->label);
     double x = pixel_x(c, point->x), y = pixel_y(c, point->y);
     for (int distance = 0; distance < 4; distance++)
-        /* above and below the line, to the right, the left, in the middle */
+        /* Try above and below, each to the right, to the left, and centered. */
         for (int side = 0; side < 6; side++) {
             double dx = side % 3 == 2 ? -width / 2 : side % 3 ? -gap - width : gap;
             double dy = (side < 3 ? -1 : 1) * (distance + 0.9) * height - height / 2;

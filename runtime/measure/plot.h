@@ -1,5 +1,5 @@
-/* Plots of error against time: small panels, both axes logarithmic, the Pareto front a line, or
- * several lines. */
+/* Plots of error against time: small panels with two logarithmic axes and the Pareto front as a
+ * line, or with several lines. */
 #ifndef MATC_MEASURE_PLOT_H
 #define MATC_MEASURE_PLOT_H
 #include <stdbool.h>
@@ -8,30 +8,32 @@
 enum { PLOT_LINES = 5 };
 
 typedef struct {
-    double x, y;       /* 0 and below stand on the axis; a NaN is left out */
-    bool front;        /* on the line, and labelled */
-    bool named;        /* labelled even if not; of a line, in a key at the top */
-    const char *label; /* NULL or "": none */
-    /* 1 to PLOT_LINES: joined with those of the same line in the order of x; 0: not */
+    double x, y;       /* values <= 0 are drawn on the axis; NaN: not drawn */
+    bool front;        /* on the Pareto front: joined to the line and labeled */
+    bool named;        /* labeled even if not on the front; for a line: listed in the legend */
+    const char *label; /* NULL or "": no label */
+    /* Line number from 1 to PLOT_LINES: points of the same number are joined in the order of x.
+     * 0: no line. */
     int line;
 } PlotPoint;
 
 typedef struct {
-    const char *title, *x, *y; /* y: what the axis shows */
+    const char *title, *x, *y; /* title and axis labels */
     const PlotPoint *points;
     int count;
 } PlotPanel;
 
 typedef struct {
-    const char *title, *note; /* note: a line below the title, or NULL */
+    const char *title, *note; /* note: subtitle, or NULL */
     const PlotPanel *panels;
-    int count, columns; /* panels, and how many stand side by side */
+    int count, columns; /* number of panels, and of columns in the grid */
 } Plot;
 
-/* The plot as SVG, in light and dark colours as the reader prefers them. From malloc. */
+/* Draws the plot as SVG that follows the reader's light or dark color scheme. Returns a string
+ * from malloc. */
 char *plot_svg(const Plot *plot);
 
-/* An SVG text as a PNG of `scale` times its size, by librsvg and cairo, loaded when this is called.
- * False: see `error`. */
+/* Renders SVG to a PNG file at `scale` times its size with librsvg and cairo, which are loaded
+ * at run time. Returns false with the reason in `error`. */
 bool plot_png(const char *svg, double scale, const char *path, char *error, size_t room);
 #endif

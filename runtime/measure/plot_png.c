@@ -1,4 +1,4 @@
-/* SVG to PNG by librsvg: the same picture twice. The library is loaded here, so that nothing links
+/* Renders SVG to PNG with librsvg. The library is loaded by dlopen, so the program does not link
  * to it. */
 #include "runtime/measure/plot.h"
 #include "runtime/gl/message.h"
@@ -13,7 +13,7 @@ typedef struct {
     double x, y, width, height;
 } RsvgRectangle;
 
-/* The few functions that are called; their handles are pointers to us. */
+/* The called functions; GObject and cairo handles are opaque pointers. */
 typedef struct {
     void *(*handle_new)(const uint8_t *data, size_t size, void **error);
     int (*handle_size)(void *handle, double *width, double *height);
@@ -33,7 +33,7 @@ static bool find(void *library, const char *name, void *function)
     return symbol != NULL;
 }
 
-/* librsvg brings cairo and glib with it: their functions are found through it. */
+/* Loads librsvg. Functions of its dependencies cairo and glib are found through the same handle. */
 static bool load(Library *l)
 {
     void *rsvg = dlopen("librsvg-2.so.2", RTLD_NOW | RTLD_LOCAL);
@@ -48,7 +48,7 @@ static bool load(Library *l)
            find(rsvg, "cairo_surface_destroy", &l->surface_free);
 }
 
-/* A plot that librsvg has read, and what is made of it. */
+/* A plot loaded by librsvg, and its output parameters. */
 typedef struct {
     const Library *library;
     void *handle;

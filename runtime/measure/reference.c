@@ -1,4 +1,4 @@
-/* Reference values, and distances from them. */
+/* Evaluates reference values and measures errors against them. */
 #include "compiler/evaluate.h"
 #include "runtime/measure/measure.h"
 #include <math.h>
@@ -8,7 +8,7 @@ bool measure_reference(const MeasureRequest *request, const Variant *variant,
                        const FieldVertex *points, SlotValues *values)
 {
     MatcOptions options = variant_options(variant, request->options);
-    options.target = NULL; /* programs are drawn as GLSL 3.30 */
+    options.target = NULL; /* the drawn programs are GLSL 3.30 */
     Surface *surfaces = calloc(POINTS, sizeof *surfaces);
     if (!surfaces)
         abort();

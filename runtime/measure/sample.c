@@ -1,9 +1,9 @@
-/* Points spread evenly, and a plane in perspective. */
+/* Low-discrepancy points, and a plane in perspective. */
 #include "runtime/measure/sample.h"
 #include <string.h>
 
-/* Number `index` of an even sequence in [0, 1) for each dimension: multiples of an irrational
- * number. */
+/* Returns element `index` of a low-discrepancy sequence in [0, 1): multiples of an irrational
+ * number per dimension (additive recurrence). */
 static double spread(int index, int dimension)
 {
     static const double root[] = {0.41421356237309505, 0.7320508075688772, 0.2360679774997898,
@@ -20,7 +20,7 @@ static void set3(float to[3], double x, double y, double z)
     to[2] = (float)z;
 }
 
-/* A normal at any angle, and two tangents that make it a right-handed frame. */
+/* Sets a normal given by height and angle, and two tangents that complete a right-handed frame. */
 static void set_frame(FieldVertex *v, double height, double angle, double turn)
 {
     double r = sqrt(fmax(0, 1 - height * height)), s = sin(angle), c = cos(angle), a = cos(turn),
@@ -69,8 +69,8 @@ void sample_surface(const FieldVertex *point, Surface *surface)
     }
 }
 
-/* Corner (x, y) of the picture, and where its line of sight meets the plane: the clip coordinates'
- * w is the depth there, so that what lies between is interpolated as perspective has it. */
+/* Sets the vertex at corner (x, y) of the picture to the intersection of its view ray with the
+ * plane. The clip coordinate w is the depth, so interpolation is perspective-correct. */
 static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y, double pitch)
 {
     const double half = 0.5; /* tangent of half the vertical angle */
@@ -97,7 +97,7 @@ static void set_corner(FieldVertex *v, const PlaneView *view, double x, double y
 
 void sample_plane(FieldVertex vertices[PLANE_VERTICES], const PlaneView *view)
 {
-    /* a tenth of a pixel: the horizon itself is not met */
+    /* A tenth of a pixel, so that the horizon itself is not drawn. */
     const double beyond = 0.1 * 2 / view->height;
     double pitch = atan(0.5 * (1 + beyond));
     for (int i = 0; i < PLANE_VERTICES; i++)

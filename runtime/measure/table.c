@@ -1,4 +1,4 @@
-/* Lists of what was measured as CSV and as a table. */
+/* Formats measurement results as CSV and as a table. */
 #include "runtime/measure/measure.h"
 #include <math.h>
 #include <stdio.h>
@@ -34,7 +34,7 @@ static void put_header(FILE *out)
     fputc('\n', out);
 }
 
-/* A field of CSV: quoted where it has to be. */
+/* Writes a CSV field, quoted if necessary. */
 static void put_field(FILE *out, const char *text)
 {
     bool plain = !strpbrk(text, ",\"\n");

@@ -1,4 +1,4 @@
-/* How long draws last. */
+/* Times draws. */
 #include "runtime/measure/meter.h"
 #include "runtime/gl/clock.h"
 #include "runtime/gl/message.h"
@@ -6,7 +6,7 @@
 #include <time.h>
 
 enum { MOST_REPEATS = 1 << 14 };
-/* seconds: what a clock and a queue add is small against it */
+/* min sample length in seconds, large compared with the overhead of clock and queue */
 static const double least_sample = 2.5e-3;
 
 double meter_now(void)
@@ -57,7 +57,8 @@ static double time_once(Meter *m, const MeterDraw *draw, int repeats)
                               : seconds_by_wall(m->gl, draw->field, repeats);
 }
 
-/* The first draw compiles; then doubled until a sample is long enough. */
+/* Returns the repeat count of a sample. The first draw triggers compilation; then the count
+ * doubles until a sample is long enough. */
 static int find_repeats(Meter *m, const MeterDraw *draw)
 {
     int repeats = 1;

@@ -1,4 +1,4 @@
-/* Variants as options and as names; all combinations. */
+/* Converts variants to options and names, and enumerates combinations. */
 #include "runtime/measure/variant.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>
@@ -54,7 +54,8 @@ MatcOptions variant_options(const Variant *variant, const MatcOptions *base)
     return options;
 }
 
-/* Up to the comment that names choices, or the empty line that ends the header. */
+/* Returns the size of a program's header up to the comment that names the choices, or else up to
+ * the empty line after the header. */
 static size_t header_size(const char *program)
 {
     const char *end = strstr(program, "\n\n"), *choices = strstr(program, "\n// choices:");
@@ -77,7 +78,7 @@ int variant_distance(const Variant *a, const Variant *b)
     return distance;
 }
 
-/* The next combination, as an odometer turns; false after the last. */
+/* Steps to the next combination like an odometer; returns false after the last. */
 static bool advance(Variant *variant, const VariantAxes *open)
 {
     for (int axis = 0; axis < AXIS_COUNT; axis++) {
