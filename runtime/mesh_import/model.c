@@ -1,6 +1,6 @@
-/* A file of a mesh may be anybody's, and the library that reads it is large: it runs in a process
- * of its own, with an end to its time and memory, and what comes back through a pipe is checked
- * like the file itself. So a file that breaks the reader is a fault like others. */
+/* Mesh files are untrusted, and the library that parses them is large. It runs in a child
+ * process with limits on time and memory. Data received through the pipe is validated like the
+ * file itself. A file that crashes the parser is reported as an ordinary error. */
 #include "runtime/mesh_import/model.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/root.h"
@@ -19,14 +19,14 @@
 #include <unistd.h>
 
 #if defined(__SANITIZE_ADDRESS__)
-enum { HAS_MEMORY_LIMIT = 0 }; /* its shadow memory counts as memory */
+enum { HAS_MEMORY_LIMIT = 0 }; /* AddressSanitizer's shadow memory would exceed the limit */
 #else
 enum { HAS_MEMORY_LIMIT = 1 };
 #endif
 
 enum { MESSAGE = 1024, BROKEN = 3 };
 
-/* Head of a message through the pipe; vertices, indices, runs and optional data follow. */
+/* Header of the message through the pipe; vertices, indices, runs and optional extras follow. */
 typedef struct {
     bool done, has_normals, has_coordinates;
     int vertex_count, index_count, run_count;
@@ -83,7 +83,7 @@ static void limit(int what, rlim_t most)
     setrlimit(what, &limits);
 }
 
-/* The other process, from its begin to its end. */
+/* Main function of the child process: imports the file and sends the result. */
 static _Noreturn void import_and_send(const ModelSource *source, int pipe)
 {
     ModelParts parts;
@@ -115,7 +115,7 @@ static _Noreturn void import_and_send(const ModelSource *source, int pipe)
     _exit(sent ? 0 : BROKEN);
 }
 
-/* Runs go over all triangles, each once. */
+/* Returns whether the runs cover all indices exactly. */
 static bool are_whole(const ModelRun *runs, const Head *head)
 {
     int64_t indices = 0;
@@ -127,7 +127,7 @@ static bool are_whole(const ModelRun *runs, const Head *head)
     return indices == head->index_count;
 }
 
-/* Numbers that are none, or infinite, are 0. */
+/* Receives the extra attributes; NaN and infinities become 0. */
 static bool receive_extras(int pipe, const Head *head, Shape *shape)
 {
     memcpy(shape->names, head->names, sizeof shape->names);
@@ -149,7 +149,8 @@ static bool receive_extras(int pipe, const Head *head, Shape *shape)
     return true;
 }
 
-/* Receives the message of the child process; false: it did not come, or not to its end. */
+/* Receives and validates the child's message. Returns false if the message is missing, truncated
+ * or invalid. */
 static bool receive(int pipe, Head *head, Shape *shape, ModelRun **runs)
 {
     if (!receive_all(pipe, head, sizeof *head))
@@ -182,7 +183,7 @@ typedef struct {
     size_t room;
 } Import;
 
-/* The file's triangles; `head` tells what they have. */
+/* Imports a file in a child process; *head describes the received data. */
 static bool import_apart(const ModelSource *source, Head *head, Import *to)
 {
     int ends[2], status = 0;
@@ -205,7 +206,7 @@ static bool import_apart(const ModelSource *source, Head *head, Import *to)
     return head->done || message_fail(to->error, to->room, "%s", head->error);
 }
 
-/* y up, and z to the viewer, becomes z up. */
+/* Rotates from y up (z toward the viewer) to z up. */
 static void turn(Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++) {

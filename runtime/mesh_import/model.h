@@ -1,4 +1,4 @@
-/* Meshes out of files. */
+/* Imports meshes from files. */
 #ifndef MATC_VIEW_MODEL_H
 #define MATC_VIEW_MODEL_H
 #include "compiler/base/watch.h"
@@ -11,51 +11,53 @@ enum {
     MODEL_INDICES = 1 << 24,
     MODEL_RUNS = 1 << 20,
     MODEL_NO_MATERIAL = INT32_MAX,
-    MODEL_SECONDS = 30,     /* of reading */
-    MODEL_MEMORY_MIB = 4096 /* for reading */
+    MODEL_SECONDS = 30,     /* CPU time limit of reading */
+    MODEL_MEMORY_MIB = 4096 /* memory limit of reading */
 };
 
-/* Triangles one after the other that have one material. */
+/* Consecutive triangles that share a material. */
 typedef struct {
-    int material;    /* as the file counts them; MODEL_NO_MATERIAL: a glTF's that have none */
-    int index_count; /* three for each triangle */
+    int material;    /* index in the file; MODEL_NO_MATERIAL: glTF triangles without material */
+    int index_count; /* three per triangle */
 } ModelRun;
 
-/* Reads an OBJ, glTF 2 (.gltf, .glb) or PLY file: all its triangles, turned so that z is up (OBJ
- * and glTF have y up), moved and scaled until the corners of its bounding box are at most 1 from
- * the origin. Normals that are missing become those of the faces, smoothed; texture coordinates
- * longitude and latitude; tangents are dP/du and dP/dv of the triangles, as on every shape. A
- * vertex where mirrored texture coordinates meet others becomes two. False: *error, and *made is
- * empty. */
+/* Reads all triangles of an OBJ, glTF 2 (.gltf, .glb) or PLY file. Rotates OBJ and glTF meshes
+ * from y up to z up. Moves and scales the mesh until the corners of its bounding box are at most
+ * 1 from the origin. Missing normals become smoothed face normals. Missing texture coordinates
+ * become longitude and latitude. Tangents are dP/du and dP/dv of the triangles, as on every
+ * shape. A vertex between mirrored and unmirrored texture coordinates is split in two. Returns
+ * false with the reason in *error; *made is then empty. */
 bool model_read(const char *path, Shape *made, char *error, size_t room);
 
-/* Reads a mesh with its own position and size, for scenes. */
+/* Reads a mesh for a scene, at its original position and size. */
 bool model_read_in_place(const char *path, Shape *made, char *error, size_t room);
 
-/* Reads a shape for each material that triangles have, in the order of the file's materials: *made
- * has count of them, from malloc. */
+/* Reads a mesh as one shape per used material, in the order of the file's materials. *made is an
+ * array of *count parts, from malloc. */
 typedef struct {
     int material;
     Shape shape;
 } ModelPart;
 bool model_read_parts(const char *path, ModelPart **made, int *count, char *error, size_t room);
 
-/* A mesh's file that somebody else's document names. */
+/* A mesh file named by an untrusted document. */
 typedef struct {
     const char *path;
-    /* the folder below which it lies, and all files that it names: root.h. NULL: anywhere */
+    /* Folder that must contain the mesh and all files it refers to (root.h). NULL: no
+     * restriction. */
     const char *root;
-    bool whole; /* one part, of material -1, whatever materials it has */
+    bool whole; /* read a single part with material -1, ignoring the materials */
 } ModelSource;
-/* Reads it in place, in parts as model_read_parts() returns them. */
+/* Reads a mesh at its original position and size, in parts as model_read_parts(). */
 bool model_read_source(const ModelSource *source, ModelPart **made, int *count, char *error,
                        size_t room);
 
-/* Adds the files beside itself that a mesh's file is made of: a .gltf's buffers, whether they are
- * there or not. */
+/* Adds the additional files of a mesh to the list: a .gltf's buffers, existing or missing. */
 void model_files(const char *path, WatchList *files);
 
-/* The second half: checks what was read, and adds what is missing. NULL, or what is wrong. */
+/* Checks the data read from a file, and computes missing normals, texture coordinates and
+ * tangents. Returns NULL, or an error message. The second function keeps the mesh's position and
+ * size. */
 const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates);
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates);
 #endif

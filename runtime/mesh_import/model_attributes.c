@@ -1,5 +1,5 @@
-/* From `_WETNESS` to numbers. A file may be anybody's: each index, count and length is held against
- * what is there. */
+/* Reads application-specific attributes such as `_WETNESS`. Files are untrusted: every index,
+ * count and length is checked against the available data. */
 #include "runtime/mesh_import/model_attributes.h"
 #include "compiler/base/root.h"
 #include "compiler/read/gltf_file.h"
@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* glTF 2.0, section 3.6.2.2. */
+/* Component types of glTF 2.0, section 3.6.2.2. */
 typedef enum {
     BYTE = 5120,
     UNSIGNED_BYTE,
@@ -27,20 +27,20 @@ typedef struct {
     GltfPlace place;
     const Tree *root;
     ModelAttributes *made;
-    size_t vertices; /* of all primitives that have some */
+    size_t vertices; /* total of all primitives with such attributes */
     char *error;
     size_t room;
     char where[PLACE]; /* "meshes/0/primitives/1" */
 } Reader;
 
-/* An accessor, as it was checked. */
+/* A validated accessor. */
 typedef struct {
-    const unsigned char *at; /* NULL: all is 0 */
+    const unsigned char *at; /* NULL: all values are 0 */
     size_t stride;
     int lanes;
     Component component;
     bool normalized;
-    /* which vertices have other values than those, and which: section 3.6.2.3. NULL: none */
+    /* Sparse substitution of some vertices' values (section 3.6.2.3). NULL: none. */
     const Tree *sparse;
 } Accessor;
 
@@ -72,7 +72,7 @@ static size_t bytes_of(size_t component)
                                                                : 0;
 }
 
-/* Where the numbers lie; NULL, or why they do not. */
+/* Locates the accessor's values in its bufferView. Returns NULL, or an error message. */
 static const char *find_bytes(const Reader *r, const Tree *accessor, size_t count, Accessor *made)
 {
     GltfBytes bytes;
@@ -106,7 +106,7 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     made->normalized = is_text(gltf_file_value(accessor, "normalized"), "true");
     if (!made->lanes)
         return "its accessor's type is none of SCALAR, VEC2, VEC3, VEC4";
-    if (!bytes_of(component) || component == UNSIGNED_INT) /* which attributes cannot have */
+    if (!bytes_of(component) || component == UNSIGNED_INT) /* not allowed for attributes */
         return "its accessor's componentType is none of bytes, shorts and floats (5120 to 5123, "
                "5126)";
     if (gltf_file_whole(gltf_file_value(accessor, "count"), 0) != count)
@@ -114,7 +114,8 @@ static const char *find_accessor(const Reader *r, const Tree *index, size_t coun
     return find_bytes(r, accessor, count, made);
 }
 
-/* One number, little endian. Of the signed ones the least but one is -1. */
+/* Reads one component, little endian. A normalized signed integer is clamped to -1, so the two
+ * least values both give -1. */
 static float number_at(const Accessor *a, const unsigned char *at)
 {
     const unsigned word =
@@ -148,7 +149,8 @@ static void put_numbers(const Accessor *a, size_t count, float (*to)[LANES])
     }
 }
 
-/* So many values of so many bytes, close together, of a part of a sparse accessor; NULL: `why`. */
+/* Returns `size` tightly packed bytes of a sparse accessor's indices or values; NULL with the
+ * reason in *why. */
 static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size_t size,
                                          const char **why)
 {
@@ -162,7 +164,8 @@ static const unsigned char *sparse_bytes(const Reader *r, const Tree *part, size
                : (const unsigned char *)bytes.at + offset;
 }
 
-/* Values of some vertices, by their numbers. NULL, or what is wrong. */
+/* Overwrites the values of the vertices listed in a sparse accessor. Returns NULL, or an error
+ * message. */
 static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertices,
                               float (*to)[LANES])
 {
@@ -194,7 +197,8 @@ static const char *put_sparse(const Reader *r, const Accessor *a, size_t vertice
     return NULL;
 }
 
-/* The number of a name, "_WETNESS" being "wetness"; SHAPE_NAMED: so many came before it. */
+/* Returns the index of an attribute's name, where "_WETNESS" is "wetness"; SHAPE_NAMED: no free
+ * index. */
 static int place_of(Reader *r, const char *key)
 {
     char name[SHAPE_NAME] = "";
@@ -229,13 +233,14 @@ static bool read_one(Reader *r, const Member *member, ModelPrimitive *primitive)
     return !why || fail(r, member->key, why);
 }
 
-/* A name that a formula can ask for. */
+/* Returns whether an attribute is application-specific and short enough for a formula. */
 static bool is_own(const Member *member)
 {
     return member->key[0] == '_' && member->key[1] && member->size < SHAPE_NAME;
 }
 
-/* Room beside its texture coordinates, and its vertices. */
+/* Starts a primitive: checks that a set of texture coordinates is free for vertex numbers, and
+ * reads the vertex count. */
 static bool begin(Reader *r, const Tree *attributes, const char *name, ModelPrimitive *primitive)
 {
     static const char *const sets[MODEL_COORDINATES] = {"TEXCOORD_0", "TEXCOORD_1", "TEXCOORD_2",
@@ -287,7 +292,7 @@ static bool read_meshes(Reader *r)
     return true;
 }
 
-/* As large as a mesh's file may be; below the root that `user` is. */
+/* Reads a file of at most MODEL_FILE_MIB below the root folder `user`. */
 static char *read_file(void *user, const char *path, size_t *size, const char **why)
 {
     struct stat info;
@@ -309,7 +314,7 @@ static char *read_file(void *user, const char *path, size_t *size, const char **
     return text;
 }
 
-/* Most files have none, and their JSON may be long. */
+/* Searches the raw bytes for `"_`, to avoid parsing long JSON texts without such attributes. */
 static bool may_have(const ModelSource *source)
 {
     size_t size = 0, at = 0;

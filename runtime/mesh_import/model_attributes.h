@@ -1,31 +1,32 @@
-/* Attributes of a glTF's meshes that have names of the author's: `"attributes": { "POSITION": 0,
- * "_WETNESS": 1 }` is what a formula calls attribute("wetness", float). Assimp passes them over, so
- * they are read here, and go to its vertices by the number that each has:
- * model_number.c. */
+/* Application-specific attributes of glTF meshes: `"attributes": { "POSITION": 0, "_WETNESS": 1
+ * }` is attribute("wetness", float) in a formula. Assimp ignores such attributes. They are read
+ * here and assigned to assimp's vertices by vertex numbers (model_number.c). */
 #ifndef MATC_SCENE_MODEL_ATTRIBUTES_H
 #define MATC_SCENE_MODEL_ATTRIBUTES_H
 #include "compiler/base/arena.h"
 #include "runtime/mesh_import/model.h"
 #include <stddef.h>
 
-/* Sets of texture coordinates that assimp holds, the numbers of vertices among them. */
+/* Max sets of texture coordinates in assimp, including the set that holds vertex numbers. */
 enum { MODEL_COORDINATES = 8 };
 
-/* Those of a primitive. */
+/* Attributes of a glTF primitive. */
 typedef struct {
     size_t vertex_count;
-    float (*values[SHAPE_NAMED])[4]; /* by name, by vertex; NULL: it has none of that name */
+    /* by name, by vertex; NULL: the primitive lacks the attribute */
+    float (*values[SHAPE_NAMED])[4];
 } ModelPrimitive;
 
 typedef struct {
     ShapeNames names;
-    ModelPrimitive *primitives; /* of all meshes, in the order of the file */
+    ModelPrimitive *primitives; /* of all meshes, in file order */
     size_t count, room;
 } ModelAttributes;
 
-/* Reads the attributes of a .gltf or .glb; other files have none. Components that an accessor lacks
- * are 0, 0, 0, 1; whole numbers are themselves, or, if `normalized`, as glTF 2.0 states in section
- * 3.6.2.2: a byte of 255 is 1. All lies in the arena. False: error says why. */
+/* Reads the attributes of a .gltf or .glb file; other files have none. Components missing from
+ * an accessor are 0, 0, 0, 1. Integers keep their value, or are normalized as in glTF 2.0,
+ * section 3.6.2.2 (a byte of 255 is 1). All data is allocated in the arena. Returns false with
+ * the reason in `error`. */
 bool model_attributes_read(Arena *arena, const ModelSource *source, ModelAttributes *made,
                            char *error, size_t room);
 #endif

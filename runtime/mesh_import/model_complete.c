@@ -1,5 +1,5 @@
-/* Checks what was read of a mesh, and adds what is missing: place and size, texture coordinates,
- * normals, tangents. */
+/* Validates a mesh and computes missing data: position and size, texture coordinates, normals,
+ * tangents. */
 #include "runtime/mesh_import/model_sides.h"
 #include <math.h>
 #include <stdlib.h>
@@ -40,7 +40,7 @@ static float dot(const float a[3], const float b[3])
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/* False: it has no length, or is no number, and stays as it was. */
+/* Normalizes *v. Returns false and leaves *v unchanged if the vector is zero or not finite. */
 static bool normalize(float v[3])
 {
     float length = sqrtf(dot(v, v));
@@ -51,8 +51,8 @@ static bool normalize(float v[3])
     return true;
 }
 
-/* Into the unit sphere around the origin; gives the factor that takes it back to its size. 0: all
- * its points are one. */
+/* Fits the mesh into the unit sphere around the origin. Returns the factor that restores the
+ * original size; 0 if all points coincide. */
 static float fit(Shape *shape)
 {
     float low[3], high[3];
@@ -73,7 +73,7 @@ static float fit(Shape *shape)
     return half;
 }
 
-/* As on the sphere, seen from the middle. */
+/* Computes spherical texture coordinates: longitude and latitude as seen from the origin. */
 static void make_coordinates(Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++) {
@@ -85,8 +85,8 @@ static void make_coordinates(Shape *shape)
     }
 }
 
-/* The mean of the faces that meet at a vertex, each by its area: the length of its edges' cross
- * product. */
+/* Computes area-weighted vertex normals: sums the cross products of the edges of all faces at a
+ * vertex. */
 static void make_normals(Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++)
@@ -104,7 +104,7 @@ static void make_normals(Shape *shape)
     }
 }
 
-/* Makes normals unit vectors; up where there is none. */
+/* Normalizes all normals; degenerate ones become (0, 0, 1). */
 static void mend_normals(Shape *shape)
 {
     static const float up[3] = {0, 0, 1};
@@ -113,17 +113,18 @@ static void mend_normals(Shape *shape)
             memcpy(shape->vertices[i].normal, up, sizeof up);
 }
 
-/* A vertex: how many triangles gave it tangents; by how much more of their area turns right around
- * its normal than left. */
+/* Per vertex: number of triangles that contributed tangents, and the signed area sum of their
+ * orientation around the normal (positive: right-handed). */
 typedef struct {
     int faces;
     float turn;
 } Tally;
 
-/* dP/du and dP/dv of a triangle, added to its corners. With edges a and b, and (s, t) and (p, q)
- * their steps in u and v:
- *   a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D, D = s q - t
- * p Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu =
+/* Adds dP/du and dP/dv of a triangle to its corners. Edges a and b have the steps (s, t) and (p,
+ * q) in (u, v):
+ *     a = s Pu + t Pv, b = p Pu + q Pv   so   Pu = (q a - t b) / D, Pv = (s b - p a) / D,
+ *     D = s q - t p
+ * Worked example: a = (2, 0, 0) with (s, t) = (1, 0) and b = (0, 2, 0) with (0, 1): D = 1, Pu =
  * a, Pv = b. */
 static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
 {
@@ -147,8 +148,9 @@ static void add_tangents(ShapeVertex *corner[3], Tally *tally[3])
     }
 }
 
-/* Their mean, in the plane of the normal. What has no direction there, or turns the other way than
- * its triangles, as it may around a pole, becomes the frame that goes on from the normal. */
+/* Averages the tangents and projects them into the normal's plane. Degenerate tangents, and
+ * tangents with the opposite orientation of their triangles (possible at a pole), are replaced
+ * by a frame built from the normal. */
 static void mend_tangents(ShapeVertex *vertex, const Tally *tally)
 {
     const float *n = vertex->normal, side = tally->turn < 0 ? -1 : 1;
@@ -192,7 +194,7 @@ static bool make_tangents(Shape *shape)
     return true;
 }
 
-/* Coordinates that are no numbers would make tangents that are none. */
+/* Returns whether all texture coordinates are finite and below 1e9, as tangents require. */
 static bool are_finite(const Shape *shape)
 {
     for (int i = 0; i < shape->vertex_count; i++)
@@ -201,8 +203,9 @@ static bool are_finite(const Shape *shape)
     return true;
 }
 
-/* `kept`: NULL, or a row for each vertex and as many again; a vertex that becomes two has its row
- * twice. */
+/* Validates and completes a mesh, fitted into the unit sphere; *size restores the original size.
+ * `kept`: NULL, or a row per vertex with capacity for twice as many; a duplicated vertex has its
+ * row copied. */
 static const char *complete(Shape *shape, bool has_normals, bool has_coordinates, float *size,
                             float (*kept)[3])
 {
@@ -228,7 +231,8 @@ const char *model_complete(Shape *shape, bool has_normals, bool has_coordinates)
     return complete(shape, has_normals, has_coordinates, &size, NULL);
 }
 
-/* Computations on a mesh use it scaled to size 1: whether an area is small is then well defined. */
+/* Computes on the mesh scaled to size 1, so that the threshold for small areas is well defined,
+ * and restores positions and tangents afterwards. */
 const char *model_complete_in_place(Shape *shape, bool has_normals, bool has_coordinates)
 {
     float size, (*kept)[3] = malloc((size_t)shape->vertex_count * 2 * sizeof *kept + 1);

@@ -1,5 +1,4 @@
-/* Triangles of one material after those of another: each part gets the vertices that its triangles
- * have.
+/* Groups triangles by material; each part gets the vertices that its triangles use.
  *
  *     runs (material 1: 3 indices) (0: 6) (1: 3)     part 0: the second and the third triangle;
  *                                                    part 1: the first and the fourth */
@@ -19,7 +18,7 @@ static ModelPart *find(ModelPart *parts, int count, int material)
     return bsearch(&key, parts, (size_t)count, sizeof *parts, by_material);
 }
 
-/* Parts by ascending material, each with its number of indices. */
+/* Lists the parts by ascending material, each with its index count. Returns the number of parts. */
 static int list_parts(const ModelRun *runs, int run_count, ModelPart *parts)
 {
     int count = 0;
@@ -34,7 +33,7 @@ static int list_parts(const ModelRun *runs, int run_count, ModelPart *parts)
     return count;
 }
 
-/* Each part's triangles, with indices of the whole. */
+/* Copies each part's triangles; their indices still refer to the whole shape. */
 static bool take_indices(const Shape *shape, const ModelRun *runs, int run_count, ModelPart *parts,
                          int count)
 {
@@ -54,8 +53,8 @@ static bool take_indices(const Shape *shape, const ModelRun *runs, int run_count
     return true;
 }
 
-/* Vertices in the order in which they are met. Numbers in `place` up to `taken` are those of parts
- * before. */
+/* Copies a part's vertices in the order of first use, and renumbers its indices. `place` maps a
+ * vertex to its number + 1; values up to `taken` belong to earlier parts. */
 static bool take_vertices(const Shape *shape, uint32_t *place, uint32_t taken, Shape *own)
 {
     for (int i = 0; i < own->index_count; i++)

@@ -1,6 +1,6 @@
-/* The buffers of a .gltf or .glb file, whose addresses are relative to it. Data within the file,
- * places of the net and whatever is wrong are passed over: reading the mesh says what is wrong. An
- * address is taken as it is, %20 too, as assimp 5.2 takes it. */
+/* Lists the buffer files of a .gltf or .glb, whose URIs are relative to the file. Embedded data,
+ * network URIs and errors are ignored: reading the mesh reports errors. URIs are not
+ * percent-decoded, to match assimp 5.2. */
 #include "compiler/base/file.h"
 #include "compiler/base/text.h"
 #include "compiler/read/gltf_chunks.h"
@@ -12,7 +12,7 @@
 
 enum { LONGEST_PATH = 4096 };
 
-/* The file that an address beside `path` names; false: it is none. */
+/* Resolves a URI relative to the file `path`. Returns false if the URI names no file. */
 static bool file_beside(const char *path, const char *uri, char *to, size_t room)
 {
     const char *slash = strrchr(path, '/');

@@ -1,4 +1,4 @@
-/* Assimp's scene as one list of triangles. */
+/* Converts assimp's scene to a single list of triangles. */
 #include "runtime/mesh_import/model_import.h"
 #include "runtime/gl/message.h"
 #include "runtime/mesh_import/model_attributes.h"
@@ -23,19 +23,19 @@ bool model_import(const ModelSource *source, ModelParts *parts, char *error, siz
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
-/* Vertices are joined by model_join.c: assimp 5.2 hashes their positions alone, and takes quadratic
- * time for many in one place. */
+/* Vertices are welded by model_join.c instead: assimp 5.2 hashes positions only, and takes
+ * quadratic time for many vertices in one place. */
 static const unsigned steps = aiProcess_Triangulate | aiProcess_SortByPType |
                               aiProcess_PreTransformVertices | aiProcess_ValidateDataStructure;
 
-/* Where vertices come from. */
+/* Source of a mesh's vertices. */
 typedef struct {
     const struct aiMesh *mesh;
     const ModelAttributes *attributes;
-    int numbers; /* of vertices: which set of texture coordinates */
+    int numbers; /* set of texture coordinates with vertex numbers; -1: none */
 } Origin;
 
-/* Points and lines have no surface. */
+/* Meshes of points or lines are skipped. */
 static bool has_triangles(const struct aiMesh *mesh)
 {
     return mesh->mPrimitiveTypes & aiPrimitiveType_TRIANGLE;
@@ -52,14 +52,14 @@ static void count(const struct aiScene *scene, size_t *vertices, size_t *indices
     }
 }
 
-/* Zeros lose their sign, since vertices are compared by their bytes. */
+/* Copies a vector; adding 0 turns -0 into +0, since vertices are compared by their bytes. */
 static void put(float to[3], const struct aiVector3D *from)
 {
     to[0] = from->x + 0.f, to[1] = from->y + 0.f, to[2] = from->z + 0.f;
 }
 
-/* The set of texture coordinates that is numbers of vertices: the one of three
- * (model_number.c); -1: it has none. */
+/* Returns the set of texture coordinates that holds vertex numbers: the set with three
+ * components (model_number.c). -1: absent. */
 static int numbers_of(const struct aiMesh *mesh)
 {
     int i = MODEL_COORDINATES - 1;
@@ -73,8 +73,8 @@ static bool has_set(const struct aiMesh *mesh, int set)
     return mesh->mTextureCoords[set] && numbers_of(mesh) != set;
 }
 
-/* The primitive that a vertex came from, and which of its vertices it is; NULL: none that has
- * attributes of the author's. */
+/* Returns the primitive of a vertex and the vertex's index in that primitive. NULL: the
+ * primitive has no application-specific attributes. */
 static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t *vertex)
 {
     if (from->numbers < 0)
@@ -87,7 +87,8 @@ static const ModelPrimitive *primitive_of(const Origin *from, unsigned i, size_t
     return primitive->vertex_count ? primitive : NULL;
 }
 
-/* Which extras the meshes have; those that lack one that others have are white, or have 0. */
+/* Allocates the extra attributes that any mesh has. Meshes without such an attribute get white,
+ * or 0. */
 static bool make_extras(const struct aiScene *scene, const ModelAttributes *attributes,
                         size_t vertices, ModelParts *parts)
 {
@@ -107,7 +108,7 @@ static bool make_extras(const struct aiScene *scene, const ModelAttributes *attr
     return true;
 }
 
-/* Writes all extras that the shape has, of the vertex behind its last. */
+/* Writes all extra attributes of the vertex after the shape's last. */
 static void put_extras(const Origin *from, unsigned i, Shape *shape)
 {
     static const float white[4] = {1, 1, 1, 1};
@@ -133,7 +134,7 @@ static void put_extras(const Origin *from, unsigned i, Shape *shape)
     }
 }
 
-/* Writes the vertex behind the shape's last, and joins it with an earlier one of its mesh. */
+/* Writes a vertex after the shape's last, and welds it with an equal vertex of the same mesh. */
 static bool add_vertex(const Origin *from, unsigned i, ModelJoin *join)
 {
     const struct aiMesh *mesh = from->mesh;
@@ -161,7 +162,7 @@ static bool add_vertices(const struct aiMesh *mesh, const ModelAttributes *attri
     return true;
 }
 
-/* Material of a mesh; names of a glTF's are numbers (model_number.h). */
+/* Returns a mesh's material. Material names of a glTF file are indices (model_number.h). */
 static int material_of(const struct aiScene *scene, const struct aiMesh *mesh)
 {
     struct aiString name = {0};
@@ -180,7 +181,7 @@ static bool add_mesh(const struct aiMesh *mesh, int material, const ModelAttribu
                         add_vertices(mesh, attributes, &join);
     for (unsigned f = 0; joined && f < mesh->mNumFaces; f++)
         for (unsigned k = 0; k < 3 && mesh->mFaces[f].mNumIndices == 3; k++) {
-            /* one that is out of range stays so: the parts are checked */
+            /* An index out of range stays invalid; the parent process validates all indices. */
             const unsigned index = mesh->mFaces[f].mIndices[k];
             parts->shape.indices[parts->shape.index_count++] =
                 index < mesh->mNumVertices ? join.joined[index] : UINT32_MAX;
@@ -222,7 +223,7 @@ static bool take(const struct aiScene *scene, const ModelAttributes *attributes,
     return fits || fail_many(vertices, indices, error, room);
 }
 
-/* Error message of assimp; a name of C++ says nothing to the author of the file. */
+/* Returns assimp's error message; std::bad_alloc is replaced by a message for authors. */
 static const char *said(void)
 {
     const char *text = aiGetErrorString();

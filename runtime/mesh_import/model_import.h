@@ -1,11 +1,10 @@
-/* The part of a mesh's reading that is not ours: assimp's, which has to run where it can do no
- * harm. */
+/* Imports a mesh with assimp, which must run in a sandboxed process. */
 #ifndef MATC_VIEW_MODEL_IMPORT_H
 #define MATC_VIEW_MODEL_IMPORT_H
 #include "runtime/mesh_import/model.h"
 #include <stddef.h>
 
-/* Content of a file as it is; vertices without tangents. */
+/* Unprocessed content of a file; vertices have no tangents. */
 typedef struct {
     Shape shape;
     ModelRun *runs;
@@ -13,6 +12,6 @@ typedef struct {
     bool has_normals, has_coordinates;
 } ModelParts;
 
-/* False: *error. */
+/* Reads a file. Returns false with the reason in *error. */
 bool model_import(const ModelSource *source, ModelParts *parts, char *error, size_t room);
 #endif

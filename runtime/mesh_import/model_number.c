@@ -1,6 +1,6 @@
-/* A glTF's materials by numbers. Assimp counts materials as it meets them, and tells of each its
- * name alone: names may be missing, or two the same. So it is given the file with the materials'
- * numbers for names.
+/* Encodes a glTF file's material indices in the material names. Assimp renumbers materials and
+ * reports only their names, which may be missing or ambiguous. Assimp therefore reads a copy of
+ * the file with indices as names:
  *
  *     "materials": [{ "name": "Bark" }, {}]              becomes
  *     "materials": [{ "name": "0" }, { "name": "1" }] */
@@ -15,12 +15,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* -- Vertices */
+/* -- vertices */
 
-/* Assimp joins, copies and leaves out vertices, and tells of none which it was; so each primitive
- * with attributes that assimp does not know has one more set of texture coordinates, of three
- * numbers, as none has else: (the vertex, 0, the primitive, from 1 on: where all of these are 0,
- * assimp takes them for two numbers).
+/* Assimp welds, copies and drops vertices without reporting their origin. Each primitive with
+ * attributes unknown to assimp therefore gets an additional set of texture coordinates, the only
+ * set with three components: (vertex, 0, primitive + 1). Assimp treats a set whose third
+ * components are all 0 as two-dimensional, so primitives count from 1.
  *
  *     "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2 }     becomes
  *     "attributes": { "POSITION": 0, "TEXCOORD_0": 1, "_WETNESS": 2, "TEXCOORD_1": 3 } */
@@ -28,11 +28,11 @@
 enum { FLOAT_COMPONENT = 5126 };
 static const char data[] = "data:application/octet-stream;base64,";
 
-/* The numbers of all primitives, as a buffer, and what has places in the file's lists. */
+/* Vertex numbers of all primitives, as one buffer, and the indices of the new glTF objects. */
 typedef struct {
-    const cJSON **accessors; /* of the file */
+    const cJSON **accessors; /* of the original file */
     int accessor_count;
-    cJSON *list; /* of them; new ones are put behind */
+    cJSON *list; /* array of accessors; new ones are appended */
     int view, added;
     float (*numbers)[3];
     size_t count, room;
@@ -60,7 +60,8 @@ static void put_numbers(Numbers *n, size_t vertices, int primitive)
     }
 }
 
-/* A primitive's accessor, and its name among the attributes. What is broken stays as it is. */
+/* Adds an accessor of vertex numbers, and its entry among the attributes. An invalid primitive
+ * stays unchanged. */
 static void number_primitive(Numbers *n, cJSON *attributes, int primitive)
 {
     char name[16];
@@ -90,8 +91,8 @@ static void number_primitive(Numbers *n, cJSON *attributes, int primitive)
     cJSON_AddNumberToObject(attributes, name, n->accessor_count + n->added++);
 }
 
-/* The numbers as base64 (RFC 4648), from malloc. A row has 12 bytes, which are 16 letters without a
- * rest. */
+/* Encodes the numbers as a base64 data URI (RFC 4648), from malloc. A row of 12 bytes gives
+ * exactly 16 characters, so padding is unnecessary. */
 static char *make_uri(const Numbers *n)
 {
     static const char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -161,7 +162,7 @@ static bool model_number_vertices(cJSON *json)
     return some;
 }
 
-/* The first buffer that reads as many bytes of the same file; itself, if it is that. */
+/* Returns the first buffer with the same file and byte length, which may be the buffer itself. */
 static int first_alike(Arena *arena, Names *files, const cJSON *buffer, int number)
 {
     const cJSON *uri = cJSON_GetObjectItemCaseSensitive(buffer, "uri"),
@@ -175,9 +176,10 @@ static int first_alike(Arena *arena, Names *files, const cJSON *buffer, int numb
     return names_add(arena, files, key.at);
 }
 
-/* Assimp reads a buffer when a view of it is met: views of buffers that are one file are of the
- * first of them.
- *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }] becomes
+/* Redirects all views of buffers that share a file to the first of these buffers. Assimp loads a
+ * buffer only when a view refers to the buffer, so duplicates are not loaded.
+ *     "buffers": [{ "uri": "a.bin" }, { "uri": "a.bin" }], "bufferViews": [{ "buffer": 1 }]
+ *         becomes
  *         "bufferViews": [{ "buffer": 0 }] */
 static bool join_buffers(cJSON *json)
 {

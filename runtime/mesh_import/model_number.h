@@ -1,14 +1,14 @@
-/* A glTF's materials and vertices by numbers, which assimp keeps. */
+/* Encodes the indices of a glTF file's materials and vertices in data that assimp preserves. */
 #ifndef MATC_SCENE_MODEL_NUMBER_H
 #define MATC_SCENE_MODEL_NUMBER_H
 #include "runtime/mesh_import/model.h"
 
-/* The text of a .gltf file in which each material's name is its number, vertices with attributes of
- * the author's have theirs, and buffers of one file are one; from malloc. NULL: it has none of
- * these, or is broken. */
+/* Rewrites the text of a .gltf file: material names become material indices, vertices with
+ * application-specific attributes get vertex numbers, and buffers of the same file are merged.
+ * Returns a string from malloc; NULL if nothing changes or the text is invalid. */
 char *model_number_text(const char *text, size_t size);
-/* Numbers the bytes of a .glb. */
+/* Rewrites the bytes of a .glb file in the same way; *made is the new size. */
 char *model_number_binary(const char *bytes, size_t size, size_t *made);
-/* The number that such a name is; MODEL_NO_MATERIAL: it is none. */
+/* Parses a material name made by model_number_text; MODEL_NO_MATERIAL for any other name. */
 int model_material_number(const char *name);
 #endif

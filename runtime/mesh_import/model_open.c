@@ -1,4 +1,4 @@
-/* The files that assimp opens: that of the mesh, and those that it names. */
+/* Opens files for assimp: the mesh file, and the files that it refers to. */
 #include "runtime/mesh_import/model_open.h"
 #ifdef MATC_ASSIMP
 #include "compiler/base/memory.h"
@@ -14,9 +14,9 @@
 #include <unistd.h>
 
 typedef struct {
-    struct aiFile calls; /* first: what assimp holds is the whole */
+    struct aiFile calls; /* first member: assimp's pointer is also a pointer to ModelFile */
     FILE *file;
-    char *text; /* that it is of; NULL: it is of a file */
+    char *text; /* rewritten content that `file` reads; NULL: a file on disk */
     size_t size;
 } ModelFile;
 
@@ -47,7 +47,8 @@ static enum aiReturn seek(struct aiFile *opened, size_t offset, enum aiOrigin or
                                                                   : aiReturn_SUCCESS;
 }
 
-/* Without waiting for a pipe's other end. NULL: it is no file, or too large. */
+/* Opens a file without blocking on pipes. Returns NULL if the path is no regular file or the
+ * file is too large. */
 static FILE *open_file(const char *root, const char *path, size_t *size)
 {
     struct stat info;
@@ -65,7 +66,7 @@ static FILE *open_file(const char *root, const char *path, size_t *size)
     return file;
 }
 
-/* In place of a .gltf, or a .glb, the same with numbered materials and vertices. */
+/* Replaces a .gltf or .glb by its copy with numbered materials and vertices. */
 static void number_file(ModelFile *opened, bool binary)
 {
     char *text = malloc(opened->size + 1);

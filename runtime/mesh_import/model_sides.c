@@ -1,7 +1,7 @@
-/* Texture coordinates may run mirrored over a part of a mesh, as where one half of a picture serves
- * both halves of a face, or where those that are made up turn back. Tangents turn left around the
- * normal there and right elsewhere, and the mean of both is none: a vertex where triangles of both
- * meet becomes two, as at any other seam.
+/* Texture coordinates may be mirrored over a part of a mesh, for example if one half of a
+ * texture serves both halves of a face. Tangents are left-handed around the normal there and
+ * right-handed elsewhere, so their mean is meaningless. A vertex shared by triangles of both
+ * orientations is split in two, as at any other seam.
  *     u = |x| on the squares left and right of x = 0: dP/du is (-1, 0, 0) left of it, (1, 0, 0)
  *         right of it, and never their mean */
 #include "runtime/mesh_import/model_sides.h"
@@ -17,7 +17,7 @@ float model_area(const float a[2], const float b[2], const float c[2])
     return fabsf(area) > 1e-12f ? area : 0;
 }
 
-/* Which way the texture coordinates of a triangle turn; 0: they have no extent. */
+/* Returns the orientation of a triangle's texture coordinates; 0: degenerate. */
 static int turn_of(const Shape *shape, const uint32_t index[3])
 {
     const ShapeVertex *vertices = shape->vertices;
@@ -26,7 +26,8 @@ static int turn_of(const Shape *shape, const uint32_t index[3])
     return area > 0 ? TO_RIGHT : area < 0 ? TO_LEFT : 0;
 }
 
-/* Per vertex, which turns its triangles have; the number of those with both. */
+/* Collects the orientations of each vertex's triangles. Returns the number of vertices with
+ * both. */
 static int find_turns(const Shape *shape, unsigned char *turns)
 {
     int both = 0;
@@ -37,8 +38,8 @@ static int find_turns(const Shape *shape, unsigned char *turns)
     return both;
 }
 
-/* Appends the doubles; per vertex, which one triangles that turn left have. `kept` has as many rows
- * as there may be vertices. */
+/* Appends the duplicates. left[i] is the vertex that left-handed triangles use in place of i.
+ * `kept` has a row for every possible vertex. */
 static void append_doubles(Shape *shape, const unsigned char *turns, uint32_t *left,
                            float (*kept)[3])
 {

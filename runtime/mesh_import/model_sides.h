@@ -1,14 +1,14 @@
-/* Vertices where texture coordinates turn back. */
+/* Splits vertices between mirrored and unmirrored texture coordinates. */
 #ifndef MATC_SCENE_MODEL_SIDES_H
 #define MATC_SCENE_MODEL_SIDES_H
 #include "runtime/mesh_import/model.h"
 
-/* Twice the area of a triangle in u and v, negative where it is mirrored; 0 where it is too small
- * for tangents: below 1e-12. */
+/* Returns twice the signed area of a triangle in (u, v): negative for mirrored coordinates, 0 if
+ * too small for tangents (below 1e-12). */
 float model_area(const float a[2], const float b[2], const float c[2]);
 
-/* Makes two of every vertex where mirrored triangles meet others; the second ones stand at the end.
- * `kept`: NULL, or a row for each vertex and as many again; the row of a vertex that becomes two is
- * copied. False: out of memory. */
+/* Duplicates every vertex shared by mirrored and unmirrored triangles; duplicates are appended.
+ * `kept`: NULL, or a row per vertex with capacity for twice as many; the row of a duplicated
+ * vertex is copied. Returns false if memory runs out. */
 bool model_part_sides(Shape *shape, float (*kept)[3]);
 #endif
