@@ -1,4 +1,4 @@
-// Where no pass looks for edges.
+// Replaces edge_part.glsl if the edge pass does not run.
 float edgeShare(ivec2 pixel, out ivec2 beyond)
 {
     beyond = pixel;

@@ -1,9 +1,10 @@
-// Result of the pass edge in a pixel: the share of it beyond a line, and the adjacent pixel there.
+// Decodes the edge pass's result: the share of a pixel on the far side of an edge, and the adjacent
+// pixel on that side.
 uniform usampler2D edge_words;
 
-// Area beyond a line of a box of edge 1 around a center from which the line, with the slope s in
-// [-1, 1], is `away`, in [0, 1], along the other axis. If the line leaves through two adjacent
-// sides, the area is a triangle.
+// Area of the unit box around a pixel center on the far side of a line. The line has slope s in
+// [-1, 1] and is `away` in [0, 1] from the center along the minor axis. If the line leaves through
+// two adjacent sides, the area is a triangle.
 float edgeArea(float away, float s)
 {
     float most = 0.5 - away + 0.5 * s, least = 0.5 - away - 0.5 * s;

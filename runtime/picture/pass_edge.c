@@ -1,6 +1,6 @@
-/* The pass edge: along outlines, creases and horizons, which share of a pixel lies beyond them. Its
- * GLSL is pass_edge.glsl; the pass tone blends by it (edge_part.glsl). What hides a line is known
- * by the depths beside it. */
+/* The edge pass: computes the pixel coverage of silhouettes, creases and horizons for
+ * antialiasing. Its GLSL is pass_edge.glsl; the tone pass blends by the result (edge_part.glsl).
+ * Depths on both sides of a line decide whether the line is hidden. */
 #include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include "runtime/cache/edge_list.h"
@@ -24,7 +24,7 @@ const char *pass_edge_lacks(const Render *render)
                                     : "it takes compute, which the driver lacks";
 }
 
-/* Texels of rows that are full. */
+/* Returns the lines padded to full texture rows. */
 static float *texels_of(const EdgeList *list, int rows)
 {
     float *floats = calloc((size_t)rows * LINES_IN_ROW, sizeof *list->lines);
@@ -43,7 +43,7 @@ static bool make_lines(Render *render)
     float *floats = texels_of(&list, rows);
     const TextureSpec spec = {
         .width = LINES_IN_ROW * EDGE_LIST_TEXELS, .height = rows, .lanes = 4, .floats = floats};
-    gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* making a texture binds it */
+    gl->ActiveTexture(GL_TEXTURE0 + LINES_UNIT); /* texture_make binds the new texture */
     render->picture->edge.lines = floats && texture_check(gl, &spec) ? texture_make(gl, &spec) : 0;
     render->picture->edge.count = list.count;
     edge_list_free(&list);

@@ -1,28 +1,30 @@
-// The pass edge: a thread walks along a line, pixel column by pixel column (row by row where the
-// line is steep), and leaves in each pixel that it crosses where it does so. Of several lines of a
-// pixel that next to its centre stays: it says most of what the centre does not show. A line that
-// ends before the middle of a column stays only where no other goes on: at corners.
+// The edge pass: each thread rasterizes one line, column by column (row by row for steep lines),
+// and records the crossing in each pixel. If several lines cross a pixel, the line nearest to its
+// center is kept, since the center's color misses most of that line's far side. A line that ends
+// before the middle of a column is kept only if no other line continues there: at corners.
 //
-// A line from (10.2, 5.0) to (12.8, 5.6) crosses the columns 10, 11 and 12 at their centres 10.5,
-// 11.5, 12.5 at the heights 5.07, 5.30, 5.53; so pixel (11, 5), whose centre is at 5.5, has it 0.20
-// below its centre, with a slope of 0.23.
+// A line from (10.2, 5.0) to (12.8, 5.6) crosses the columns 10, 11 and 12 at their centers 10.5,
+// 11.5, 12.5 at the heights 5.07, 5.30, 5.53. Pixel (11, 5), whose center is at 5.5, therefore has
+// the line 0.20 below its center, with a slope of 0.23.
 layout(local_size_x = 64) in;
 layout(r32ui) uniform uimage2D edge_target;
 uniform sampler2D edge_depth;
 uniform sampler2D edge_lines;
 layout(std140) uniform Edge {
-    vec4 edge_corner; // xy: the pixel of the picture with which the target begins; zw: the picture's size
+    vec4 edge_corner; // xy: the picture's pixel at the target's origin; zw: the picture's size
     int edge_count;
 };
 
-const int LINES = 1024; // in a row of their texture
+const int LINES = 1024; // per row of their texture
 
-// Depth grows towards the eye: what is nearer than the line on both sides hides it. Beside a crease
-// that is turned away both sides may be a little nearer; less, where they would be as far on.
+// Depth increases toward the camera. A line is hidden if the surfaces on both sides are nearer than
+// the line by these factors. Beside a crease seen at a grazing angle both sides may be slightly
+// nearer (NEARER); extrapolated depths get a tighter bound (AS_NEAR). A surface below FURTHER times
+// the depth of the line does not have the line as its edge.
 const float NEARER = 1.01, AS_NEAR = 1.001, FURTHER = 0.9;
 
-// So near to a centre, in pixels, a line is on either side of it: some times the 1/256 of
-// rasterisers.
+// Distance in pixels up to which a line through a pixel center is on both sides of the center:
+// several times the rasterizer's precision of 1/256.
 const float CENTRE = 0.02;
 
 float depthAt(ivec2 pixel)
@@ -30,9 +32,9 @@ float depthAt(ivec2 pixel)
     return texelFetch(edge_depth, pixel, 0).x;
 }
 
-// Which of the neighbours lies beyond the line: 1 the upper, -1 the lower one. Where it runs
-// through the centre, a rounding decides on which side that is; then it is the neighbour whose
-// depth is further from the pixel's.
+// Returns which neighbor is on the far side of the line: 1 the upper, -1 the lower one. For a line
+// through the center rounding would decide; the neighbor with the larger depth difference is used
+// instead.
 int sideOf(ivec2 pixel, float above, ivec2 up)
 {
     int side = above > 0.0 ? 1 : -1;
@@ -48,19 +50,19 @@ bool isSeen(ivec2 pixel)
     return all(greaterThanEqual(pixel, first)) && all(lessThanEqual(pixel, last));
 }
 
-// Depth of a pixel's surface extrapolated to the line, `way` pixels on: by the plane through this
-// pixel and the one behind it, along which depths are linear. If that rises towards the line, the
-// pixel's own depth.
+// Returns the depth of a pixel's surface extrapolated by `way` pixels to the line: along the plane
+// through this pixel and the pixel behind, since depth is linear in screen space. Returns the
+// pixel's own depth if the plane comes nearer toward the line.
 float depthToward(ivec2 pixel, ivec2 behind, float way)
 {
     float here = depthAt(pixel);
     return isSeen(behind) ? min(here, here + (here - depthAt(behind)) * way) : here;
 }
 
-// Whether of two pixels one shows what the line is an edge of, or both do, of a crease, and nothing
-// before it hides it on both sides: the surfaces that both show would be nearer where it is. Of
-// pixels aside neither may be, since what is beyond them may have an edge of its own. `line`: as in
-// mark().
+// Returns whether the line is a visible edge between two pixels. One pixel (both pixels for a
+// crease) must show the surface that has the edge, and no nearer surface may hide the line on both
+// sides; extrapolated to the line, such surfaces would be nearer. For a diagonal neighbor neither
+// pixel may be nearer, since the surface there may have an edge of its own. `line`: see mark().
 bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
 {
     float here = depthAt(pixel), there = depthAt(beyond), away = abs(line.x);
@@ -70,8 +72,8 @@ bool isEdge(ivec2 pixel, ivec2 beyond, ivec2 toward, vec4 line)
            (line.w > 0.0 ? min(here, there) : max(here, there)) >= line.z * FURTHER;
 }
 
-// `line`: how far it is above the centre, its slope, its depth there, whether it is a crease. At a
-// corner only a pixel that is next to the neighbour may be beyond it.
+// Records a line in a pixel. `line`: offset above the center, slope, depth at that point, crease
+// flag. Tries the direct neighbor, then both diagonal neighbors, which matter at corners.
 void mark(ivec2 pixel, vec4 line, bool steep, bool within)
 {
     ivec2 up = steep ? ivec2(1, 0) : ivec2(0, 1);

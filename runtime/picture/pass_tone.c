@@ -1,5 +1,5 @@
-/* The pass tone: from light to the picture, edges blended. Its GLSL is pass_tone.glsl, behind
- * tone.glsl; what some kinds ask of the whole picture is reduced before. */
+/* The tone pass: maps light to the picture's colors and blends edges. Its GLSL is tone.glsl and
+ * pass_tone.glsl. Tone curves that depend on the whole picture use reductions made before. */
 #include "gen/render_text.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
@@ -42,14 +42,15 @@ static void set_numbers(const Render *render, ScreenPass *pass)
     screen_pass_sampler(pass, "tone_adapted", ADAPTED_UNIT);
 }
 
-/* Every step, as all share a program: what one had else would be handed over in every frame. */
+/* Sets the numbers in every step: steps share a program, so different values would be uploaded
+ * again in every frame. */
 static void set_steps(const Render *render, Measure *measure)
 {
     for (int i = 0; i < measure->count; i++)
         set_numbers(render, &measure->passes[i]);
 }
 
-/* A second reduction is of what the first one's result makes of all pixels. */
+/* Creates the reductions. The second one reduces the colors that the first one's result adapts. */
 static bool make_measures(Render *render, const char *kind)
 {
     const char *const first[] = {kind, render_text_tone, NULL};
@@ -99,9 +100,9 @@ static bool pass_tone_make(Render *render)
     return true;
 }
 
-/* -- in tiles: all of them are drawn before the first is shown; what they measure is merged */
+/* -- tiles: all tiles are drawn and reduced before the first is shown; results are merged */
 
-/* The pixels of the tile that are the picture's, and no other tile's. */
+/* Finds the part of the tile that belongs to the picture and to no other tile. */
 static void find_part(const Render *render, int part[2][2])
 {
     for (int i = 0; i < 2; i++) {
@@ -133,7 +134,7 @@ static bool make_whole(Render *render, int number)
                               .height = 1,
                               .lanes = 4,
                               .floats = render->picture->whole_texels[number][0]};
-    render->gl->ActiveTexture(GL_TEXTURE0); /* making a texture binds it */
+    render->gl->ActiveTexture(GL_TEXTURE0); /* texture_make binds the new texture */
     render->picture->whole[number] = texture_make(render->gl, &spec);
     return render->picture->whole[number] != 0;
 }
@@ -150,7 +151,7 @@ static bool begin_whole(Render *render)
     return true;
 }
 
-/* The second round of measuring uses the result of the first. */
+/* The second reduction uses the result of the first. */
 static bool pass_tone_count(Render *render, FrameCount step)
 {
     const bool second = render->picture->whole[0] != 0;
@@ -169,7 +170,7 @@ static bool pass_tone_count(Render *render, FrameCount step)
     }
 }
 
-/* Measures a picture of one tile. */
+/* Runs the reductions of a picture of one tile. */
 static void measure_picture(Render *render)
 {
     const GLuint light = frame_texture(render, FRAME_TARGET_light, 0);

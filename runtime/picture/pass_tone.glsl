@@ -1,26 +1,26 @@
-// The pass tone: linear light becomes an sRGB colour; with TONE_LIGHT it stays light. Where an edge
-// runs through a pixel, what lies on both sides is mapped first, and blended then: a screen's light
-// is summed by the eye, and an edge beside a lamp stays smooth. So are a pixel's samples, of which
-// there are TONE_SAMPLES across and down. Before it stand tone.glsl, backdrop.glsl where there is
-// one, and what declares edgeShare.
+// The tone pass: maps linear light to sRGB colors; with TONE_LIGHT the light stays linear. At an
+// edge the colors of both sides are tone-mapped before they are blended, so that an edge next to a
+// bright lamp stays smooth: the eye averages displayed light. The pixel's TONE_SAMPLES x
+// TONE_SAMPLES samples are averaged after tone mapping, too. Concatenated after tone.glsl,
+// backdrop.glsl if used, and the text that declares edgeShare.
 uniform sampler2D tone_light;
 #ifdef TONE_TOOLS
 uniform sampler2D tone_tools;
 #endif
 
-// IEC 61966-2-1
+// sRGB transfer function (IEC 61966-2-1).
 vec3 toneEncoded(vec3 c)
 {
     return mix(12.92 * c, 1.055 * pow(max(c, 1e-6), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
-// Display value, or the light itself; linear.
+// Returns the tone-mapped color, or with TONE_LIGHT the light; both linear.
 vec4 toneAt(ivec2 place)
 {
     vec4 light = texelFetch(tone_light, place, 0);
 #ifndef TONE_LIGHT
 #ifdef BACKDROP
-    if (light.w <= 0.0) return vec4(backdropAt(place), 1.0); // nothing is there
+    if (light.w <= 0.0) return vec4(backdropAt(place), 1.0); // background
 #endif
     light = vec4(clamp(toneMapped(toneGuard(light.xyz)), 0.0, 1.0), 1.0);
 #ifdef TONE_TOOLS
@@ -36,12 +36,13 @@ vec4 toneBlended(ivec2 place)
     vec4 c = toneAt(place);
     float share = edgeShare(place, beyond);
 #ifdef TONE_TOOLS
-    if (texelFetch(tone_tools, place, 0).xyz != vec3(0.0)) share = 0.0; // a line stays whole
+    // tool lines are not blended
+    if (texelFetch(tone_tools, place, 0).xyz != vec3(0.0)) share = 0.0;
 #endif
     return share > 0.0 ? mix(c, toneAt(beyond), share) : c;
 }
 
-// The mean of the pixel's samples.
+// Returns the mean of the pixel's samples.
 vec4 passPixel(ivec2 pixel)
 {
     vec4 c = toneBlended(pixel * TONE_SAMPLES);

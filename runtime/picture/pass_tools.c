@@ -1,7 +1,7 @@
-/* The pass tools: lines in fixed colours, which tone mapping does not change. They stand in the
- * depth as what is opaque does, black in the light; their colours are in a target beside it, under
- * the same glass, and the pass tone adds them. Their GLSL is tools_vertex.glsl and
- * tools_fragment.glsl. */
+/* The tools pass: draws overlay lines in fixed colors that tone mapping does not change. The
+ * lines are opaque in the depth buffer and black in the light target. Their colors are in a
+ * separate target, attenuated by the same transparent surfaces, and are added by the tone pass.
+ * The GLSL is tools_vertex.glsl and tools_fragment.glsl. */
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/picture/picture.h"
@@ -37,8 +37,8 @@ static void pass_tools_place(Render *render)
         set(render, "tools_ray", render->space.ray);
 }
 
-/* dot(n, p) = c of the world's z = 0: n is where its z axis goes, c how far the origin is along
- * that. */
+/* Sets the world's plane z = 0 in view space as dot(n, p) = c: n is the world's z axis, c the
+ * origin's offset along n. */
 static void set_ground(Render *render)
 {
     const double *e = render->space.eye_from_world, *n = e + 8;
@@ -64,7 +64,7 @@ static bool make_vertices(Render *render)
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
         gl->VertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(ToolVertex),
-                                /* by GL's habit */
+                                /* a byte offset passed as a pointer, as GL requires */
                                 (const void *)(uintptr_t)(i ? offsetof(ToolVertex, color) : 0));
     }
     gl->BindVertexArray(0);
@@ -86,7 +86,8 @@ static bool pass_tools_change(Render *render)
     return make_vertices(render);
 }
 
-/* Light and colours with depth; and colours alone, for what lies before them. */
+/* Makes two framebuffers: light and colors with depth for the lines, and colors only for
+ * transparent surfaces in front. */
 static bool make_targets(Render *render)
 {
     const char *format = frame_format(render, FRAME_TARGET_tools, 0);

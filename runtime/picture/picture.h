@@ -1,4 +1,5 @@
-/* The picture of what was lit: edges, tools, tone mapping. */
+/* Passes that turn the lit frame into the picture: edge antialiasing, tools (overlays), tone
+ * mapping. */
 #ifndef MATC_PICTURE_PICTURE_H
 #define MATC_PICTURE_PICTURE_H
 #include "runtime/frame/frame_pass.h"
@@ -6,14 +7,15 @@
 #include "runtime/light/lighting.h"
 
 bool pass_edge_needed(const Render *render);
-/* Reason why a requested pass is missing; NULL: none. */
+/* Returns the reason why the requested edge pass is missing; NULL: not requested, or present. */
 const char *pass_edge_lacks(const Render *render);
-/* The pass runs, and has its target. */
+/* Returns whether the tools pass runs and has its render target. */
 bool pass_tools_are_there(const Render *render);
-/* For a pass that lays something transparent over the light, with the text of it that gives no
- * light: and over the tools, where there are some. */
+/* Called by passes that blend transparent surfaces over the lit frame: make and draw the part
+ * that attenuates the tools behind those surfaces. `text` is the pass's lighting text without
+ * emitted light. Without tools both functions do nothing. */
 bool pass_tools_make_veil(Render *render, const LightingText *text);
 void pass_tools_draw_veil(Render *render);
-/* The rows of the frame graph. */
+/* Passes of the frame graph. */
 extern const FramePass pass_edge, pass_tools, pass_tone;
 #endif

@@ -1,4 +1,4 @@
-/* State of edges and tools: data of the passes in runtime/picture. */
+/* State of the passes in runtime/picture. */
 #ifndef MATC_PICTURE_PICTURE_STATE_H
 #define MATC_PICTURE_PICTURE_STATE_H
 #include "runtime/frame/frame.h"
@@ -9,26 +9,28 @@
 /* State of the pass edge. */
 typedef struct {
     Material material;
-    GLuint lines; /* texels of edge_list.h */
-    int count;    /* of lines */
+    GLuint lines; /* texture of lines, laid out as in edge_list.h */
+    int count;    /* number of lines */
 } FrameEdge;
 
 /* State of pass_tools.c. */
 typedef struct {
     Material material;
-    GLuint array, buffer;      /* of vertices of tool_lines.h */
-    int count;                 /* of vertices */
-    Framebuffer lines, colors; /* light and the tools' target with depth; that target alone */
-    ScreenPass veil;           /* lays what is transparent over the tools: what it lets through */
+    GLuint array, buffer; /* vertex array and vertex buffer of ToolVertex */
+    int count;            /* number of vertices */
+    /* lines: light and tools target with depth; colors: tools target only */
+    Framebuffer lines, colors;
+    /* attenuates tools behind transparent surfaces by their transmittance */
+    ScreenPass veil;
 } FrameTools;
 
 struct FramePicture {
     ScreenPass tone;
-    /* what tone mapping asks of the picture, and of what it makes of that */
+    /* Reductions over the picture for tone mapping: of the light, and of the adapted colors. */
     Measure measured, adapted;
-    /* textures of the same, of all tiles; 0: there is one tile */
+    /* Results of both reductions merged over all tiles, as textures; 0: the picture is one tile. */
     GLuint whole[2];
-    float whole_texels[2][MEASURE_TEXELS][4]; /* what is in them */
+    float whole_texels[2][MEASURE_TEXELS][4]; /* contents of the textures `whole` */
     FrameEdge edge;
     FrameTools tools;
 };

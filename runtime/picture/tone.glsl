@@ -1,11 +1,12 @@
-// How light becomes what the picture shows, linear still, by the formulas of scene.def; one of
-// TONE_Clamp ... is defined. What they ask of the whole picture is in three texels:
-//   0  the greatest red, green, blue and luminance          1  their sums
-//   2  the sum of ln(luminance) where it is above LEAST, the number of these pixels, and the least
-//      such luminance
+// Tone curves: map linear light to linear display values by the formulas of scene.def. One of
+// TONE_Clamp ... is defined. Values of the whole picture are in three texels:
+//   0  the greatest red, green, blue and luminance
+//   1  the sums of red, green, blue and luminance
+//   2  of pixels whose luminance is above LEAST: the sum of ln(luminance), their count, the least
+//   luminance
 layout(std140) uniform Tone {
     float tone_exposure;
-    float tone_pixels; // so many
+    float tone_pixels; // number of pixels
     vec4 tone_numbers;
 };
 
@@ -15,8 +16,7 @@ float toneLuminance(vec3 c) { return dot(c, vec3(0.2126, 0.7152, 0.0722)); }
 
 float toneGreatest(vec3 c) { return max(max(c.x, c.y), c.z); }
 
-// Not a number counts as black, and so does what is below it; what is infinite is as bright as can
-// be.
+// NaN and negative values become black; infinity is clamped to GREATEST.
 vec3 toneGuard(vec3 c) { return mix(vec3(0.0), min(c, GREATEST), greaterThan(c, vec3(0.0))); }
 
 #ifdef TONE_MEASURES
@@ -24,7 +24,7 @@ uniform sampler2D tone_measured;
 
 vec4 toneMeasured(int i) { return texelFetch(tone_measured, ivec2(i, 0), 0); }
 
-// The mean logarithm of luminances.
+// Returns the mean logarithm of the luminances.
 float toneMeanLogarithm()
 {
     vec4 dark = toneMeasured(2);
@@ -71,7 +71,7 @@ vec3 toneMapped(vec3 c)
 #endif
 
 #ifdef TONE_ReinhardDevlin
-uniform sampler2D tone_adapted; // the texels 0 and 2 of what toneAdapted() makes of all pixels
+uniform sampler2D tone_adapted; // texels 0 and 2 of the reduction of toneAdapted() over all pixels
 
 float toneContrast()
 {

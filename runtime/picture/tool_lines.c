@@ -1,12 +1,12 @@
-/* Lines in the scene's coordinates, in double, which go to the eye's space and are rounded
- * there. */
+/* Builds lines in scene coordinates in double precision, transforms them to view space, and
+ * rounds them there to float. */
 #include "runtime/picture/tool_lines.h"
 #include <stdlib.h>
 #include <string.h>
 
 enum { ROOM = 64 };
 
-/* sRGB 0.5; and that of lights */
+/* gray: sRGB 0.5; yellow: lights */
 static const float grey[3] = {.2140f, .2140f, .2140f}, yellow[3] = {1, .6f, .05f};
 
 typedef struct {
@@ -56,7 +56,7 @@ static void add_axes(Maker *m, double length)
     }
 }
 
-/* The square of so many cells from the origin to each side. */
+/* Adds a square grid of `cells` cells from the origin to each side. */
 static void add_grid(Maker *m, int cells, double step)
 {
     const double side = cells * step, x = m->zero[0], y = m->zero[1], z = m->zero[2];
@@ -66,9 +66,9 @@ static void add_grid(Maker *m, int cells, double step)
     }
 }
 
-/* Lines of lights, for LightKind.outline. */
+/* Collects the outlines of lights for LightKind.outline. */
 typedef struct {
-    LightLines lines; /* the first member, so that each is the other's address */
+    LightLines lines; /* first member: a LightLines pointer is also an Outline pointer */
     Maker *maker;
 } Outline;
 

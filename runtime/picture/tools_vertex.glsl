@@ -1,12 +1,12 @@
-// Lines of the pass tools, from the eye's space to clip space.
+// Vertex shader of the tools pass: transforms lines from view space to clip space.
 layout(location = 0) in vec4 tools_point;
 layout(location = 1) in vec3 tools_color;
 layout(std140) uniform Tools {
-    vec4 tools_clip;   // of x and y; of z, and what is added there
-    vec4 tools_w;      // of z, and what is added
-    vec4 tools_ray;    // view_space.h
+    vec4 tools_clip;   // scale of x, y and z, and offset of z
+    vec4 tools_w;      // w: factor of z, and offset
+    vec4 tools_ray;    // ViewSpace.ray of view_space.h
     vec4 tools_view;
-    vec4 tools_ground; // the world's plane z = 0 in the eye's space: dot(xyz, p) = w
+    vec4 tools_ground; // the world's plane z = 0 in view space: dot(xyz, p) = w
 };
 flat out vec3 line_color;
 flat out float line_ground;
