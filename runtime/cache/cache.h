@@ -26,14 +26,14 @@ typedef struct {
     int kind, mesh;       /* indices in Cache.kinds and Cache.meshes */
     bool mirrored;        /* negative determinant: the winding is flipped */
     int first, count;     /* range in Cache.places, and in the first part of Cache.list */
-    int first_seen, seen; /* range of those in view, in the second part */
+    int first_seen, seen; /* range of the objects in view, in the second part of Cache.list */
     bool solid;           /* all are closed and viewed from outside: back faces are culled */
 } Drawable;
 
 /* An object that is drawn, with its kind and mesh. */
 typedef struct {
     int object;          /* index in Scene.objects */
-    int kind, mesh, row; /* `row`: index of its constants in the kind's buffer */
+    int kind, mesh, row; /* `row`: index of the object's constants in the kind's buffer */
     /* Index in Cache.casters of the program for shadow maps; -1: drawn by depth alone, or casts
      * no shadow. */
     int caster;
@@ -58,7 +58,7 @@ typedef struct {
     uint32_t place;
 } CacheOrder;
 
-enum { CACHE_LISTS = 3 /* lists of places in one buffer */ };
+enum { CACHE_LISTS = 3 /* number of lists of places in one buffer; see Cache.list */ };
 
 typedef struct {
     bool instances; /* the driver supports instancing */

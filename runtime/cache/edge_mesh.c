@@ -15,8 +15,8 @@ typedef struct {
     const Shape *shape;
     HashIndex positions, sides;
     double scale;      /* cells per unit */
-    int *place;        /* by vertex: the first one at that position */
-    uint32_t (*of)[2]; /* by edge: vertices of the first face, at its ends */
+    int *place;        /* by vertex: the first vertex at the same position */
+    uint32_t (*of)[2]; /* by edge: the end vertices in the edge's first face */
     uint8_t *faces;    /* by edge: number of faces */
     EdgeMesh *made;
 } EdgeMaker;

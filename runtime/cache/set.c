@@ -55,10 +55,13 @@ const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
     for (int i = 0; compile_options->layout && i < LAYOUT_COUNT; i++)
         if (!strcmp(layout_table[i].name, compile_options->layout))
             return &layout_table[i];
-    return &layout_table[LAYOUT_compact]; /* the default layout of these targets */
+    return &layout_table[LAYOUT_compact]; /* the default layout of programs in GLSL 3.30 and 4.50 */
 }
 
-enum { MOST_MEMBERS = 1024 /* of a buffer: every driver allows 16 KiB */ };
+enum {
+    MOST_MEMBERS =
+        1024 /* max members of a constant buffer, a vec4 each: every driver allows 16 KiB */
+};
 
 typedef struct {
     GlContext *gl;

@@ -26,8 +26,8 @@ typedef struct {
     int next;         /* next program with the same text; -1: none */
     int row;          /* index among the programs of that text */
     int other;        /* another program of the material, its index + 1; 0: none */
-    bool even;        /* transmittance is the same everywhere, */
-    float through[3]; /* namely this color */
+    bool even;        /* transmittance is constant over the surface */
+    float through[3]; /* that transmittance, RGB */
 } SetProgram;
 
 /* How transparent surfaces cast shadows. */

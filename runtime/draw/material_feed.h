@@ -7,9 +7,9 @@
 
 enum { MATERIAL_FEED_NAMES = 32 };
 
-/* Lists them in the material. If the program declares no locations, they are bound by `names`,
- * an array of MATERIAL_FEED_NAMES, to which `text` then points. Returns false on failure; see
- * the context's error. */
+/* Lists the program's named attributes in the material. If the program declares no locations,
+ * the attributes are bound by `names`, an array of MATERIAL_FEED_NAMES, to which `text` then
+ * points. Returns false on failure; see the context's error. */
 bool material_feed_make(Material *material, const MatcProgram *program, const char **names,
                         ProgramText *text);
 /* Points the program's attributes to those of the mesh, before each mesh that is drawn. */

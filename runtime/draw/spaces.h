@@ -14,8 +14,9 @@ typedef struct {
     float plane[3][3]; /* of the pass plane: origin, step of u, step of v */
     /* Rays are parallel: the pass plane draws the rays of `rays` instead. */
     bool parallel;
-    /* An eye; vector from it to the plane at the picture's center; its steps to the right, and
-     * upwards. */
+    /* Parallel rays of the pass plane: an eye; the vector from the eye to the plane at the
+     * picture's center; the vectors on the plane from that point to the right and upper border
+     * of the picture. */
     float rays[4][3];
     bool zero_to_one; /* clip space depth is 0 to 1, by glClipControl; else -1 to 1 */
 } Spaces;

@@ -18,8 +18,8 @@ typedef struct Store Store;
 /* A program or a texture. */
 typedef struct {
     GLuint name;
-    GlUniforms uniforms;    /* of a program */
-    struct StoreHeld *held; /* of a program, by uniform: the last values */
+    GlUniforms uniforms;    /* programs only */
+    struct StoreHeld *held; /* programs only: last uploaded value of each uniform */
 } StoreItem;
 
 /* Makes an empty store. NULL on failure; see gl->error. */

@@ -58,7 +58,7 @@ typedef struct {
 /* Parts of the scene that the caller may change in place, without a rebuild of programs,
  * textures, meshes or targets. */
 typedef enum {
-    RENDER_CAMERA = 1, /* all its properties */
+    RENDER_CAMERA = 1, /* all properties of the camera */
     /* All numbers of lights. A change of kind, shadow technique or number of lights rebuilds the
      * scene's resources. */
     RENDER_LIGHTS = 2,

@@ -17,7 +17,7 @@ typedef struct {
     GLuint name;
     GLuint colors[FRAMEBUFFER_COLORS];  /* textures, nearest filter */
     GLuint depth;                       /* texture, 0 without depth; sampled as the red component */
-    GLenum formats[FRAMEBUFFER_COLORS]; /* of the colors */
+    GLenum formats[FRAMEBUFFER_COLORS]; /* formats of the color targets */
     bool borrowed;                      /* the caller owns the textures */
     bool stencil;                       /* the depth texture has a stencil, also the caller's */
 } Framebuffer;

@@ -19,7 +19,7 @@ const char *const mesh_attribute_names[MESH_ATTRIBUTE_end] = {
 
 static const struct {
     GLint lanes;
-    size_t offset; /* in ShapeVertex */
+    size_t offset; /* byte offset in ShapeVertex */
 } attributes[MESH_ATTRIBUTE_end] = {
     [MESH_ATTRIBUTE_position] = {3, offsetof(ShapeVertex, position)},
     [MESH_ATTRIBUTE_normal] = {3, offsetof(ShapeVertex, normal)},

@@ -31,7 +31,7 @@ typedef struct {
 
 /* Extra attributes of a mesh that materials can read, if the file has them: two that any glTF
  * file may have, and those that its author named. */
-enum { SHAPE_NAMED = 8, SHAPE_NAME = 64 /* bytes of a name, with its end */ };
+enum { SHAPE_NAMED = 8, SHAPE_NAME = 64 /* bytes of a name, including the terminating null */ };
 typedef enum {
     SHAPE_EXTRA_color,
     SHAPE_EXTRA_uv1,

@@ -17,8 +17,8 @@ typedef struct {
 typedef struct {
     GLuint map; /* a cube map in world space, with mipmaps; 0: no sky gives light */
     float irradiance[SKY_WORLD][4]; /* the first elements of sky.layout.def */
-    bool uneven;                    /* radiance differs by direction, */
-    float first[3];                 /* from this value of the first texel */
+    bool uneven;                    /* radiance differs by direction */
+    float first[3];                 /* the sky's first texel, to which all others are compared */
 } SkyLight;
 
 /* State of pass_gather.c, for light clustering. */

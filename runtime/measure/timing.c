@@ -1,4 +1,4 @@
-/* Times draws. */
+/* Measures the time of draws by the GPU's timer or the wall clock. */
 #include "runtime/measure/meter.h"
 #include "runtime/gl/clock.h"
 #include "runtime/gl/message.h"

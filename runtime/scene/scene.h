@@ -165,7 +165,7 @@ typedef struct Scene {
     int shadow_points;    /* sample points of an Area along each edge, a shadow map each */
     Word shadow_volume;   /* shadow volumes: WORD_Volume_plain, ... */
     Word shadow_path;     /* source of their vertices' depths: WORD_Path_auto, ... */
-    double shadow_offset; /* of a blurred shadow volume, in texels */
+    double shadow_offset; /* depth offset of a blurred shadow volume, in texels */
     /* the centers of the outermost texels are taken to lie at the map's edge */
     bool shadow_stretched;
     bool shadow_colored; /* transparent surfaces color the light that they transmit */

@@ -1,6 +1,6 @@
-/* For precision any point near the camera would do as origin. It is a point that the document
- * names: the position of an infinite plane, or else the most frequent position of top-level
- * objects and groups. A scene that is moved as a whole, by a group around it or object by
+/* Any point near the camera is precise enough as origin. The chosen point is named by the
+ * document: the position of an infinite plane, or else the most frequent position of top-level
+ * objects and groups. A scene that is moved as a whole, by a group around the scene or object by
  * object, then gets the same coordinates as before, hence the same floats and the same picture.
  * If no such point is near, the origin is the camera's own position. */
 #include "runtime/scene/scene_origin.h"
@@ -14,7 +14,7 @@
 /* The distances below are multiples of the camera's distance from its target, or of half the
  * width of an orthographic picture. At these distances a float has an error of 1e-6 and 6e-5 of
  * that unit. */
-/* a camera this close to the world's origin keeps it */
+/* distance from the world's origin below which a camera keeps that origin */
 static const double near_reach = 16;
 /* max distance of a camera from the origin before the origin moves */
 static const double travel_reach = 1024;

@@ -17,8 +17,9 @@
 /* An edge, identified by the position indices of its ends, smaller first. */
 typedef struct {
     int place[2];
-    uint32_t owner[2]; /* the vertices of its first patch */
-    uint32_t row[2];   /* those, or, if normals differ, rows with their sum */
+    uint32_t owner[2]; /* end vertices of the edge in its first patch */
+    /* rows of the ends: the owner vertices, or, if normals differ, rows with the summed normals */
+    uint32_t row[2];
 } Edge;
 
 typedef struct {

@@ -16,7 +16,7 @@ typedef struct {
 } SceneMeshFile;
 typedef struct {
     Names paths;
-    SceneMeshFile *at; /* by path */
+    SceneMeshFile *at; /* parallel to `paths` */
     size_t count, room;
 } SceneMeshFiles;
 
@@ -32,7 +32,7 @@ typedef struct {
     size_t inline_number;    /* number in the next inline material's name */
     HashIndex inlines, used; /* trees of inline materials; indices in scene->materials */
     size_t object_room, root_room, light_room, used_room, mesh_room, document_room;
-    SceneMeshFiles mesh_files[2]; /* read as a whole; split by material */
+    SceneMeshFiles mesh_files[2]; /* files read as a single mesh; files split by material */
     Names document_paths;         /* paths of scene->documents */
     Span *origins;                /* by object of the scene: its place in the document */
     size_t origin_count, origin_room;
@@ -42,7 +42,7 @@ typedef struct {
     bool *instanced;         /* by index of a definition */
     /* The current objects do not enter the scene: their materials and planes do not count. */
     bool aside;
-    SceneMaterial *asides; /* materials of such objects; element 0 is unused */
+    SceneMaterial *asides; /* materials of the objects outside the scene; element 0 is unused */
     size_t aside_count, aside_room;
     HashIndex aside_used;      /* indices in asides */
     struct SceneStand *stands; /* surfaces with copies, in the order of their objects */
@@ -51,7 +51,7 @@ typedef struct {
     HashIndex solids; /* index of solid_keys: objects with equal keys share a mesh */
     Key *solid_keys;
     size_t solid_count, solid_room;
-    int64_t triangles;         /* sum over these meshes */
+    int64_t triangles;         /* sum over all different meshes, solids included */
     int64_t surface_triangles; /* sum over all surfaces with copies */
     bool fine;                 /* no error so far */
 } SceneReader;

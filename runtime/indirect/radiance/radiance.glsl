@@ -16,8 +16,8 @@ struct RadianceRay {
     // direction, of any length
     vec3 point, start, way;
     float t;                // distance of the hit in multiples of `way`; < 0: no hit
-    // The ray begins in a full voxel, as in a corner; voxelRay has gone on to the first empty one,
-    // which may lie behind a thin wall.
+    // The ray begins in a full voxel, as in a corner. voxelRay has then skipped ahead to the first
+    // empty voxel, which may lie behind a thin wall.
     bool full;
 };
 

@@ -8,7 +8,7 @@ layout(std140) uniform Indirect {
 #ifdef INDIRECT_ROTATION_blue
     uvec4 indirect_shifts[INDIRECT_SHIFTS]; // blue noise ranks, two per component
 #elif defined INDIRECT_ROTATION_tile
-    vec4 indirect_shifts[INDIRECT_SHIFTS]; // of the pixels of a tile
+    vec4 indirect_shifts[INDIRECT_SHIFTS]; // random shifts of a tile's pixels
 #endif
 };
 

@@ -9,7 +9,8 @@ uniform vec4 positions_ray, positions_view; // of view_space.h
 uniform vec4 positions_clip;   // scales of x, y and z; w: offset of z
 uniform vec4 positions_w;      // x: scale of z, y: offset, which give clip space w
 out vec3 position;
-// 1; 0: the triangle joins two surfaces, so the depth buffer knows nothing of it
+// 1: surface in the depth buffer; 0: triangle between two surfaces, where the depth buffer has no
+// data
 flat out float position_known;
 
 const float STEEPEST = 1.0 / 16.0; // min cosine between a triangle's normal and the line of sight
