@@ -36,7 +36,7 @@ typedef struct {
     EGL_FUNCTIONS(F)
 #undef F
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_platform_display;
-    char *error; /* the caller's: why the last display failed */
+    char *error; /* the caller's buffer for the reason why the last display failed */
     size_t room;
 } Egl;
 
