@@ -58,10 +58,7 @@ const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
     return &layout_table[LAYOUT_compact]; /* the default layout of programs in GLSL 3.30 and 4.50 */
 }
 
-enum {
-    MOST_MEMBERS =
-        1024 /* max members of a constant buffer, a vec4 each: every driver allows 16 KiB */
-};
+enum { MOST_MEMBERS = 1024 /* vec4 members of a buffer: every driver allows 16 KiB */ };
 
 typedef struct {
     GlContext *gl;
