@@ -177,9 +177,8 @@ typedef struct {
 static int add_kind(Maker *m, const SetProgram *program, const CacheKind *kind, const Kinds *to)
 {
     const int own = matc_uniform_count(program->program) || !m->cache->instances ? *to->count : -1;
-    const Key parts[] = {material_key(&kind->material),
-                         /* kinds whose uniforms are set one by one are not shared */
-                         {(uint64_t)(int64_t)own, kind->numbers}};
+    /* kinds whose uniforms are set one by one are not shared */
+    const Key parts[] = {material_key(&kind->material), {(uint64_t)(int64_t)own, kind->numbers}};
     const Key key = key_of_bytes(parts, sizeof parts);
     const int known = find(to->known, key);
     if (known >= 0) {

@@ -94,10 +94,8 @@ static void draw(ScreenPass *pass, const Framebuffer *target, const Screen *scre
     screen_draw(gl, screen);
     if (pass->over) {
         gl->Disable(GL_BLEND);
-        gl->BlendFunc(GL_ONE,
-                      /* Mesa rejects a dual-source factor with several targets even while
-                       * blending is disabled */
-                      GL_ZERO);
+        /* Mesa rejects a dual-source factor with several targets even with blending disabled. */
+        gl->BlendFunc(GL_ONE, GL_ZERO);
     }
 }
 

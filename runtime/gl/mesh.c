@@ -39,8 +39,8 @@ void mesh_point_attributes(const GlContext *gl)
         if (!attributes[i].lanes)
             continue; /* the instance's number: mesh_attach() */
         gl->EnableVertexAttribArray(i);
+        /* GL takes offsets as pointers */
         gl->VertexAttribPointer(i, attributes[i].lanes, GL_FLOAT, GL_FALSE, sizeof(ShapeVertex),
-                                /* GL takes offsets as pointers */
                                 (const void *)(uintptr_t)attributes[i].offset);
     }
 }

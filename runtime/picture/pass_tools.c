@@ -63,8 +63,8 @@ static bool make_vertices(Render *render)
                    lines.vertices, GL_DYNAMIC_DRAW);
     for (GLuint i = 0; i < 2; i++) {
         gl->EnableVertexAttribArray(i);
+        /* GL takes offsets as pointers */
         gl->VertexAttribPointer(i, i ? 3 : 4, GL_FLOAT, GL_FALSE, sizeof(ToolVertex),
-                                /* a byte offset passed as a pointer, as GL requires */
                                 (const void *)(uintptr_t)(i ? offsetof(ToolVertex, color) : 0));
     }
     gl->BindVertexArray(0);

@@ -93,10 +93,9 @@ static void leave_out(FramePlanPass *rows, unsigned allowed)
 
 void frame_request(const Render *render, FramePlanRows *made)
 {
-    const bool at_once =
-        /* Fragment programs cannot read the target that they write, and passes over tiled shadow
-         * lists read what they lit. */
-        render->compute && !render->parted;
+    /* Fragment programs cannot read the target that they write, and passes over tiled shadow
+     * lists read the light that they wrote. */
+    const bool at_once = render->compute && !render->parted;
     unsigned allowed = 0;
     for (int i = 0; i < PASSES; i++) {
         made->passes[i] = passes[i]->plan;

@@ -183,8 +183,8 @@ static bool make_set(Render *render, const Scene *scene)
     render->compile.origin = scene_origin_used(scene);
     if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
+    /* a scene with only a sky has no surface */
     const LayoutRow *layout =
-        /* a scene with only a sky has no surface */
         render->set.unpack ? set_layout(&render->set, &render->compile) : NULL;
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));

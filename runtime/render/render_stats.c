@@ -289,8 +289,8 @@ static double time_pass(Render *render, int pass)
 int render_time_passes(Render *render, RenderPassTime times[RENDER_PASSES_MOST])
 {
     render->gl->Finish();
+    /* Draws kept maps again, so that their passes are measured like the others. */
     render->shadows->drawn = render->shadows->seen = render->voxels->drawn =
-        /* draws them again, so that they are measured like the others */
         render->radiance->drawn = false;
     for (int i = 0; i < frame_pass_count(); i++) {
         times[i] = (RenderPassTime){frame_pass(i)->plan.name, 0};

@@ -10,9 +10,7 @@
 #include "runtime/light_kinds/light_kind.h"
 
 enum {
-    SCENE_OBJECTS =
-        /* max objects and groups of a scene, each use of an alias counted */
-    1 << 20,
+    SCENE_OBJECTS = 1 << 20, /* max objects and groups of a scene, each use of an alias counted */
     /* max triangles of all different meshes: some 40 bytes each, and as much again on the GPU */
     SCENE_TRIANGLES = 1 << 26,
     SCENE_PLANES = 256, /* max infinite planes: each is evaluated at every pixel */

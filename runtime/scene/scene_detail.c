@@ -5,9 +5,8 @@
 
 #define PI 3.14159265358979323846
 
-enum {
-    LEAST_SAMPLES = 512 /* min samples of a path: --frames may select other frames than the scene */
-};
+/* Min samples of a path: --frames may select other frames than the scene. */
+enum { LEAST_SAMPLES = 512 };
 
 static double distance(const double a[3], const double b[3])
 {

@@ -48,9 +48,8 @@ static double slope(const SceneMotion *motion, int i, int lane)
 
 static double at_time(const SceneMotion *motion, double time, int lane)
 {
-    int i = 0,
-        /* binary search for the last key not after `time`, since paths may have many keys */
-        end = motion->key_count - 1;
+    /* Binary search for the last key not after `time`, since paths may have many keys. */
+    int i = 0, end = motion->key_count - 1;
     while (i + 1 < end) {
         const int middle = (i + end) / 2;
         if (motion->keys[middle].time <= time)

@@ -13,10 +13,9 @@
 
 /* margin for turns of the camera, relative to a triangle's distance */
 static const double beside = 0.1;
-static const double lifted =
-    /* Max offset from the surface, relative to the distance, of points that look up shadows: a
-     * part of a pixel. */
-    0.001;
+/* Max offset from the surface, relative to the distance, of points that look up shadows: a part
+ * of a pixel. */
+static const double lifted = 0.001;
 /* max width of a lamp's shadow map at a distance of 1 */
 static const double widest = 4;
 
@@ -84,10 +83,9 @@ static double ground_reach(const double ground[4], const SceneLight *light,
         const double goes = vec3_dot(ground, light->direction);
         return fabs(goes) < along ? INFINITY : goes < 0 ? most / -goes : -least / goes;
     }
-    const double room =
-        /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground
-         * after |from| / room times that length. */
-        fabs(from) - most;
+    /* Min descent of a ray between the lamp and the triangle. The ray reaches the ground after
+     * |from| / room times that length. */
+    const double room = fabs(from) - most;
     return least >= fabs(from) ? 1 : room > along * fabs(from) ? fabs(from) / room : INFINITY;
 }
 
