@@ -33,14 +33,14 @@ typedef struct {
     FrameLookHow scene, shadows;
 } FrameLook;
 
-typedef struct FrameLight FrameLight;         /* light/light_state.h */
-typedef struct ShadowMaps ShadowMaps;         /* shadow/shadow_state.h */
-typedef struct FrameVoxels FrameVoxels;       /* indirect/voxels/voxels.h */
-typedef struct FrameRadiance FrameRadiance;   /* indirect/radiance/radiance.h */
-typedef struct FrameIndirect FrameIndirect;   /* indirect/settings/indirect_state.h */
-typedef struct FramePositions FramePositions; /* indirect/screen/pass_positions.h */
-typedef struct FramePicture FramePicture;     /* picture/picture_state.h */
-typedef struct FrameGlass FrameGlass;         /* glass/glass_state.h */
+typedef struct FrameLight FrameLight;               /* light/light_state.h */
+typedef struct ShadowMaps ShadowMaps;               /* shadow/shadow_state.h */
+typedef struct FrameVoxels FrameVoxels;             /* indirect/voxels/voxels.h */
+typedef struct FrameRadiance FrameRadiance;         /* indirect/radiance/radiance.h */
+typedef struct FrameIndirect FrameIndirect;         /* indirect/settings/indirect_state.h */
+typedef struct FramePositions FramePositions;       /* indirect/screen/pass_positions.h */
+typedef struct FramePicture FramePicture;           /* picture/picture_state.h */
+typedef struct FrameTransparency FrameTransparency; /* glass/transparency_state.h */
 
 enum { FRAME_RETIRED_MAX = 32 };
 
@@ -83,7 +83,7 @@ struct Render {
     FrameIndirect *indirect;
     FramePositions *positions;
     FramePicture *picture;
-    FrameGlass *glass;
+    FrameTransparency *glass;
     /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;
     ScreenPass retired[FRAME_RETIRED_MAX]; /* of the previous scene, for frame_retire() */

@@ -1,5 +1,5 @@
 /* The frame graph: the list of passes, and calls of each pass's functions in turn. */
-#include "runtime/glass/glass.h"
+#include "runtime/transparency/transparency_passes.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/screen/pass_positions.h"
 #include "runtime/indirect/rays/pass_rays.h"

@@ -1,6 +1,6 @@
 /* Parameters of materials: set in all programs, and stored, so that a rebuild can set them
  * again. */
-#include "runtime/glass/glass_state.h"
+#include "runtime/transparency/transparency_state.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"

@@ -2,7 +2,7 @@
  * allocates. */
 #ifndef MATC_RENDER_RENDER_STATE_H
 #define MATC_RENDER_RENDER_STATE_H
-#include "runtime/glass/glass_state.h"
+#include "runtime/transparency/transparency_state.h"
 #include "runtime/indirect/settings/indirect_state.h"
 #include "runtime/indirect/screen/pass_positions.h"
 #include "runtime/indirect/radiance/radiance.h"
@@ -20,6 +20,6 @@ typedef struct {
     FrameIndirect indirect;
     FramePositions positions;
     FramePicture picture;
-    FrameGlass glass;
+    FrameTransparency glass;
 } RenderState;
 #endif

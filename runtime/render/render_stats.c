@@ -3,14 +3,14 @@
 #include "compiler/base/memory.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/gl/clock.h"
-#include "runtime/glass/glass_state.h"
+#include "runtime/transparency/transparency_state.h"
 #include "runtime/indirect/settings/indirect.h"
 #include "runtime/indirect/indirect_methods.h"
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_far.h"
 #include "runtime/render/displaced_stats.h"
-#include "runtime/glass/glass.h"
+#include "runtime/transparency/transparency_passes.h"
 #include "runtime/render/passes.h"
 #include "runtime/render/render.h"
 #include "runtime/shadow/shadow.h"
@@ -194,7 +194,7 @@ static void put_memory(Text *out, const Render *render)
         for (int t = 0; frame_format(render, target, t); t++)
             text_format(&formats, "%s%s", t ? " " : "", frame_format(render, target, t));
         if (target == FRAME_TARGET_lists)
-            glass_put_lists(out, render);
+            transparency_put_lists(out, render);
         else if (target == FRAME_TARGET_far)
             light_far_put(out, render);
         else if (render->targets.plan.memory[i][0] < 0)

@@ -4,7 +4,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/glass/glass.h"
+#include "runtime/transparency/transparency_passes.h"
 #include "runtime/picture/picture.h"
 
 static bool pass_peel_needed(const Render *render)

@@ -1,6 +1,6 @@
-/* State of transparent surfaces: data of the passes in runtime/glass. */
-#ifndef MATC_GLASS_GLASS_STATE_H
-#define MATC_GLASS_GLASS_STATE_H
+/* State of transparent surfaces: data of the passes in runtime/transparency. */
+#ifndef MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
+#define MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
 #include "runtime/frame/frame.h"
 #include "runtime/draw/screen_pass.h"
 
@@ -14,7 +14,7 @@ typedef struct {
 } FrameLists;
 
 /* Transparent surfaces: per-pixel linked lists of fragments, or peeled layers. */
-struct FrameGlass {
+struct FrameTransparency {
     ScreenPass blend, peel; /* lighting of lists; of a layer */
     FrameLists lists;
     Framebuffer layers[2]; /* two layers, peeled alternately */

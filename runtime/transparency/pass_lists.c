@@ -5,7 +5,7 @@
 #include "gen/render_text.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/glass/glass.h"
+#include "runtime/transparency/transparency_passes.h"
 #include "runtime/picture/picture.h"
 #include <stdio.h>
 #include <string.h>
@@ -156,7 +156,7 @@ static bool pass_lists_fall_back(Render *render)
     return true;
 }
 
-void glass_put_lists(Text *out, const Render *render)
+void transparency_put_lists(Text *out, const Render *render)
 {
     const FrameLists *lists = &render->glass->lists;
     if (lists->buffer)
