@@ -2,7 +2,7 @@
 #ifndef TESTS_PREVIEW_H
 #define TESTS_PREVIEW_H
 #include "compiler/matc.h"
-#include "runtime/view/material_picture.h"
+#include "runtime/viewer/material_picture.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -3,7 +3,7 @@
 #include "runtime/cache/cache_trace.h"
 #include "runtime/cache/instances.h"
 #include "runtime/scene/scene_matrix.h"
-#include "runtime/draw/material_feed.h"
+#include "runtime/gpu_material/material_feed.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include <stdlib.h>
 #include <string.h>

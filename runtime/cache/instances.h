@@ -2,7 +2,7 @@
  * layout of their buffers. */
 #ifndef MATC_CACHE_INSTANCES_H
 #define MATC_CACHE_INSTANCES_H
-#include "runtime/draw/spaces.h"
+#include "runtime/gpu_material/spaces.h"
 #include "runtime/scene/scene.h"
 #include <stdint.h>
 

@@ -3,7 +3,7 @@
 #ifndef MATC_CACHE_SEEN_TEXT_H
 #define MATC_CACHE_SEEN_TEXT_H
 #include "runtime/cache/set.h"
-#include "runtime/draw/store.h"
+#include "runtime/gpu_material/store.h"
 
 enum { SEEN_TEXT_DEFINED = 96 };
 

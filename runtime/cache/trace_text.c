@@ -2,7 +2,7 @@
  * variables. */
 #include "runtime/cache/trace_text.h"
 #include "gen/render_text.h"
-#include "runtime/draw/field.h"
+#include "runtime/gpu_material/field.h"
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,7 +10,7 @@
 #ifndef MATC_CACHE_TRANSPARENCY_H
 #define MATC_CACHE_TRANSPARENCY_H
 #include "runtime/cache/set.h"
-#include "runtime/draw/store.h"
+#include "runtime/gpu_material/store.h"
 
 typedef enum { TRANSPARENCY_lists, TRANSPARENCY_peeling } Transparency;
 

@@ -3,7 +3,7 @@
 #ifndef MATC_CACHE_VIEW_SPACE_H
 #define MATC_CACHE_VIEW_SPACE_H
 #include "gen/light_layout.h"
-#include "runtime/draw/spaces.h"
+#include "runtime/gpu_material/spaces.h"
 #include "runtime/scene/scene.h"
 
 typedef struct {

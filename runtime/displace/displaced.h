@@ -3,7 +3,7 @@
  * the result like any mesh, and need not know that it was displaced. */
 #ifndef MATC_DISPLACE_DISPLACED_H
 #define MATC_DISPLACE_DISPLACED_H
-#include "runtime/draw/material.h"
+#include "runtime/gpu_material/material.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/scene/scene_patches.h"
 

@@ -1,7 +1,7 @@
 /* Functions that all methods share: buffers of patches, a program that writes rows of
  * MeshCaptured, and the mesh that receives them. */
 #include "runtime/displace/displaced_method.h"
-#include "runtime/draw/spaces.h"
+#include "runtime/gpu_material/spaces.h"
 #include "runtime/scene/scene_matrix.h"
 #include <stdlib.h>
 #include <string.h>

@@ -5,7 +5,7 @@
  * Entries are counted, their number is read back, and then they are listed, in arbitrary order. */
 #ifndef MATC_RENDER_EXACT_COVER_H
 #define MATC_RENDER_EXACT_COVER_H
-#include "runtime/draw/material.h"
+#include "runtime/gpu_material/material.h"
 #include "runtime/exact/exact_lists.h"
 
 typedef struct {

@@ -4,9 +4,9 @@
 #define MATC_FRAME_FRAME_H
 #include "runtime/cache/cache.h"
 #include "runtime/cache/view_space.h"
-#include "runtime/draw/measure.h"
-#include "runtime/draw/reader.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/measure.h"
+#include "runtime/gpu_material/reader.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/frame/frame_targets.h"
 #include "runtime/scene/scene.h"
 
@@ -39,7 +39,7 @@ typedef struct FrameVoxels FrameVoxels;             /* indirect/voxels/voxels.h 
 typedef struct FrameRadiance FrameRadiance;         /* indirect/radiance/radiance.h */
 typedef struct FrameIndirect FrameIndirect;         /* indirect/settings/indirect_state.h */
 typedef struct FramePositions FramePositions;       /* indirect/screen/pass_positions.h */
-typedef struct FramePicture FramePicture;           /* picture/picture_state.h */
+typedef struct FramePost FramePost;                 /* picture/post_state.h */
 typedef struct FrameTransparency FrameTransparency; /* glass/transparency_state.h */
 
 enum { FRAME_RETIRED_MAX = 32 };
@@ -82,7 +82,7 @@ struct Render {
     FrameRadiance *radiance;
     FrameIndirect *indirect;
     FramePositions *positions;
-    FramePicture *picture;
+    FramePost *picture;
     FrameTransparency *glass;
     /* The scene has changed since passes last counted their work: FrameCount. */
     bool uncounted;

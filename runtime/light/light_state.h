@@ -4,7 +4,7 @@
 #include "gen/sky_layout.h"
 #include "runtime/frame/frame.h"
 #include "runtime/cache/view_space.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/scene/scene.h"
 
 /* Texels of all lights, as view_space_lights() computes them: light_table.c. */

@@ -2,7 +2,7 @@
  * Not thread-safe. */
 #ifndef MATC_MEASURE_METER_H
 #define MATC_MEASURE_METER_H
-#include "runtime/draw/reader.h"
+#include "runtime/gpu_material/reader.h"
 #include "runtime/measure/sample.h"
 
 typedef struct {

@@ -3,7 +3,7 @@
 #ifndef MATC_MEASURE_SAMPLE_H
 #define MATC_MEASURE_SAMPLE_H
 #include "compiler/oracle/oracle.h"
-#include "runtime/draw/field.h"
+#include "runtime/gpu_material/field.h"
 
 enum { POINTS_WIDTH = 64, POINTS_HEIGHT = 32, POINTS = POINTS_WIDTH * POINTS_HEIGHT };
 

@@ -7,7 +7,7 @@
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_far.h"
-#include "runtime/picture/picture.h"
+#include "runtime/post/post.h"
 #include "runtime/render/frame_memory.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow.h"

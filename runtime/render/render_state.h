@@ -8,7 +8,7 @@
 #include "runtime/indirect/radiance/radiance.h"
 #include "runtime/indirect/voxels/voxels.h"
 #include "runtime/light/light_state.h"
-#include "runtime/picture/picture_state.h"
+#include "runtime/post/post_state.h"
 #include "runtime/shadow/shadow_state.h"
 
 typedef struct {
@@ -19,7 +19,7 @@ typedef struct {
     FrameRadiance radiance;
     FrameIndirect indirect;
     FramePositions positions;
-    FramePicture picture;
+    FramePost picture;
     FrameTransparency glass;
 } RenderState;
 #endif

@@ -4,7 +4,7 @@
 #define MATC_SHADOW_SHADOW_H
 #include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/shadow/shadow_state.h"
 #include "runtime/frame/render_options.h"
 

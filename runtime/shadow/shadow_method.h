@@ -6,7 +6,7 @@
 #ifndef MATC_SHADOW_SHADOW_METHOD_H
 #define MATC_SHADOW_SHADOW_METHOD_H
 #include "compiler/base/text.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/frame/frame_pass.h"
 #include "runtime/frame/render_options.h"
 #include "runtime/shadow/shadow_state.h"

@@ -5,7 +5,7 @@
 #include "runtime/frame/surface_draw.h"
 #include "runtime/frame/transparency_draw.h"
 #include "runtime/transparency/transparency_passes.h"
-#include "runtime/picture/picture.h"
+#include "runtime/post/post.h"
 
 static bool pass_peel_needed(const Render *render)
 {

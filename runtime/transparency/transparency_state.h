@@ -2,7 +2,7 @@
 #ifndef MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
 #define MATC_TRANSPARENCY_TRANSPARENCY_STATE_H
 #include "runtime/frame/frame.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 
 /* State of pass_lists.c: per-pixel linked lists. */
 typedef struct {

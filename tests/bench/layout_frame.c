@@ -2,7 +2,7 @@
  * that nothing is packed beforehand, and a pass that reads all slots back. Both fill a square; the
  * least of several draws counts. */
 #include "matbench.h"
-#include "runtime/draw/targets.h"
+#include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"
 #include <math.h>
 #include <stdio.h>

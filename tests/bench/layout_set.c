@@ -2,7 +2,7 @@
  * text for the cases that the set uses and by that for all cases, beside a layout that is made
  * for the set. All are timed in turns, in one run. */
 #include "matbench.h"
-#include "runtime/draw/targets.h"
+#include "runtime/gpu_material/targets.h"
 #include "runtime/gl/screen.h"
 #include <math.h>
 #include <stdio.h>

@@ -4,7 +4,7 @@
 #define MATC_VALUE_CALL_H
 #include "compiler/base/session.h"
 #include "compiler/ir/job.h"
-#include "runtime/draw/material.h"
+#include "runtime/gpu_material/material.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/screen.h"
 #include "compiler/library/reference.h"

@@ -5,7 +5,7 @@
 #include "compiler/graph/graph.h"
 #include "compiler/matc.h"
 #include "tests/value/points.h"
-#include "runtime/draw/field.h"
+#include "runtime/gpu_material/field.h"
 #include "runtime/gl/framebuffer.h"
 
 /* A context with points in it, and a target for each of them. */

@@ -4,7 +4,7 @@
 #define MATC_VALUE_GBUFFER_H
 #include "tests/value/documents.h"
 #include "draw.h"
-#include "runtime/draw/reader.h"
+#include "runtime/gpu_material/reader.h"
 
 typedef struct {
     Drawer *drawer;       /* its points are drawn */

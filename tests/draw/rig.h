@@ -2,7 +2,7 @@
  * GLSL. */
 #ifndef MATC_VALUE_RIG_H
 #define MATC_VALUE_RIG_H
-#include "runtime/draw/reader.h"
+#include "runtime/gpu_material/reader.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "scene.h"

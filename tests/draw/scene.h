@@ -4,7 +4,7 @@
 #define MATC_VALUE_SCENE_H
 #include "compiler/matc.h"
 #include "compiler/oracle/oracle.h"
-#include "runtime/draw/spaces.h"
+#include "runtime/gpu_material/spaces.h"
 
 typedef Spaces Space;
 

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-void sheet_init(Sheet *sheet)
+void sheet_init(ContactSheet *sheet)
 {
     memset(sheet, 0, sizeof *sheet);
     sheet->at.input[INPUT_N][2] = sheet->at.input[INPUT_eyeN][2] = 1;
@@ -11,7 +11,7 @@ void sheet_init(Sheet *sheet)
     sheet->at.input[INPUT_DV][1] = sheet->at.input[INPUT_XV][1] = 1;
 }
 
-void sheet_set(Sheet *sheet, int lane, double middle, double right, double up)
+void contact_sheet_set(ContactSheet *sheet, int lane, double middle, double right, double up)
 {
     static const Input inputs[] = {INPUT_X, INPUT_P, INPUT_U};
     for (int i = 0; i < 3; i++) {
@@ -24,13 +24,13 @@ void sheet_set(Sheet *sheet, int lane, double middle, double right, double up)
     }
 }
 
-static double varying(const Sheet *sheet, int input, int lane, double right, double up)
+static double varying(const ContactSheet *sheet, int input, int lane, double right, double up)
 {
     return sheet->at.input[input][lane] + right * (double)sheet->right.input[input][lane] +
            up * (double)sheet->up.input[input][lane];
 }
 
-void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surface *surface)
+void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up, Surface *surface)
 {
     static const Input input[] = {[GROUP_P] = INPUT_P,   [GROUP_N] = INPUT_N, [GROUP_DU] = INPUT_DU,
                                   [GROUP_DV] = INPUT_DV, [GROUP_U] = INPUT_U, [GROUP_X] = INPUT_X};
@@ -44,7 +44,7 @@ void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surfa
 }
 
 /* The corners of drawer_fill, in pixels from the middle of the lower left one. */
-static void find_corners(const Sheet *sheet, Point corners[3])
+static void find_corners(const ContactSheet *sheet, Point corners[3])
 {
     for (int corner = 0; corner < 3; corner++)
         for (int input = 0; input < POINT_VARYINGS; input++)
@@ -120,7 +120,7 @@ Oracle *filtered_oracle(const Filtered *f)
     return oracle_open(f->document.graph, &context);
 }
 
-bool filtered_draw(Filtered *f, const Sheet *sheet, float (*rgba)[4])
+bool filtered_draw(Filtered *f, const ContactSheet *sheet, float (*rgba)[4])
 {
     Point corners[3];
     find_corners(sheet, corners);

@@ -12,16 +12,16 @@ enum { SHEET_WIDTH = GRID_WIDTH, SHEET_HEIGHT = GRID_HEIGHT, SHEET_PIXELS = POIN
  * upper neighbour. */
 typedef struct {
     Point at, right, up;
-} Sheet;
+} ContactSheet;
 
 /* Flat: front side, the normal (0, 0, 1), the tangents the x and y axes, all coordinates 0 and
  * without change. */
-void sheet_init(Sheet *sheet);
+void sheet_init(ContactSheet *sheet);
 /* Position, in the world as in the object, and texture coordinate alike: lane `lane` is `middle` in
  * the middle of the sheet. */
-void sheet_set(Sheet *sheet, int lane, double middle, double right, double up);
+void contact_sheet_set(ContactSheet *sheet, int lane, double middle, double right, double up);
 /* Part of the way to the right and upper neighbour from the middle of a pixel. */
-void sheet_surface(const Sheet *sheet, int pixel, double right, double up, Surface *surface);
+void sheet_surface(const ContactSheet *sheet, int pixel, double right, double up, Surface *surface);
 
 /* How a map is compiled, NULL being the default of MatcOptions, and what came of it. */
 typedef struct {
@@ -49,5 +49,5 @@ void filtered_close(Filtered *filtered);
 /* Oracle of the program without --aa, with its noise. */
 Oracle *filtered_oracle(const Filtered *filtered);
 /* The value of the slot for each pixel. */
-bool filtered_draw(Filtered *filtered, const Sheet *sheet, float (*rgba)[4]);
+bool filtered_draw(Filtered *filtered, const ContactSheet *sheet, float (*rgba)[4]);
 #endif

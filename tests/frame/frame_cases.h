@@ -1,7 +1,7 @@
 /* Cases as texels of a texture, and what a screen pass says of them as pixels. */
 #ifndef MATC_FRAME_CASES_H
 #define MATC_FRAME_CASES_H
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 
 /* Runs the text over width x height pixels of RGBA32F, whose sampler `cases` reads the texture;
  * rgba has what it wrote. Fails the test where it cannot. */

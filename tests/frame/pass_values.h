@@ -1,7 +1,7 @@
 /* Values that a pass over all pixels computes, read back: for tests of GLSL. */
 #ifndef MATC_PASS_VALUES_H
 #define MATC_PASS_VALUES_H
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 
 /* Draws a square of side x side pixels, row 0 at the bottom; `text` is of the format RGBA32F. A
  * fault fails the test. */

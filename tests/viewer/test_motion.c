@@ -2,7 +2,7 @@
  * what their files are called. */
 #include "runtime/scene_reader/scene_read.h"
 #include "tests/test.h"
-#include "runtime/view/frames.h"
+#include "runtime/viewer/frames.h"
 #include <math.h>
 #include <string.h>
 

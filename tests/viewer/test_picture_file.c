@@ -2,7 +2,7 @@
  * chunks, OpenEXR by the compiler's reader of images and by the bytes of its chunks. What cannot be
  * written is told, and leaves nothing. */
 #include "tests/test.h"
-#include "runtime/view/picture_file.h"
+#include "runtime/viewer/picture_file.h"
 #include <OpenEXR/openexr.h>
 #include <math.h>
 #include <png.h>

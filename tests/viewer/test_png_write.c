@@ -2,7 +2,7 @@
  * sRGB. */
 #include "tests/test.h"
 #include "runtime/gl/png_write.h"
-#include "runtime/view/slot.h"
+#include "runtime/viewer/slot.h"
 #include <math.h>
 #include <png.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
 /* ctest: seconds=14 */
 #include "tests/test.h"
 #include "grammar/tables.h"
-#include "runtime/view/slot.h"
+#include "runtime/viewer/slot.h"
 #include "tests/preview.h"
 #include <stdio.h>
 

@@ -3,7 +3,7 @@
 /* ctest: seconds=34 */
 #include "tests/test.h"
 #include "compiler/base/file.h"
-#include "runtime/view/scene_picture.h"
+#include "runtime/viewer/scene_picture.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include <stdio.h>

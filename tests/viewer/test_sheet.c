@@ -1,8 +1,8 @@
 /* The contact sheet: its size, where its pictures lie, and that its names can be read. */
 /* ctest: quick */
 #include "tests/test.h"
-#include "runtime/view/font.h"
-#include "runtime/view/sheet.h"
+#include "runtime/viewer/font.h"
+#include "runtime/viewer/contact_sheet.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,9 +14,9 @@ static void columns_fill_rows(void **state)
     static const int cases[][2] = {{1, 1}, {2, 2},  {3, 3},  {4, 2},
                                    {6, 3}, {10, 5}, {12, 4}, {24, 6}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-        assert_int_equal(sheet_columns(cases[i][0]), cases[i][1]);
+        assert_int_equal(contact_sheet_columns(cases[i][0]), cases[i][1]);
     for (int count = 1; count < 500; count++) {
-        int columns = sheet_columns(count), rows = (count + columns - 1) / columns;
+        int columns = contact_sheet_columns(count), rows = (count + columns - 1) / columns;
         assert_true(columns >= rows && columns <= 3 * rows);
         assert_true(columns * rows - count < columns / 2 + 1);
     }
@@ -28,7 +28,7 @@ static const unsigned char *pixel(const PngPicture *picture, int x, int y)
 }
 
 /* A picture of one colour but for its lowest row, which is blue: that is next to the name. */
-static void add(Sheet *sheet, const char *name, int red, int green)
+static void add(ContactSheet *sheet, const char *name, int red, int green)
 {
     unsigned char *rgb = malloc((size_t)(sheet->width * sheet->height * 3));
     assert_non_null(rgb);
@@ -38,7 +38,7 @@ static void add(Sheet *sheet, const char *name, int red, int green)
         rgb[3 * i + 1] = (unsigned char)(bottom ? 0 : green);
         rgb[3 * i + 2] = bottom ? 255 : 0;
     }
-    sheet_add(sheet, name, rgb);
+    contact_sheet_add(sheet, name, rgb);
     free(rgb);
 }
 
@@ -73,15 +73,15 @@ static void pictures_lie_in_order(void **state)
 {
     (void)state;
     enum { EDGE = 48, COUNT = 5 };
-    Sheet sheet = {.width = EDGE, .height = EDGE};
+    ContactSheet sheet = {.width = EDGE, .height = EDGE};
     PngPicture picture;
     char name[32];
     for (int i = 0; i < COUNT; i++) {
         snprintf(name, sizeof name, i == 4 ? "a name that is far too long" : "n%d", i);
         add(&sheet, i == 3 ? "" : name, 255, 10 * i);
     }
-    assert_null(sheet_draw(&sheet, &picture));
-    const int columns = sheet_columns(COUNT), rows = (COUNT + columns - 1) / columns;
+    assert_null(contact_sheet_draw(&sheet, &picture));
+    const int columns = contact_sheet_columns(COUNT), rows = (COUNT + columns - 1) / columns;
     assert_true(picture.width >= columns * EDGE && picture.width < columns * (EDGE + 12) + 12);
     assert_true(picture.height >= rows * (EDGE + FONT_HEIGHT) &&
                 picture.height < rows * (EDGE + FONT_HEIGHT + 16) + 16);
@@ -97,20 +97,20 @@ static void pictures_lie_in_order(void **state)
         assert_true(i == 3 ? !ink : ink > 15); /* no ink where there is no name */
     }
     free(picture.bytes);
-    sheet_free(&sheet);
+    contact_sheet_free(&sheet);
     assert_int_equal(sheet.count, 0);
 }
 
 static void what_cannot_be_is_told(void **state)
 {
     (void)state;
-    Sheet sheet = {.width = 6000, .height = 6000};
+    ContactSheet sheet = {.width = 6000, .height = 6000};
     PngPicture picture;
-    assert_non_null(strstr(sheet_draw(&sheet, &picture), "no picture"));
+    assert_non_null(strstr(contact_sheet_draw(&sheet, &picture), "no picture"));
     for (int i = 0; i < 3; i++)
         add(&sheet, "large", 0, 0);
-    assert_non_null(strstr(sheet_draw(&sheet, &picture), "larger than 16384"));
-    sheet_free(&sheet);
+    assert_non_null(strstr(contact_sheet_draw(&sheet, &picture), "larger than 16384"));
+    contact_sheet_free(&sheet);
 }
 
 /* A sheet that is too large is detected before it is drawn: whatever follows, an edge is at least
@@ -122,14 +122,14 @@ static void room_is_known_before(void **state)
         int edge, most;
     } cases[] = {{16384, 0}, {16372, 1}, {6000, 4}, {4000, 16}, {192, 82 * 82}};
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        Sheet sheet = {.width = cases[i].edge, .height = 1};
+        ContactSheet sheet = {.width = cases[i].edge, .height = 1};
         unsigned char *rgb = calloc((size_t)cases[i].edge, 3);
         assert_non_null(rgb);
-        for (; sheet_has_room(&sheet); sheet_add(&sheet, "one", rgb))
+        for (; contact_sheet_has_room(&sheet); contact_sheet_add(&sheet, "one", rgb))
             assert_true(sheet.count < cases[i].most);
         assert_int_equal(sheet.count, cases[i].most);
         free(rgb);
-        sheet_free(&sheet);
+        contact_sheet_free(&sheet);
     }
 }
 

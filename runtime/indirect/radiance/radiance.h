@@ -23,7 +23,7 @@
 #include "gen/radiance_layout.h"
 #include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/frame/render_options.h"
 
 enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6 };

@@ -2,7 +2,7 @@
  * driver displaces as it draws, beside triangles that stand displaced in a buffer. */
 #include "displacement.h"
 #include "tests/bench/matbench.h"
-#include "runtime/draw/spaces.h"
+#include "runtime/gpu_material/spaces.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/tessellate/scene_divide.h"

@@ -40,7 +40,7 @@ static Filtered open(const char *slot, const char *map, int way)
 
 typedef float Picture[SHEET_PIXELS][4];
 
-static void draw(Filtered *f, const Sheet *sheet, Picture rgba)
+static void draw(Filtered *f, const ContactSheet *sheet, Picture rgba)
 {
     if (!filtered_draw(f, sheet, rgba))
         fail_msg("%s", f->error);
@@ -71,17 +71,17 @@ typedef struct {
 } Box;
 
 /* x and u change to the right, y and v upwards, and not alike. */
-static Sheet straight_sheet(double width, double height)
+static ContactSheet straight_sheet(double width, double height)
 {
-    Sheet sheet;
+    ContactSheet sheet;
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, .137 * width, width, 0);
-    sheet_set(&sheet, 1, -.291 * height, 0, height);
-    sheet_set(&sheet, 2, .43, 0, 0);
+    contact_sheet_set(&sheet, 0, .137 * width, width, 0);
+    contact_sheet_set(&sheet, 1, -.291 * height, 0, height);
+    contact_sheet_set(&sheet, 2, .43, 0, 0);
     return sheet;
 }
 
-static Box box_of(const Sheet *sheet, int pixel)
+static Box box_of(const ContactSheet *sheet, int pixel)
 {
     Surface s;
     Box box;
@@ -202,8 +202,8 @@ static void rectangles_show_means(void **state)
         for (int way = 0; way < WAYS; way++) {
             Filtered f = open(box_cases[i].slot, box_cases[i].map, way);
             for (int size = 0; size < SIZES; size++) {
-                Sheet sheet = straight_sheet(box_cases[i].period * sizes[size][0],
-                                             box_cases[i].period * sizes[size][1]);
+                ContactSheet sheet = straight_sheet(box_cases[i].period * sizes[size][0],
+                                                    box_cases[i].period * sizes[size][1]);
                 draw(&f, &sheet, rgba);
                 for (int pixel = 0; pixel < SHEET_PIXELS; pixel++) {
                     Box box = box_of(&sheet, pixel);
@@ -228,7 +228,7 @@ static void compare_wave(const WaveCurve *wave, int axis, int way, Report *repor
              wave->name, frequency, phase, !axis, axis);
     Filtered f = open("emissive", map, way);
     for (int k = 0; k < SIZES; k++) {
-        Sheet sheet = straight_sheet(period * sizes[k][0], period * sizes[k][1]);
+        ContactSheet sheet = straight_sheet(period * sizes[k][0], period * sizes[k][1]);
         draw(&f, &sheet, rgba);
         for (int pixel = 0; pixel < SHEET_PIXELS; pixel++) {
             Box box = box_of(&sheet, pixel);
@@ -295,7 +295,7 @@ static void whole_periods_leave_all_of_the_variance(void **state)
             continue;
         for (int k = 0; k < 4; k++) {
             Filtered f = open_square(wave, map, k % 2);
-            Sheet sheet = straight_sheet((1 + k / 2) * wave->period, 0);
+            ContactSheet sheet = straight_sheet((1 + k / 2) * wave->period, 0);
             double want = mean_of_slices(square_of_wave, 0, wave->period, SLICES);
             draw(&f, &sheet, rgba);
             for (int pixel = 0; pixel < SHEET_PIXELS; pixel++)
@@ -317,7 +317,7 @@ static void whole_periods_of_even_waves_are_boxes(void **state)
     Report report = {.bound = 2e-6};
     for (int k = 0; k < 4; k++) {
         Filtered f = open("emissive", maps[k / 2], k % 2);
-        Sheet sheet = straight_sheet(2, 0);
+        ContactSheet sheet = straight_sheet(2, 0);
         draw(&f, &sheet, rgba);
         for (int pixel = 0; pixel < SHEET_PIXELS; pixel++)
             compare(&report, rgba[pixel][0], mean_between(area_blend, 0, 2), &f);
@@ -338,7 +338,7 @@ static PartErrors part_errors(const WaveCurve *wave)
     Filtered f = open_square(wave, map, 0);
     for (double periods = .1; periods < 2.65; periods += .25, steps++) {
         double bias = 0;
-        Sheet sheet = straight_sheet(periods * wave->period, 0);
+        ContactSheet sheet = straight_sheet(periods * wave->period, 0);
         draw(&f, &sheet, rgba);
         for (int pixel = 0; pixel < SHEET_WIDTH; pixel++) {
             Box box = box_of(&sheet, pixel);
@@ -387,7 +387,7 @@ static void filters_show_points(void **state)
         Report report = {.bound = 5e-5};
         for (int way = 0; way < 2; way++) {
             Filtered f = open("emissive", sampled_maps[i], way);
-            Sheet sheet = straight_sheet(.83, 1.71);
+            ContactSheet sheet = straight_sheet(.83, 1.71);
             Oracle *oracle =
                 oracle_open(f.document.graph, &(ReferenceContext){.noise = REFERENCE_LATTICE});
             draw(&f, &sheet, rgba);

@@ -43,20 +43,20 @@ static int tear_down(void **state)
     return 0;
 }
 
-static void draw(Filtered *f, const Sheet *sheet, Picture rgba)
+static void draw(Filtered *f, const ContactSheet *sheet, Picture rgba)
 {
     if (!filtered_draw(f, sheet, rgba))
         fail_msg("%s", f->error);
 }
 
 /* All of the coordinates change both ways, and none as another does. */
-static Sheet turned_sheet(double size, double away)
+static ContactSheet turned_sheet(double size, double away)
 {
-    Sheet sheet;
+    ContactSheet sheet;
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, .137 + 37.31 * away, .91 * size, -.19 * size);
-    sheet_set(&sheet, 1, -.291 + 41.17 * away, .33 * size, .47 * size);
-    sheet_set(&sheet, 2, .43 - 29.83 * away, .23 * size, .11 * size);
+    contact_sheet_set(&sheet, 0, .137 + 37.31 * away, .91 * size, -.19 * size);
+    contact_sheet_set(&sheet, 1, -.291 + 41.17 * away, .33 * size, .47 * size);
+    contact_sheet_set(&sheet, 2, .43 - 29.83 * away, .23 * size, .11 * size);
     return sheet;
 }
 
@@ -67,7 +67,7 @@ static double value_at(Oracle *oracle, const Filtered *f, const Surface *surface
     return values.lane[SLOT_emissive][0];
 }
 
-static double mean_over(Oracle *oracle, const Filtered *f, const Sheet *sheet, int pixel)
+static double mean_over(Oracle *oracle, const Filtered *f, const ContactSheet *sheet, int pixel)
 {
     double sum = 0;
     for (int i = 0; i < SIDE * SIDE; i++) {
@@ -141,7 +141,7 @@ static void measure(Filtered f[FILTERS], double period, int place, Errors worst[
     Sums sums[FILTERS] = {0};
     Oracle *oracle = filtered_oracle(f);
     for (int size = 0; size < 3; size++) {
-        Sheet sheet = turned_sheet(sizes[size] * period, place * period);
+        ContactSheet sheet = turned_sheet(sizes[size] * period, place * period);
         for (int i = 0; i < FILTERS; i++)
             draw(&f[i], &sheet, rgba[i]);
         for (int pixel = 0; pixel < SHEET_PIXELS; pixel += STEP) {
@@ -251,13 +251,13 @@ static void parallelograms_show_about_their_means(void **state)
 }
 
 /* Many periods of noise in every pixel, over which x + y + z stays the same. */
-static Sheet wide_sheet(int place)
+static ContactSheet wide_sheet(int place)
 {
-    Sheet sheet;
+    ContactSheet sheet;
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, .5 + 37.31 * place, 37, 20.5);
-    sheet_set(&sheet, 1, -.25 + 41.17 * place, -37, 20.5);
-    sheet_set(&sheet, 2, .125 - 78.48 * place, 0, -41);
+    contact_sheet_set(&sheet, 0, .5 + 37.31 * place, 37, 20.5);
+    contact_sheet_set(&sheet, 1, -.25 + 41.17 * place, -37, 20.5);
+    contact_sheet_set(&sheet, 2, .125 - 78.48 * place, 0, -41);
     return sheet;
 }
 
@@ -285,7 +285,7 @@ static const struct {
 };
 static const char *const noises[] = {"lattice", "groimp", "simplex"};
 
-static double mean_of_points(const Filtered *f, const Sheet *sheet)
+static double mean_of_points(const Filtered *f, const ContactSheet *sheet)
 {
     double sum = 0;
     uint64_t random = java_random(7);
@@ -301,7 +301,7 @@ static double mean_of_points(const Filtered *f, const Sheet *sheet)
 }
 
 /* The greatest difference from `want` over all pixels. */
-static double off_by(Filtered *f, const Sheet *sheet, double want)
+static double off_by(Filtered *f, const ContactSheet *sheet, double want)
 {
     static Picture rgba;
     double worst = 0;
@@ -316,7 +316,7 @@ static bool compare_wide(Filtered f[FILTERS], double most)
     double worst[FILTERS] = {0};
     bool fine = true;
     for (int place = 0; place < places(); place++) {
-        const Sheet sheet = wide_sheet(place);
+        const ContactSheet sheet = wide_sheet(place);
         const double want = mean_of_points(f, &sheet);
         for (int k = 0; k < FILTERS; k++)
             note(off_by(&f[k], &sheet, want), &worst[k]);

@@ -171,7 +171,7 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     static Pixels rgba;
     char map[1024], image[128];
     double worst = 0;
-    Sheet sheet;
+    ContactSheet sheet;
     Mipmaps addressed = *picture, *m = &addressed;
     m->address = look->address;
     snprintf(image, sizeof image, "map: ImageMap, address: %s, image: %s",
@@ -181,8 +181,8 @@ static double measure(const Mipmaps *picture, double texels, const Look *look)
     if (!filtered_open(&f, &drawers))
         fail_msg("%s", f.error);
     sheet_init(&sheet);
-    sheet_set(&sheet, 0, look->turns + (look->turns > 0 ? .25 : .137), texels / m->side, 0);
-    sheet_set(&sheet, 1, look->turns - (look->turns > 0 ? .5 : .291), 0, texels / m->side);
+    contact_sheet_set(&sheet, 0, look->turns + (look->turns > 0 ? .25 : .137), texels / m->side, 0);
+    contact_sheet_set(&sheet, 1, look->turns - (look->turns > 0 ? .5 : .291), 0, texels / m->side);
     if (!filtered_draw(&f, &sheet, rgba))
         fail_msg("%s", f.error);
     for (int i = 0; i < SHEET_PIXELS * MIPMAPS_LANES; i++) {

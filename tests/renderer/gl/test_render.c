@@ -2,8 +2,8 @@
  * its own, numbers change in their buffer, blocks are filled as the driver lays them out, what
  * fails says so and leaves nothing behind. */
 #include "tests/test.h"
-#include "runtime/draw/field.h"
-#include "runtime/draw/reader.h"
+#include "runtime/gpu_material/field.h"
+#include "runtime/gpu_material/reader.h"
 #include "runtime/gl/screen.h"
 #include <math.h>
 #include <stdio.h>

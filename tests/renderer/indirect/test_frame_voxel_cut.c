@@ -50,14 +50,15 @@ static const char scene_text[] =
 typedef struct {
     double at[3], u[3], v[3], cells[2], diffuse[3];
     int odd; /* that is left of the cells' sum modulo 2 where it is full */
-} Sheet;
-static const Sheet sheets[SHEETS] = {
+} ContactSheet;
+static const ContactSheet sheets[SHEETS] = {
     {{-.8, -.75, .813}, {1.6, .1, 0}, {-.1, 1.5, 0}, {4, 6}, {.8, .4, .2}, 0},
     {{.3, .1, .113}, {.9, .1, .5}, {-.2, .6, .4}, {12, 8}, {.2, .4, .8}, 1},
 };
 
 /* Where a line meets the sheet's plane, in multiples of its way; `uv` of the place. */
-static double meet(const Sheet *sheet, const double from[3], const double way[3], double uv[2])
+static double meet(const ContactSheet *sheet, const double from[3], const double way[3],
+                   double uv[2])
 {
     double normal[3], to[3], place[3], side[3];
     cross(sheet->u, sheet->v, normal);
@@ -75,7 +76,7 @@ static double meet(const Sheet *sheet, const double from[3], const double way[3]
 
 /* 1: something is left there; 0: it is cut away, or beside the sheet; -1: so near an end of a cell
  * that it may be either. */
-static int is_left(const Sheet *sheet, const double uv[2], double near)
+static int is_left(const ContactSheet *sheet, const double uv[2], double near)
 {
     int sum = 0;
     for (int k = 0; k < 2; k++) {
@@ -138,7 +139,7 @@ static int expected(const VoxelGrid *grid, const int at[3])
 {
     int all = 0;
     for (int i = 0; i < SHEETS * 3; i++) {
-        const Sheet *sheet = &sheets[i / 3];
+        const ContactSheet *sheet = &sheets[i / 3];
         const int axis = i % 3;
         double from[3], way[3] = {0}, uv[2];
         for (int k = 0; k < 3; k++)
@@ -227,7 +228,7 @@ static bool follow(const double from[3], const double way[3], Sum *sum)
 {
     static const double lamp[3] = {.1, .05, .5};
     double nearest = RADIUS;
-    const Sheet *met = NULL;
+    const ContactSheet *met = NULL;
     for (int i = 0; i < SHEETS; i++) {
         double uv[2];
         const double t = meet(&sheets[i], from, way, uv);

@@ -7,7 +7,7 @@
 #include "gen/render_text.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/voxel_walk.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

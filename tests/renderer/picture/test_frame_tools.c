@@ -3,7 +3,7 @@
  * after; that nothing runs where there are none. */
 /* ctest: seconds=14 */
 #include "tests/test.h"
-#include "runtime/picture/tool_lines.h"
+#include "runtime/post/tool_lines.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -3,7 +3,7 @@
 /* ctest: unsanitized seconds=20 */
 #include "tests/test.h"
 #include "grammar/tables.h"
-#include "runtime/view/scene_picture.h"
+#include "runtime/viewer/scene_picture.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame/frame_example.h"
 #include <OpenEXR/openexr.h>

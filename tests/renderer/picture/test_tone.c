@@ -4,7 +4,7 @@
 /* ctest: seconds=11 */
 #include "tests/test.h"
 #include "gen/render_text.h"
-#include "runtime/draw/measure.h"
+#include "runtime/gpu_material/measure.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_draw.h"
 #include <math.h>

@@ -4,7 +4,7 @@
 /* ctest: unsanitized */
 #include "tests/test.h"
 #include "gen/render_text.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "runtime/render/render.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"

@@ -2,7 +2,7 @@
  * polygons in double. */
 #include "tests/test.h"
 #include "gen/render_text.h"
-#include "runtime/draw/screen_pass.h"
+#include "runtime/gpu_material/screen_pass.h"
 #include "tests/frame/frame_draw.h"
 #include <stdlib.h>
 #include <string.h>

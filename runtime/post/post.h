@@ -1,0 +1,21 @@
+/* Passes that turn the lit frame into the picture: edge antialiasing, tools (overlays), tone
+ * mapping. */
+#ifndef MATC_POST_POST_H
+#define MATC_POST_POST_H
+#include "runtime/frame/frame_pass.h"
+#include "runtime/post/post_state.h"
+#include "runtime/light/lighting.h"
+
+bool pass_edge_needed(const Render *render);
+/* Returns the reason why the requested edge pass is missing; NULL: not requested, or present. */
+const char *pass_edge_lacks(const Render *render);
+/* Returns whether the tools pass runs and has its render target. */
+bool pass_tools_are_there(const Render *render);
+/* Called by passes that blend transparent surfaces over the lit frame: make and draw the part
+ * that attenuates the tools behind those surfaces. `text` is the pass's lighting text without
+ * emitted light. Without tools both functions do nothing. */
+bool pass_tools_make_veil(Render *render, const LightingText *text);
+void pass_tools_draw_veil(Render *render);
+/* Passes of the frame graph. */
+extern const FramePass pass_edge, pass_tools, pass_tone;
+#endif

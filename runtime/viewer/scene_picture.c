@@ -1,0 +1,264 @@
+/* Draws all pictures with one renderer. Tiles are drawn from the top row of tiles down, since
+ * image files start at the top. */
+#include "runtime/viewer/scene_picture.h"
+#include "runtime/scene/scene_origin.h"
+#include "runtime/viewer/view_look.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+struct ScenePictures {
+    GlContext *gl;
+    ScenePictureOptions options;
+    const Scene *scene;   /* the current scene */
+    const ViewLook *look; /* mapping of the view for a PNG; or NULL */
+    Render *render;
+    float *band; /* one row of tiles, four floats per pixel; NULL before the first picture */
+    float *tile; /* the last tile read, if a row has several tiles; or NULL */
+};
+
+static int least(int a, int b) { return a < b ? a : b; }
+
+static bool is_picture(const char *view) { return !view || render_view_is_picture(view); }
+
+/* Destination of a picture: a file (top row first), or RGB bytes (bottom row first). */
+typedef struct {
+    PictureFile *file;
+    unsigned char *rgb;
+} Sink;
+
+static PictureSpec spec_of(const ScenePictures *p)
+{
+    const ScenePictureOptions *o = &p->options;
+    const Render *render = p->render;
+    const bool exr = o->format == PICTURE_FORMAT_exr;
+    const char *view = o->render.view ? o->render.view : "shown";
+    const bool color = is_picture(view) || !strcmp(view, "light");
+    const int lanes = o->look ? 3 : render_lanes(render);
+    return (PictureSpec){.format = o->format,
+                         .width = render_width(render),
+                         .height = render_height(render),
+                         .lanes = lanes == 4 && !exr ? 3 : lanes,
+                         .bits = o->bits ? o->bits
+                                 : !exr  ? 8
+                                 : color ? 16
+                                         : 32,
+                         .color = is_picture(view) || o->look ||
+                                  (p->look && view_look_is_color(p->look))};
+}
+
+/* Draws the tile at (x, y) into the band; y is the picture row of the band's lowest row. */
+static bool draw_tile(ScenePictures *p, int x, int y, int rows)
+{
+    const size_t tile = (size_t)render_tile_width(p->render),
+                 width = (size_t)render_width(p->render);
+    const size_t seen = (size_t)least((int)tile, (int)width - x);
+    render_move(p->render, x, y);
+    if (!render_frame(p->render) || !render_read(p->render, p->tile ? p->tile : p->band))
+        return false;
+    for (size_t row = 0; p->tile && row < (size_t)rows; row++)
+        memcpy(p->band + 4 * (row * width + (size_t)x), p->tile + 4 * row * tile,
+               4 * seen * sizeof *p->band);
+    return true;
+}
+
+/* Converts floats in [0, 1] to bytes, rounded to nearest. */
+static void put_bytes(const float *rgba, int width, unsigned char *rgb)
+{
+    for (int i = 0; i < 3 * width; i++)
+        rgb[i] = (unsigned char)(255 * fminf(fmaxf(rgba[i / 3 * 4 + i % 3], 0), 1) + .5f);
+}
+
+/* Writes a band; y is the picture row of the band's lowest row. */
+static bool write_rows(const ScenePictures *p, const Sink *sink, int y, int rows)
+{
+    const int width = render_width(p->render);
+    const char *why = NULL;
+    for (int row = rows - 1; row >= 0 && !why; row--) {
+        const float *rgba = p->band + 4 * (size_t)row * (size_t)width;
+        if (sink->file)
+            why = picture_file_row(sink->file, rgba);
+        else
+            put_bytes(rgba, width, sink->rgb + 3 * (size_t)(y + row) * (size_t)width);
+    }
+    return !why || gl_fail(p->gl, "%s", why);
+}
+
+static bool draw_bands(ScenePictures *p, const Sink *sink)
+{
+    const ScenePictureOptions *o = &p->options;
+    const int width = render_width(p->render), height = render_height(p->render);
+    const int tile[2] = {render_tile_width(p->render), render_tile_height(p->render)};
+    for (int y = (height - 1) / tile[1] * tile[1]; y >= 0; y -= tile[1]) {
+        const int rows = least(tile[1], height - y);
+        for (int x = 0; x < width; x += tile[0])
+            if (!draw_tile(p, x, y, rows))
+                return false;
+        if (o->look)
+            slot_look_show(o->look, p->band, (size_t)width * (size_t)rows);
+        if (p->look)
+            view_look_show(p->look, &p->scene->camera, p->band, (size_t)width * (size_t)rows);
+        if (!write_rows(p, sink, y, rows))
+            return false;
+        if (o->progress && y > 0)
+            o->progress(o->user, height - y, height);
+    }
+    return true;
+}
+
+/* Allocates a row of tiles, once for all pictures of a scene. */
+static bool make_band(ScenePictures *p)
+{
+    const size_t rows = (size_t)render_tile_height(p->render) * 4 * sizeof(float);
+    const size_t tile = (size_t)render_tile_width(p->render),
+                 width = (size_t)render_width(p->render);
+    if (p->band)
+        return true;
+    p->tile = tile < width ? malloc(rows * tile) : NULL;
+    p->band = tile == width || p->tile ? malloc(rows * width) : NULL;
+    return p->band || gl_fail(p->gl, "out of memory");
+}
+
+/* Writes all shadow maps side by side, the first on the left. */
+static bool write_map_rows(ScenePictures *p, PictureFile *file, float *depths, float *rgba)
+{
+    const int count = render_map_count(p->render), size = render_map_size(p->render);
+    const char *why = NULL;
+    for (int map = 0; map < count; map++)
+        if (!render_read_map(p->render, map, depths + (size_t)map * (size_t)size * (size_t)size))
+            return false;
+    for (int row = size - 1; row >= 0 && !why; row--) {
+        for (int i = 0; i < count * size; i++)
+            rgba[4 * i] = depths[((size_t)(i / size) * (size_t)size + (size_t)row) * (size_t)size +
+                                 (size_t)(i % size)];
+        why = picture_file_row(file, rgba);
+    }
+    return !why || gl_fail(p->gl, "%s", why);
+}
+
+static bool write_maps(ScenePictures *p, const char *path, ScenePicture *picture)
+{
+    const int count = render_map_count(p->render), size = count ? render_map_size(p->render) : 0;
+    const bool exr = p->options.format == PICTURE_FORMAT_exr;
+    const PictureSpec spec = {p->options.format,
+                              count * size,
+                              size,
+                              1,
+                              p->options.bits ? p->options.bits : exr ? 32 : 8,
+                              false};
+    const char *why = "no light of the scene casts shadows by a map";
+    PictureFile *file = count ? picture_file_open(&spec, &why) : NULL;
+    if (!file)
+        return gl_fail(p->gl, "%s", why);
+    float *depths = malloc((size_t)count * (size_t)size * ((size_t)size + 4) * sizeof *depths);
+    bool done = depths ? render_frame(p->render) : gl_fail(p->gl, "out of memory");
+    done = done &&
+           write_map_rows(p, file, depths, depths + (size_t)count * (size_t)size * (size_t)size);
+    why = done ? picture_file_finish(file, path) : NULL;
+    picture->faulty = why ? path : NULL;
+    picture_file_close(file);
+    free(depths);
+    return done && (!why || gl_fail(p->gl, "%s", why));
+}
+
+static bool is_maps(const ScenePictures *p)
+{
+    return p->options.render.view && !strcmp(p->options.render.view, "shadow");
+}
+
+static bool write_picture(ScenePictures *p, const char *path, ScenePicture *picture)
+{
+    const char *why;
+    const PictureSpec spec = spec_of(p);
+    PictureFile *file = make_band(p) ? picture_file_open(&spec, &why) : NULL;
+    if (!p->band)
+        return false;
+    if (!file)
+        return gl_fail(p->gl, "%s", why);
+    bool done = draw_bands(p, &(Sink){.file = file});
+    why = done ? picture_file_finish(file, path) : NULL;
+    picture->faulty = why ? path : NULL;
+    picture_file_close(file);
+    return done && (!why || gl_fail(p->gl, "%s", why));
+}
+
+bool scene_pictures_draw(ScenePictures *p, const char *path, ScenePicture *picture)
+{
+    *picture = (ScenePicture){0};
+    if (p->options.graph) {
+        picture->words = render_graph(p->render);
+        return true;
+    }
+    if (!(is_maps(p) ? write_maps : write_picture)(p, path, picture))
+        return false;
+    picture->words = p->options.stats ? render_stats(p->render) : NULL;
+    return true;
+}
+
+bool scene_pictures_pixels(ScenePictures *p, unsigned char *rgb)
+{
+    return make_band(p) && draw_bands(p, &(Sink){.rgb = rgb});
+}
+
+/* A moved origin changes the whole scene. */
+bool scene_pictures_turn(ScenePictures *p, Scene *scene, Scene *seen)
+{
+    if (!scene_origin_follow(scene, &seen->camera))
+        return render_changed(p->render, RENDER_CAMERA | RENDER_TIME);
+    memcpy(seen->origin, scene->origin, sizeof seen->origin);
+    return scene_pictures_show(p, seen);
+}
+
+char *scene_pictures_diagnostics(const ScenePictures *p) { return render_diagnostics(p->render); }
+
+bool scene_pictures_param(ScenePictures *p, const char *uniform, const float *lanes, int count)
+{
+    return render_param(p->render, 0, uniform, lanes, count);
+}
+
+static void forget_band(ScenePictures *p)
+{
+    free(p->tile);
+    free(p->band);
+    p->tile = p->band = NULL;
+}
+
+bool scene_pictures_show(ScenePictures *p, const Scene *scene)
+{
+    forget_band(p); /* the new scene may have another tile size */
+    p->scene = scene;
+    if (!render_scene(p->render, scene))
+        return false;
+    return !render_lacks_view(p->render) || !p->options.look ||
+           gl_fail(p->gl,
+                   "the layout does not store that slot; --layout=integer stores all of them");
+}
+
+ScenePictures *scene_pictures_open(GlContext *gl, const ScenePictureOptions *options)
+{
+    ScenePictures *made = calloc(1, sizeof *made);
+    const bool exr = options->format == PICTURE_FORMAT_exr;
+    if (!made)
+        return gl_fail(gl, "out of memory"), NULL;
+    *made = (ScenePictures){.gl = gl, .options = *options};
+    made->options.render.linear = exr;
+    if (!exr && !options->look) {
+        made->options.look = options->render.view ? slot_look_find(options->render.view) : NULL;
+        made->look = view_look_find(options->render.view);
+    }
+    made->options.render.deep = options->bits > (exr ? 16 : 8);
+    made->render = render_open(gl, &made->options.render);
+    if (made->render)
+        return made;
+    scene_pictures_close(made);
+    return NULL;
+}
+
+void scene_pictures_close(ScenePictures *p)
+{
+    if (!p)
+        return;
+    render_close(p->render);
+    forget_band(p);
+    free(p);
+}
