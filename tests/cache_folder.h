@@ -13,7 +13,7 @@ enum { HEADER = 40, PATH_ROOM = 256 }; /* bytes of an entry before its own */
 
 typedef struct {
     char root[PATH_ROOM / 2]; /* made for the test, removed after it */
-    char path[PATH_ROOM];     /* of the cache, below it */
+    char path[PATH_ROOM];     /* of the GPU scene, below it */
 } Folder;
 
 static inline int make_folder(void **state)

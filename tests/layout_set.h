@@ -15,7 +15,7 @@ typedef struct {
     int count;
     MatcRanges ranges;
     MatcLayout *layout;
-} Set;
+} MaterialSet;
 
 static inline void add_material(MatcRanges *ranges, const MatcDocument *document, int material,
                                 const MatcOptions *options)
@@ -25,9 +25,9 @@ static inline void add_material(MatcRanges *ranges, const MatcDocument *document
         fail_msg("%s", fault);
 }
 
-static inline void set_open(Set *set, const char *const *paths, int count, double error)
+static inline void set_open(MaterialSet *set, const char *const *paths, int count, double error)
 {
-    *set = (Set){.count = count};
+    *set = (MaterialSet){.count = count};
     matc_ranges_init(&set->ranges);
     for (int i = 0; i < count; i++) {
         char path[512];
@@ -42,7 +42,7 @@ static inline void set_open(Set *set, const char *const *paths, int count, doubl
     assert_true(matc_layout_ok(set->layout));
 }
 
-static inline void set_close(Set *set)
+static inline void set_close(MaterialSet *set)
 {
     matc_layout_free(set->layout);
     for (int i = 0; i < set->count; i++)

@@ -66,7 +66,7 @@ static void bind(const Render *render, int unit)
 static void put(Text *out, const Render *render)
 {
     const ExactShadows *exact = exact_state(render);
-    const int varying = shadow_views_varying(&render->cache);
+    const int varying = shadow_views_varying(&render->gpu_scene);
     if (!exact->corners)
         return;
     text_format(out, "exact     %d triangles, %lu bytes\n", exact->triangles.count,

@@ -9,22 +9,22 @@
 /* Shapes of meshes, made for the first object of each mesh; those from files are borrowed. */
 typedef struct {
     const Scene *scene;
-    const Cache *cache;
+    const GpuScene *gpu_scene;
     Shape *shapes;
     bool *made;
 } Shapes;
 
-static bool shapes_open(const Scene *scene, const Cache *cache, Shapes *shapes)
+static bool shapes_open(const Scene *scene, const GpuScene *gpu_scene, Shapes *shapes)
 {
-    const size_t count = (size_t)cache->mesh_count + 1;
-    *shapes = (Shapes){scene, cache, calloc(count, sizeof *shapes->shapes),
+    const size_t count = (size_t)gpu_scene->mesh_count + 1;
+    *shapes = (Shapes){scene, gpu_scene, calloc(count, sizeof *shapes->shapes),
                        calloc(count, sizeof *shapes->made)};
     return shapes->shapes && shapes->made;
 }
 
 static void shapes_close(Shapes *shapes)
 {
-    for (int i = 0; shapes->made && shapes->shapes && i < shapes->cache->mesh_count; i++)
+    for (int i = 0; shapes->made && shapes->shapes && i < shapes->gpu_scene->mesh_count; i++)
         if (shapes->made[i])
             shape_free(&shapes->shapes[i]);
     free(shapes->shapes);
@@ -34,7 +34,7 @@ static void shapes_close(Shapes *shapes)
 /* Returns the shape of an object; NULL: out of memory. */
 static const Shape *shape_of(Shapes *shapes, int number)
 {
-    const CachePlace *place = &shapes->cache->places[shapes->cache->place_of[number]];
+    const GpuScenePlace *place = &shapes->gpu_scene->places[shapes->gpu_scene->place_of[number]];
     const SceneObject *object = &shapes->scene->objects[number];
     if (object->kind == SCENE_Mesh)
         return &shapes->scene->meshes[object->mesh].shape;
@@ -97,16 +97,16 @@ static void set_origin(ExactTriangles *made)
 
 static bool measure_all(Shapes *shapes, ExactTriangles *made)
 {
-    const Cache *cache = shapes->cache;
+    const GpuScene *gpu_scene = shapes->gpu_scene;
     size_t count = 0;
-    made->objects = calloc((size_t)cache->place_count + 1, sizeof *made->objects);
-    for (int i = 0; made->objects && i < cache->place_count; i++) {
+    made->objects = calloc((size_t)gpu_scene->place_count + 1, sizeof *made->objects);
+    for (int i = 0; made->objects && i < gpu_scene->place_count; i++) {
         ExactObject *object = &made->objects[made->object_count];
-        if (!exact_triangles_have(&cache->places[i]))
+        if (!exact_triangles_have(&gpu_scene->places[i]))
             continue;
         made->object_count++;
-        made->opaque_count += !cache->places[i].transparent;
-        *object = (ExactObject){.object = cache->places[i].object, .first = (int)count};
+        made->opaque_count += !gpu_scene->places[i].transparent;
+        *object = (ExactObject){.object = gpu_scene->places[i].object, .first = (int)count};
         count += measure(shapes, object) ? (size_t)object->count : INT_MAX;
         if (count > INT_MAX / sizeof(ExactCorners))
             return false;
@@ -115,13 +115,13 @@ static bool measure_all(Shapes *shapes, ExactTriangles *made)
     return made->objects;
 }
 
-bool exact_triangles_have(const CachePlace *place) { return !place->transparent || place->even; }
+bool exact_triangles_have(const GpuScenePlace *place) { return !place->transparent || place->even; }
 
-bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made)
+bool exact_triangles_make(const Scene *scene, const GpuScene *gpu_scene, ExactTriangles *made)
 {
     Shapes shapes;
     *made = (ExactTriangles){.reach = 0};
-    const bool done = shapes_open(scene, cache, &shapes) && measure_all(&shapes, made);
+    const bool done = shapes_open(scene, gpu_scene, &shapes) && measure_all(&shapes, made);
     shapes_close(&shapes);
     if (done)
         set_origin(made);
@@ -130,11 +130,11 @@ bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles
     return done;
 }
 
-bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
+bool exact_triangles_move(const Scene *scene, const GpuScene *gpu_scene, const int range[2],
                           ExactTriangles *triangles)
 {
     Shapes shapes;
-    bool done = shapes_open(scene, cache, &shapes);
+    bool done = shapes_open(scene, gpu_scene, &shapes);
     for (int i = range[0]; done && i < range[1]; i++)
         done = measure(&shapes, &triangles->objects[i]);
     shapes_close(&shapes);
@@ -144,7 +144,7 @@ bool exact_triangles_move(const Scene *scene, const Cache *cache, const int rang
 }
 
 /* Returns the transmittance of a component; 0 or 1 if shadows are alpha-tested. */
-static float share_of(const Scene *scene, const CachePlace *place, int lane)
+static float share_of(const Scene *scene, const GpuScenePlace *place, int lane)
 {
     const float *t = place->even;
     if (!place->transparent)
@@ -152,7 +152,7 @@ static float share_of(const Scene *scene, const CachePlace *place, int lane)
     return scene->shadow_colored ? fminf(fmaxf(t[lane], 0), 1) : t[0] + t[1] + t[2] > 1.5f;
 }
 
-static void put_shares(const Scene *scene, const CachePlace *place, int count,
+static void put_shares(const Scene *scene, const GpuScenePlace *place, int count,
                        ExactCorners *corners)
 {
     for (int i = 0; i < 3 * count; i++)
@@ -170,12 +170,12 @@ static void put_corners(const Shape *shape, const SceneMatrix *matrix, const dou
     }
 }
 
-bool exact_triangles_corners(const Scene *scene, const Cache *cache,
+bool exact_triangles_corners(const Scene *scene, const GpuScene *gpu_scene,
                              const ExactTriangles *triangles, const int range[2],
                              ExactCorners *corners)
 {
     Shapes shapes;
-    bool done = shapes_open(scene, cache, &shapes);
+    bool done = shapes_open(scene, gpu_scene, &shapes);
     for (int i = range[0]; done && i < range[1]; i++) {
         const ExactObject *object = &triangles->objects[i];
         const Shape *shape = shape_of(&shapes, object->object);
@@ -184,7 +184,8 @@ bool exact_triangles_corners(const Scene *scene, const Cache *cache,
         if (done) {
             put_corners(shape, &scene->objects[object->object].world_from_local, triangles->origin,
                         to);
-            put_shares(scene, &cache->places[cache->place_of[object->object]], object->count, to);
+            put_shares(scene, &gpu_scene->places[gpu_scene->place_of[object->object]],
+                       object->count, to);
         }
     }
     shapes_close(&shapes);

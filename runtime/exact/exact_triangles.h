@@ -2,7 +2,7 @@
  * object's after the other, as floats, rounded once. No GL. */
 #ifndef MATC_RENDER_EXACT_TRIANGLES_H
 #define MATC_RENDER_EXACT_TRIANGLES_H
-#include "runtime/cache/cache.h"
+#include "runtime/gpu_scene/gpu_scene.h"
 
 /* A bounding box in world space. */
 typedef struct {
@@ -31,16 +31,16 @@ typedef struct {
 typedef float ExactCorners[3][4];
 
 /* Returns whether the place's object has triangles for exact shadows. */
-bool exact_triangles_have(const CachePlace *place);
+bool exact_triangles_have(const GpuScenePlace *place);
 /* Measures all objects. False: out of memory, or more triangles than an int can count; *made is
  * empty then. */
-bool exact_triangles_make(const Scene *scene, const Cache *cache, ExactTriangles *made);
+bool exact_triangles_make(const Scene *scene, const GpuScene *gpu_scene, ExactTriangles *made);
 /* Measures objects range[0] to range[1] - 1 again after they moved. False: out of memory. */
-bool exact_triangles_move(const Scene *scene, const Cache *cache, const int range[2],
+bool exact_triangles_move(const Scene *scene, const GpuScene *gpu_scene, const int range[2],
                           ExactTriangles *triangles);
 /* Writes the corners of objects range[0] to range[1] - 1, beginning with the first one's. False:
  * out of memory. */
-bool exact_triangles_corners(const Scene *scene, const Cache *cache,
+bool exact_triangles_corners(const Scene *scene, const GpuScene *gpu_scene,
                              const ExactTriangles *triangles, const int range[2],
                              ExactCorners *corners);
 /* Frees the triangles; also valid for a zeroed struct. */

@@ -25,7 +25,7 @@ static bool write_corners(Render *render, const int range[2])
     const int count = last->first + last->count - first->first;
     ExactCorners *corners = malloc(corner_bytes(count) + 1);
     if (!corners ||
-        !exact_triangles_corners(render->scene, &render->cache, triangles, range, corners))
+        !exact_triangles_corners(render->scene, &render->gpu_scene, triangles, range, corners))
         return free(corners), gl_fail(render->gl, "out of memory");
     gl->BindBuffer(GL_ARRAY_BUFFER, exact->corners);
     if (count == triangles->count)
@@ -43,14 +43,14 @@ static bool measure(Render *render)
     const size_t most = transparency_most_bytes(render);
     ExactTriangles *triangles = &exact_state(render)->triangles;
     exact_triangles_free(triangles);
-    if (!exact_triangles_make(render->scene, &render->cache, triangles))
+    if (!exact_triangles_make(render->scene, &render->gpu_scene, triangles))
         return gl_fail(render->gl, "out of memory");
     return corner_bytes(triangles->count) <= most ||
            gl_fail(render->gl, "shadows: exact takes %lu bytes in a buffer, and there may be %lu",
                    (unsigned long)corner_bytes(triangles->count), (unsigned long)most);
 }
 
-/* Writes the number of each object's first triangle, by the cache's places. Without instancing,
+/* Writes the number of each object's first triangle, by the GPU scene's places. Without instancing,
  * the place is a uniform. */
 static bool write_firsts(Render *render)
 {
@@ -62,8 +62,8 @@ static bool write_firsts(Render *render)
         return gl_fail(render->gl, "out of memory");
     for (int i = 0; i < triangles->opaque_count; i++) {
         firsts[i] = (GLuint)triangles->objects[i].first + 1;
-        if (!render->cache.instances)
-            material_set_number(&render->cache.kinds[render->cache.places[i].kind].material,
+        if (!render->gpu_scene.instances)
+            material_set_number(&render->gpu_scene.kinds[render->gpu_scene.places[i].kind].material,
                                 "seen_place", (float)i);
     }
     gl->BindBuffer(GL_ARRAY_BUFFER, exact_state(render)->firsts);
@@ -95,8 +95,8 @@ bool pass_exact_wanted(const Render *render)
 bool pass_exact_needed(const Render *render)
 {
     bool casts = false;
-    for (int i = 0; !casts && i < render->cache.place_count; i++)
-        casts = exact_triangles_have(&render->cache.places[i]);
+    for (int i = 0; !casts && i < render->gpu_scene.place_count; i++)
+        casts = exact_triangles_have(&render->gpu_scene.places[i]);
     return casts && pass_exact_wanted(render);
 }
 
@@ -153,14 +153,14 @@ static void find_range(const ExactTriangles *triangles, const int objects[2], in
         }
 }
 
-/* Returns true if the cache's order has changed, as when an object becomes mirrored. */
+/* Returns true if the GPU scene's order has changed, as when an object becomes mirrored. */
 static bool is_reordered(const Render *render)
 {
     bool is = false;
-    for (int i = 0, next = 0; i < render->cache.place_count; i++)
-        if (exact_triangles_have(&render->cache.places[i]))
+    for (int i = 0, next = 0; i < render->gpu_scene.place_count; i++)
+        if (exact_triangles_have(&render->gpu_scene.places[i]))
             is |= exact_state(render)->triangles.objects[next++].object !=
-                  render->cache.places[i].object;
+                  render->gpu_scene.places[i].object;
     return is;
 }
 
@@ -170,7 +170,7 @@ static bool move(Render *render, int range[2])
     double before[3];
     ExactTriangles *triangles = &exact_state(render)->triangles;
     memcpy(before, triangles->origin, sizeof before);
-    if (!exact_triangles_move(render->scene, &render->cache, range, triangles))
+    if (!exact_triangles_move(render->scene, &render->gpu_scene, range, triangles))
         return gl_fail(render->gl, "out of memory");
     if (memcmp(before, triangles->origin, sizeof before) != 0)
         range[0] = 0, range[1] = triangles->object_count;

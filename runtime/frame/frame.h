@@ -2,8 +2,8 @@
  * which is opaque to the others; runtime/render/render_state.h composes them. */
 #ifndef MATC_FRAME_FRAME_H
 #define MATC_FRAME_FRAME_H
-#include "runtime/cache/cache.h"
-#include "runtime/cache/view_space.h"
+#include "runtime/gpu_scene/gpu_scene.h"
+#include "runtime/gpu_scene/view_space.h"
 #include "runtime/gpu_material/measure.h"
 #include "runtime/gpu_material/reader.h"
 #include "runtime/gpu_material/screen_pass.h"
@@ -69,10 +69,10 @@ struct Render {
     bool beside; /* shadows need objects outside the view, too */
     Transparency transparency;
     bool parted; /* shadow lists are tiled: shadow_tables.c */
-    Set set;
+    MaterialSet set;
     ViewSpace space;
     CullVolume volume; /* the view frustum */
-    Cache cache;
+    GpuScene gpu_scene;
     Screen screen;
     bool has_screen;
     FrameTargets targets;
@@ -107,6 +107,6 @@ static inline bool frame_look_has_shadows(const Render *render)
 {
     return render->look && render->look->shadows != FRAME_LOOK_none;
 }
-/* Returns the input of the cache. */
-CacheSource frame_source(const Render *render);
+/* Returns the input of the GPU scene. */
+GpuSceneSource frame_source(const Render *render);
 #endif

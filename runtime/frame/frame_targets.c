@@ -1,4 +1,4 @@
-/* Names, textures and framebuffers of a frame's targets, and the input of the cache. */
+/* Names, textures and framebuffers of a frame's targets, and the input of the GPU scene. */
 #include "runtime/frame/frame.h"
 #include <string.h>
 
@@ -180,9 +180,9 @@ static bool is_alone(const Render *render)
     return render->scene && !scene_indirect_is(render->scene) && !(casts(render) && render->beside);
 }
 
-CacheSource frame_source(const Render *render)
+GpuSceneSource frame_source(const Render *render)
 {
-    return (CacheSource){
+    return (GpuSceneSource){
         render->scene,     &render->set,
         &render->space,    render->options.unculled ? NULL : &render->volume,
         &render->volume,   render->whole,

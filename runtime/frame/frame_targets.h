@@ -8,7 +8,7 @@
 typedef enum {
     FRAME_TARGET_depth,
     FRAME_TARGET_gbuffer,
-    /* ray-marched displacement: patch and position of a hit, a pixel of cache_trace.h */
+    /* ray-marched displacement: patch and position of a hit, a pixel of gpu_scene_trace.h */
     FRAME_TARGET_traced,
     FRAME_TARGET_shadow,    /* shadow maps, of their own sizes: pass_shadow.c owns them */
     FRAME_TARGET_voxels,    /* voxel grid, of its own size: pass_voxels.c owns it */

@@ -1,4 +1,4 @@
-/* Drawing of surfaces for the rasterizing passes: context state, the cache's objects in the
+/* Drawing of surfaces for the rasterizing passes: context state, the GPU scene's objects in the
  * view's style, and infinite planes. */
 #include "runtime/frame/frame.h"
 #include "runtime/frame/surface_draw.h"
@@ -34,15 +34,15 @@ void surface_draw_objects(Render *render, bool transparent)
         return;
     if (lines)
         render->gl->PolygonMode(GL_FRONT_AND_BACK, GL_LINE);
-    cache_draw(render->gl, &render->cache, transparent);
+    gpu_scene_draw(render->gl, &render->gpu_scene, transparent);
     if (lines)
         render->gl->PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
 }
 
 void surface_draw_planes(Render *render, bool transparent)
 {
-    for (int i = 0; i < render->cache.plane_count; i++) {
-        CachePlane *plane = &render->cache.planes[i];
+    for (int i = 0; i < render->gpu_scene.plane_count; i++) {
+        GpuScenePlane *plane = &render->gpu_scene.planes[i];
         if (plane->transparent != transparent)
             continue;
         material_use(&plane->material);

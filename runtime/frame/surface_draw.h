@@ -7,7 +7,7 @@
  * state. */
 void surface_draw_begin(const Render *render, const Framebuffer *framebuffer, GLenum test);
 void surface_draw_end(const Render *render);
-/* Reports whether the view shows surfaces. The other two draw the cache's objects in the view's
+/* Reports whether the view shows surfaces. The other two draw the GPU scene's objects in the view's
  * style, and its infinite planes; each draws either the opaque or the transparent ones. */
 bool surface_draw_is_shown(const Render *render);
 void surface_draw_objects(Render *render, bool transparent);

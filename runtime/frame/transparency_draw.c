@@ -7,37 +7,38 @@
 /* Max bytes of a buffer of fragments, unless the driver's limit is lower. */
 enum { LISTS_MOST = 1 << 30 };
 
-static bool is_there(const Cache *cache)
+static bool is_there(const GpuScene *gpu_scene)
 {
-    return cache->surface_count > cache->opaque_count ||
-           cache->plane_count > cache->opaque_plane_count;
+    return gpu_scene->surface_count > gpu_scene->opaque_count ||
+           gpu_scene->plane_count > gpu_scene->opaque_plane_count;
 }
 
 bool transparency_is(const Render *render, Transparency way)
 {
-    return is_there(&render->cache) && render->transparency == way && surface_draw_is_shown(render);
+    return is_there(&render->gpu_scene) && render->transparency == way &&
+           surface_draw_is_shown(render);
 }
 
 void transparency_set(Render *render, const char *name, float number)
 {
-    for (int i = 0; i < render->cache.kind_count; i++)
-        if (render->cache.kinds[i].transparent)
-            material_set_number(&render->cache.kinds[i].material, name, number);
-    for (int i = 0; i < render->cache.plane_count; i++)
-        if (render->cache.planes[i].transparent)
-            material_set_number(&render->cache.planes[i].material, name, number);
+    for (int i = 0; i < render->gpu_scene.kind_count; i++)
+        if (render->gpu_scene.kinds[i].transparent)
+            material_set_number(&render->gpu_scene.kinds[i].material, name, number);
+    for (int i = 0; i < render->gpu_scene.plane_count; i++)
+        if (render->gpu_scene.planes[i].transparent)
+            material_set_number(&render->gpu_scene.planes[i].material, name, number);
 }
 
 bool transparency_units(Render *render, int units[2])
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     int most = 0;
-    for (int i = 0; i < cache->kind_count; i++)
-        if (cache->kinds[i].transparent && cache->kinds[i].material.texture_count > most)
-            most = cache->kinds[i].material.texture_count;
-    for (int i = 0; i < cache->plane_count; i++)
-        if (cache->planes[i].transparent && cache->planes[i].material.texture_count > most)
-            most = cache->planes[i].material.texture_count;
+    for (int i = 0; i < gpu_scene->kind_count; i++)
+        if (gpu_scene->kinds[i].transparent && gpu_scene->kinds[i].material.texture_count > most)
+            most = gpu_scene->kinds[i].material.texture_count;
+    for (int i = 0; i < gpu_scene->plane_count; i++)
+        if (gpu_scene->planes[i].transparent && gpu_scene->planes[i].material.texture_count > most)
+            most = gpu_scene->planes[i].material.texture_count;
     for (int i = 0; i < 2; i++)
         units[i] = render->gl->max_texture_units - 2 + i;
     return most <= units[0] ||

@@ -13,7 +13,7 @@ static const IndirectMethod *const methods[] = {
 };
 enum { METHODS = sizeof methods / sizeof *methods };
 
-/* Looks at the scene alone, so that the cache need not exist yet. */
+/* Looks at the scene alone, so that the GPU scene need not exist yet. */
 static bool has_objects(const Scene *scene)
 {
     int i = 0;
@@ -43,7 +43,7 @@ void indirect_methods_select(Render *render)
 void indirect_methods_put(Text *out, const Render *render)
 {
     const IndirectMethod *method = indirect_method(render);
-    const int planes = indirect_planes_count(render), opaque = render->cache.opaque_plane_count;
+    const int planes = indirect_planes_count(render), opaque = render->gpu_scene.opaque_plane_count;
     text_format(out, "indirect  by the method %s", word_table[method->word].name);
     if (render->scene->indirect.method == WORD_Indirect_auto)
         text_format(out, ", as %s",

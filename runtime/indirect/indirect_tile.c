@@ -17,14 +17,14 @@ static double reach_of(const Render *render)
     if (reads & INDIRECT_READS_radiance)
         return reads & INDIRECT_READS_near ? indirect_near(render) : 0;
     const bool picture = !indirect_reads_voxels(render) || render->scene->indirect.bounces > 0;
-    return picture ? voxel_grid_radius(render->scene, &render->cache) : 0;
+    return picture ? voxel_grid_radius(render->scene, &render->gpu_scene) : 0;
 }
 
 /* Returns the min distance of the scene from the eye along the viewing direction, over the
  * corners of the voxel grid. */
 static double nearest_of(const Render *render)
 {
-    const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
+    const VoxelGrid grid = voxel_grid(render->scene, &render->gpu_scene);
     const double *e = render->space.eye_from_world;
     double nearest = INFINITY;
     for (int corner = 0; corner < 8; corner++) {
@@ -56,7 +56,7 @@ static double pixels_of(const Render *render, double reach)
 static bool is_whole(const Render *render)
 {
     const SceneIndirect *in = &render->scene->indirect;
-    const bool planes = render->cache.plane_count > 0,
+    const bool planes = render->gpu_scene.plane_count > 0,
                shown = reach_of(render) > 0 || in->bounces > 0;
     return indirect_keeps(render) || indirect_is_repeated(render) || indirect_moving(render) ||
            indirect_shows(render, "visibility") || (planes && shown);

@@ -159,9 +159,9 @@ static bool draw_face(Render *render, int face, const Framebuffer *target, float
     }
     view_space_make(&camera, (const int[]){FACE, FACE}, render->zero_to_one, &space);
     space.spaces.time = (float)render->scene->time;
-    spaces_set(&space.spaces, &render->cache.sky);
+    spaces_set(&space.spaces, &render->gpu_scene.sky);
     framebuffer_use(gl, target);
-    material_use(&render->cache.sky);
+    material_use(&render->gpu_scene.sky);
     screen_draw(gl, &render->screen);
     if (!framebuffer_read(gl, target, 0, rgba))
         return false;
@@ -214,7 +214,7 @@ bool light_sky_make(Render *render)
         make_numbers(moments, render->light->sky.irradiance);
     }
     const Spaces seen = view_space_of_sky(&render->space);
-    spaces_set(&seen, &render->cache.sky);
+    spaces_set(&seen, &render->gpu_scene.sky);
     framebuffer_delete(gl, &target);
     free(moments);
     free(rgba);

@@ -3,7 +3,7 @@
 #define MATC_LIGHT_LIGHT_STATE_H
 #include "gen/sky_layout.h"
 #include "runtime/frame/frame.h"
-#include "runtime/cache/view_space.h"
+#include "runtime/gpu_scene/view_space.h"
 #include "runtime/gpu_material/screen_pass.h"
 #include "runtime/scene/scene.h"
 

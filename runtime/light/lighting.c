@@ -16,7 +16,7 @@ static const char no_surface[] = "struct Surface { float nothing; };\nSurface un
 static int targets_of(const Render *render)
 {
     int count = 0;
-    while (set_format(&render->set, count))
+    while (material_set_format(&render->set, count))
         count++;
     return count;
 }

@@ -5,7 +5,7 @@
 #include "runtime/frame/frame_pass.h"
 
 /* The sky as a light (light_sky.c): reports whether the scene's sky gives light; builds
- * render->light->sky from the cache's sky; sets a pass's uniforms; binds the cube map. */
+ * render->light->sky from the GPU scene's sky; sets a pass's uniforms; binds the cube map. */
 bool light_sky_shines(const Scene *scene);
 bool light_sky_make(Render *render);
 void light_sky_set(const Render *render, int unit, ScreenPass *pass);

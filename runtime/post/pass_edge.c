@@ -3,7 +3,7 @@
  * Depths on both sides of a line decide whether the line is hidden. */
 #include "gen/render_text.h"
 #include "runtime/post/post.h"
-#include "runtime/cache/edge_list.h"
+#include "runtime/gpu_scene/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
 

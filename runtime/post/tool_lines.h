@@ -1,7 +1,7 @@
 /* Geometry of the tools as lines: grid, axes, outlines of lights. Does not use GL. */
 #ifndef MATC_RENDER_TOOL_LINES_H
 #define MATC_RENDER_TOOL_LINES_H
-#include "runtime/cache/view_space.h"
+#include "runtime/gpu_scene/view_space.h"
 
 typedef struct {
     /* In view space; w is 1 for lines in the world's plane z = 0, which get that plane's

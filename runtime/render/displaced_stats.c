@@ -20,9 +20,10 @@ static void put_grids(Text *out, const Render *render)
             snprintf(meshes, sizeof meshes, "%s shadows", word_table[method->word].name);
         traced_maps |= !method->meshes;
     }
-    for (int i = 0; i < render->cache.place_count; i++)
-        transparent |= render->cache.places[i].transparent &&
-                       displaced_traced(&render->cache.displaced[render->cache.places[i].mesh]);
+    for (int i = 0; i < render->gpu_scene.place_count; i++)
+        transparent |=
+            render->gpu_scene.places[i].transparent &&
+            displaced_traced(&render->gpu_scene.displaced[render->gpu_scene.places[i].mesh]);
     const struct {
         bool there;
         const char *name;
@@ -43,15 +44,15 @@ static void put_grids(Text *out, const Render *render)
 /* Describes the ray-marched surfaces, or the reason why triangles are drawn instead. */
 static void put_traced(Text *out, const Render *render)
 {
-    const Cache *cache = &render->cache;
-    const CacheSource source = frame_source(render);
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    const GpuSceneSource source = frame_source(render);
     int meshes = 0;
     if (!render->scene->displaced || !scene_displaced_traced(render->scene->displaced_by))
         return;
-    for (int i = 0; i < cache->mesh_count; i++)
-        meshes += displaced_traced(&cache->displaced[i]) != NULL;
+    for (int i = 0; i < gpu_scene->mesh_count; i++)
+        meshes += displaced_traced(&gpu_scene->displaced[i]) != NULL;
     text_put(out, "traced    ");
-    if (cache->tracing) {
+    if (gpu_scene->tracing) {
         text_format(out, "the surface of %d mesh%s", meshes, meshes == 1 ? "" : "es");
         put_grids(out, render);
     } else

@@ -12,7 +12,7 @@ static bool is_exact(const Render *render)
     const double degrees = 0.005;
     if (render->options.deep || render->parted)
         return true;
-    const LayoutRow *layout = set_layout(&render->set, &render->compile);
+    const LayoutRow *layout = material_set_layout(&render->set, &render->compile);
     for (int i = 0; i < layout->cases[0].field_count; i++) {
         const FieldRow *field = &layout->cases[0].fields[i];
         if (field->source[0].slot == SLOT_normal)
@@ -51,7 +51,7 @@ static const char *format_of(const Render *render, FrameTarget target, int textu
     if (target == FRAME_TARGET_layer_keys)
         return texture < 2 ? "RG32UI" : NULL;
     if (target == FRAME_TARGET_gbuffer || target == FRAME_TARGET_layer)
-        return texture < FRAMEBUFFER_COLORS ? set_format(&render->set, texture) : NULL;
+        return texture < FRAMEBUFFER_COLORS ? material_set_format(&render->set, texture) : NULL;
     return texture == 0 ? one[target] : NULL;
 }
 

@@ -1,6 +1,6 @@
 /* The passes that rasterize: surfaces into depth and G-buffer, then infinite planes, then the
  * sky where depth is clear. Depth is reversed: cleared to 0, nearer is greater. */
-#include "runtime/cache/cache_trace.h"
+#include "runtime/gpu_scene/gpu_scene_trace.h"
 #include "runtime/frame/surface_draw.h"
 #include "runtime/render/passes.h"
 #include "runtime/shadow/shadow_method.h"
@@ -8,11 +8,11 @@
 static bool pass_surface_needed(const Render *render) { return render->scene != NULL; }
 static bool pass_plane_needed(const Render *render)
 {
-    return render->cache.opaque_plane_count > 0 && surface_draw_is_shown(render);
+    return render->gpu_scene.opaque_plane_count > 0 && surface_draw_is_shown(render);
 }
 static bool pass_sky_needed(const Render *render)
 {
-    return render->cache.has_sky && surface_draw_is_shown(render);
+    return render->gpu_scene.has_sky && surface_draw_is_shown(render);
 }
 
 static void clear(const GlContext *gl, const Framebuffer *framebuffer)
@@ -33,14 +33,14 @@ static void draw_traced(Render *render, const Framebuffer *framebuffer)
 {
     static const GLuint nothing[4];
     GlContext *gl = render->gl;
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     frame_use(render, &render->targets.draws[FRAME_DRAW_traced]);
     gl->ClearBufferuiv(GL_COLOR, 0, nothing);
-    cache_trace_rays(gl, &source, &render->cache);
+    gpu_scene_trace_rays(gl, &source, &render->gpu_scene);
     frame_use(render, framebuffer);
     gl->Disable(GL_DEPTH_TEST);
-    cache_trace_surfaces(gl, &source, &render->cache,
-                         frame_texture(render, FRAME_TARGET_traced, 0));
+    gpu_scene_trace_surfaces(gl, &source, &render->gpu_scene,
+                             frame_texture(render, FRAME_TARGET_traced, 0));
     gl->Enable(GL_DEPTH_TEST);
 }
 
@@ -53,7 +53,7 @@ static void pass_surface_draw(Render *render)
     surface_draw_begin(render, framebuffer, GL_GREATER);
     clear(render->gl, framebuffer);
     shadow_method_seen_bind(render);
-    if (render->cache.tracing && surface_draw_is_shown(render))
+    if (render->gpu_scene.tracing && surface_draw_is_shown(render))
         draw_traced(render, framebuffer);
     surface_draw_objects(render, false);
     surface_draw_end(render);
@@ -73,7 +73,7 @@ static void pass_sky_draw(Render *render)
     const GlContext *gl = render->gl;
     surface_draw_begin(render, &render->targets.draws[FRAME_DRAW_sky], GL_EQUAL);
     gl->DepthRange(0, 0);
-    material_use(&render->cache.sky);
+    material_use(&render->gpu_scene.sky);
     screen_draw(gl, &render->screen);
     gl->DepthRange(0, 1);
     surface_draw_end(render);
@@ -84,7 +84,7 @@ static void pass_sky_draw(Render *render)
 static void pass_surface_request(const Render *render, FramePlanPass *row)
 {
     row->fills &= ~(shadow_method_sees(render) ? 0 : FRAME_BIT(seen)) &
-                  ~(render->cache.tracing ? 0 : FRAME_BIT(traced));
+                  ~(render->gpu_scene.tracing ? 0 : FRAME_BIT(traced));
 }
 
 const FramePass pass_surface = {

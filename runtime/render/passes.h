@@ -31,7 +31,7 @@ bool frame_make(Render *render);
 /* Lets the passes measure their work after a change of the scene. */
 bool frame_count(Render *render);
 void frame_draw(Render *render);
-/* Update the passes, after the cache: for a set of FrameChange, and for moved objects. */
+/* Update the passes, after the GPU scene: for a set of FrameChange, and for moved objects. */
 bool frame_changed(Render *render, unsigned what);
 bool frame_objects_moved(Render *render, int first, int count);
 /* Called after memory ran out. Returns true if some pass will take less memory in a rebuild. */

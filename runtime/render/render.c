@@ -105,8 +105,8 @@ static void forget_scene(Render *render)
         reader_delete(&render->reader);
     render->has_reader = false;
     frame_clear(render);
-    cache_delete(render->gl, &render->cache);
-    set_free(&render->set);
+    gpu_scene_delete(render->gl, &render->gpu_scene);
+    material_set_free(&render->set);
     render->scene = NULL;
 }
 
@@ -132,7 +132,7 @@ void render_close(Render *render)
     free(render);
 }
 
-static Target target_of(const Set *set)
+static Target target_of(const MaterialSet *set)
 {
     int target = 0;
     while (strcmp(target_table[target].name, set->target) != 0)
@@ -146,7 +146,7 @@ static bool make_reader(Render *render)
     const char *view = render->options.view;
     if (!view || is_target(view) || !render->set.unpack)
         return true;
-    const LayoutRow *layout = set_layout(&render->set, &render->compile);
+    const LayoutRow *layout = material_set_layout(&render->set, &render->compile);
     const ReaderSource source = {render->set.unpack, target_of(&render->set), layout,
                                  render->size[0], render->size[1]};
     render->has_reader = reader_make(render->store, &source, &render->reader);
@@ -177,15 +177,15 @@ static void look(Render *render)
 
 static bool make_set(Render *render, const Scene *scene)
 {
-    const SetUses uses = {shadow_casts(render),
-                          pass_voxels_needed(render) && transparency_has_lists(render->gl),
-                          shadow_methods_need(render).even};
+    const MaterialSetUses uses = {shadow_casts(render),
+                                  pass_voxels_needed(render) && transparency_has_lists(render->gl),
+                                  shadow_methods_need(render).even};
     render->compile.origin = scene_origin_used(scene);
-    if (!set_make(render->gl, scene, &render->compile, uses, &render->set))
+    if (!material_set_make(render->gl, scene, &render->compile, uses, &render->set))
         return false;
     /* a scene with only a sky has no surface */
     const LayoutRow *layout =
-        render->set.unpack ? set_layout(&render->set, &render->compile) : NULL;
+        render->set.unpack ? material_set_layout(&render->set, &render->compile) : NULL;
     if (!render->options.surface)
         render->surface = surface_model_of(layout, scene_models(scene));
     surface_model_define(scene_models(scene), render->surface_lacks);
@@ -216,7 +216,7 @@ static bool settle_patches(Render *render, const Scene *scene)
                    matc_material_name(material->document, material->index), why);
 }
 
-static bool make_scene(Render *render, const Scene *scene, Cache *before)
+static bool make_scene(Render *render, const Scene *scene, GpuScene *before)
 {
     render->scene = scene;
     indirect_methods_select(render);
@@ -233,13 +233,13 @@ static bool make_scene(Render *render, const Scene *scene, Cache *before)
         render->transparency = TRANSPARENCY_peeling;
     const ShadowMethod *sees = shadow_method_seen(render);
     render->seen_text = sees ? sees->seen : NULL;
-    const CacheSource source = frame_source(render);
-    return cache_make(render->store, &source, before, &render->cache) &&
+    const GpuSceneSource source = frame_source(render);
+    return gpu_scene_make(render->store, &source, before, &render->gpu_scene) &&
            shadow_make_views(render) && shadow_methods_make(render) && frame_make(render) &&
            make_reader(render);
 }
 
-static bool make_next(Render *render, const Scene *scene, Cache *before)
+static bool make_next(Render *render, const Scene *scene, GpuScene *before)
 {
     render->transparency = transparency_first(render);
     render->parted = false;
@@ -255,11 +255,11 @@ static bool make_next(Render *render, const Scene *scene, Cache *before)
 /* Builds the new scene before freeing the old, so that shared programs and textures survive. */
 static bool make_again(Render *render, const Scene *scene)
 {
-    Cache before = render->cache;
-    render->cache = (Cache){0};
+    GpuScene before = render->gpu_scene;
+    render->gpu_scene = (GpuScene){0};
     forget_scene(render);
     const bool done = make_next(render, scene, &before);
-    cache_delete(render->gl, &before);
+    gpu_scene_delete(render->gl, &before);
     if (!done)
         forget_scene(render);
     frame_retired_delete(render);
@@ -296,15 +296,15 @@ bool render_changed(Render *render, unsigned what)
     if (what & RENDER_LIGHTS && !render_lights_kept(render))
         return render_changed_meshes(render);
     if (what & (RENDER_CAMERA | RENDER_TIME) ||
-        (what & RENDER_LIGHTS && cache_mesh_by_lights(&render->cache))) {
+        (what & RENDER_LIGHTS && gpu_scene_mesh_by_lights(&render->gpu_scene))) {
         look(render);
-        const CacheSource source = frame_source(render);
-        if (!cache_view(render->gl, &source, &render->cache))
+        const GpuSceneSource source = frame_source(render);
+        if (!gpu_scene_view(render->gl, &source, &render->gpu_scene))
             return false;
-        if ((render->cache.displaced_anew && source.triangles) || !frame_memory_fits(render))
+        if ((render->gpu_scene.displaced_anew && source.triangles) || !frame_memory_fits(render))
             return render_changed_meshes(render);
-        what |= render->cache.displaced_anew ? FRAME_SHAPES : 0;
-        render->cache.displaced_anew = false;
+        what |= render->gpu_scene.displaced_anew ? FRAME_SHAPES : 0;
+        render->gpu_scene.displaced_anew = false;
     }
     /* the number of alpha-tested fragments may have changed */
     render->uncounted |= (what & (RENDER_CAMERA | RENDER_TIME)) != 0;
@@ -315,13 +315,13 @@ bool render_changed_objects(Render *render, int first, int count)
 {
     if (!has_scene(render))
         return false;
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     if (first < 0 || count < 0 || first > render->scene->object_count - count)
         return gl_fail(render->gl, "there are no objects %d to %d", first, first + count - 1);
     if (origin_moved(render))
         return render_changed_meshes(render);
     render->uncounted = true;
-    return cache_move(render->gl, &source, &render->cache, first, count) &&
+    return gpu_scene_move(render->gl, &source, &render->gpu_scene, first, count) &&
            frame_objects_moved(render, first, count) && gl_check(render->gl, "moving objects");
 }
 

@@ -12,13 +12,13 @@
 
 static bool set(Render *render, int material, const MaterialValue *value)
 {
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     const bool sheets = shadow_sheet_set(render, material, value);
     const bool nodes = radiance_param(render, material, value);
     indirect_forget(render);
     /* alpha-tested surfaces may have changed */
     indirect_doubt(render, INDIRECT_DOUBT_light | INDIRECT_DOUBT_openness);
-    return cache_set(&source, &render->cache, material, value) || sheets || nodes;
+    return gpu_scene_set(&source, &render->gpu_scene, material, value) || sheets || nodes;
 }
 
 static RenderParam *find(const Render *render, int material, const char *name)

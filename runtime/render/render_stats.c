@@ -128,8 +128,8 @@ static int count_areas(const Render *render, bool soft)
 static bool lacks_sheets(const Render *render)
 {
     bool lacks = false;
-    for (int i = 0; i < render->cache.plane_count; i++) {
-        const CachePlane *plane = &render->cache.planes[i];
+    for (int i = 0; i < render->gpu_scene.plane_count; i++) {
+        const GpuScenePlane *plane = &render->gpu_scene.planes[i];
         lacks |= plane->transparent && !plane->program->even && plane->program->caster < 0;
     }
     return lacks;
@@ -138,8 +138,8 @@ static bool lacks_sheets(const Render *render)
 static bool is_transparent(const Render *render)
 {
     bool found = false;
-    for (int i = 0; i < render->cache.place_count; i++)
-        found |= render->cache.places[i].transparent;
+    for (int i = 0; i < render->gpu_scene.place_count; i++)
+        found |= render->gpu_scene.places[i].transparent;
     return found;
 }
 
@@ -162,7 +162,7 @@ static void put_unshadowed(Text *out, const Render *render)
                         word_table[(*row)->word].name,
                         render->scene->shadow_colored ? ": it takes OpenGL 4.3"
                                                       : ", as shadows are not colored");
-    if (render->cache.caster_count && render->scene->shadow_colored &&
+    if (render->gpu_scene.caster_count && render->scene->shadow_colored &&
         render->set.uses.casts != SET_CASTS_colored)
         text_put(out,
                  "shadow    what is transparent casts all or nothing: colours take OpenGL 4.3\n");
@@ -259,15 +259,15 @@ char *render_diagnostics(const Render *render)
 {
     Arena arena = {0};
     Text out = text_new(&arena);
-    const Set *set = &render->set;
+    const MaterialSet *set = &render->set;
     text_put(&out, "");
     for (int i = 0; i < set->count; i++) {
         const char *said = matc_program_diagnostics(set->programs[i].program, MATC_TEXT);
         if (!strstr(out.at, said))
             text_put(&out, said);
     }
-    if (render->scene && render->cache.place_count && !render->cache.seen &&
-        !render->cache.plane_count)
+    if (render->scene && render->gpu_scene.place_count && !render->gpu_scene.seen &&
+        !render->gpu_scene.plane_count)
         diag_complain(&out, MATC_TEXT, SEVERITY_warning, NULL,
                       "no object is in view: all lie beside the picture, behind the camera, or "
                       "nearer than its `near`");
@@ -323,8 +323,8 @@ char *render_stats(Render *render)
     text_format(&out,
                 "\n%d x %d pixels, %d objects, %ld triangles in %d meshes, %d planes, %d lights\n",
                 render_width(render), render_height(render), render->scene->object_count,
-                render->cache.triangles, render->cache.mesh_count, render->cache.plane_count,
-                render->scene->light_count);
+                render->gpu_scene.triangles, render->gpu_scene.mesh_count,
+                render->gpu_scene.plane_count, render->scene->light_count);
     text_format(&out, "%d materials, %d programs of %d texts, passes over all pixels in %s\n",
                 render->scene->material_count, render->set.count, render->set.texts,
                 render->compute ? "compute" : "fragments");

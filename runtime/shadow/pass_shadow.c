@@ -46,7 +46,7 @@ static bool make_maps(Render *render)
 static bool make_solid(Render *render)
 {
     ShadowMaps *maps = render->shadows;
-    const bool instances = render->cache.instances,
+    const bool instances = render->gpu_scene.instances,
                modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *head = modern ? "#version 450 core\n" : "#version 330 core\n";
     const ProgramText text = {

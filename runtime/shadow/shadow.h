@@ -13,7 +13,7 @@ bool shadow_is_cast(const Render *render);
 /* Returns whether shadows are enabled, and some area light casts them. */
 bool shadow_is_soft(const Render *render);
 /* Returns the method by which transparent surfaces cast shadows. */
-SetCasts shadow_casts(const Render *render);
+MaterialSetCasts shadow_casts(const Render *render);
 
 /* -- The buffer of transparent fragments (shadow_glass.c) -------------------------------------- */
 
@@ -41,7 +41,7 @@ void shadow_draw_lists(Render *render, const ShadowPart *part);
 /* Attaches a view's layer as the depth target. */
 void shadow_draw_layer(const Render *render, int view);
 /* Draws the opaque or the transparent casters of a view into the attached layer. */
-void shadow_draw_cast(Render *render, const CacheSource *source, int view, bool transparent);
+void shadow_draw_cast(Render *render, const GpuSceneSource *source, int view, bool transparent);
 
 /* -- Lists in one piece, or tiled to limit memory (shadow_tables.c) ---------------------------- */
 

@@ -68,31 +68,31 @@ static void end(const Render *render)
 typedef struct {
     const ShadowView *view;
     int number;
-    CacheLightTrace trace;
+    GpuSceneLightTrace trace;
 } Casting;
 
 /* Draws the opaque or the transparent shadow casters of a view. */
-static void cast_view(Render *render, const CacheSource *source, const Casting *casting,
+static void cast_view(Render *render, const GpuSceneSource *source, const Casting *casting,
                       bool transparent)
 {
     const ShadowView *view = casting->view;
     const CullVolume volume = shadow_views_volume(view);
     double clip[16];
     clip_of(view, render->zero_to_one, clip);
-    cache_cast(render->gl, source, &render->cache,
-               &(CacheLight){.clip_from_world = clip,
-                             .volume = &volume,
-                             .mirrored = view->mirrored,
-                             .solid = &render->shadows->solid,
-                             .number = casting->number,
-                             .varying = view->method->even,
-                             .traced = view->method->meshes ? NULL : &casting->trace},
-               transparent);
+    gpu_scene_cast(render->gl, source, &render->gpu_scene,
+                   &(GpuSceneLight){.clip_from_world = clip,
+                                    .volume = &volume,
+                                    .mirrored = view->mirrored,
+                                    .solid = &render->shadows->solid,
+                                    .number = casting->number,
+                                    .varying = view->method->even,
+                                    .traced = view->method->meshes ? NULL : &casting->trace},
+                   transparent);
 }
 
 /* Draws a half-cube map, whose faces share one layer. Lookups go along the point's own ray, so a
  * slope-scaled bias of one texel suffices. */
-static void cast_soft(Render *render, const CacheSource *source, int number, bool transparent)
+static void cast_soft(Render *render, const GpuSceneSource *source, int number, bool transparent)
 {
     const GlContext *gl = render->gl;
     const int size = render->scene->shadow_size;
@@ -113,7 +113,7 @@ static void cast_soft(Render *render, const CacheSource *source, int number, boo
     push(render);
 }
 
-void shadow_draw_cast(Render *render, const CacheSource *source, int number, bool transparent)
+void shadow_draw_cast(Render *render, const GpuSceneSource *source, int number, bool transparent)
 {
     const ShadowView *view = &render->shadows->views.views[number];
     if (view->soft)
@@ -134,7 +134,7 @@ void shadow_draw_layer(const Render *render, int number)
 
 void shadow_draw_depths(Render *render)
 {
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     begin(render);
     for (int i = 0; i < render->shadows->views.count; i++) {
         const ShadowMethod *method = render->shadows->views.views[i].method;
@@ -165,7 +165,7 @@ static void cut(const GlContext *gl, const ShadowPart *part, GLuint map_row)
 /* Draws the lists of a part, for all maps in which it has texels. */
 void shadow_draw_lists(Render *render, const ShadowPart *part)
 {
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     const GLuint size = (GLuint)render->scene->shadow_size;
     begin(render);
     render->gl->DepthMask(GL_FALSE); /* transparent casters do not occlude */

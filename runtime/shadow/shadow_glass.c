@@ -9,7 +9,7 @@ enum { NODE = 4 /* words of a node */ };
 
 bool shadow_glass_needed(const Render *render)
 {
-    return render->cache.caster_count && render->set.uses.casts == SET_CASTS_colored;
+    return render->gpu_scene.caster_count && render->set.uses.casts == SET_CASTS_colored;
 }
 
 ShadowPart shadow_glass_whole(const Render *render)

@@ -91,7 +91,7 @@ bool shadow_shows_light(const Render *render)
 bool shadow_seen_fits(const Render *render)
 {
     int targets = 0;
-    while (set_format(&render->set, targets))
+    while (material_set_format(&render->set, targets))
         targets++;
     return targets < render->gl->max_draw_buffers && targets < FRAMEBUFFER_COLORS;
 }

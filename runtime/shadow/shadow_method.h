@@ -70,12 +70,12 @@ struct ShadowMethod {
     /* Silhouette crossings are found; NULL: never. */
     bool (*crossed)(const Scene *scene);
 
-    /* called after the cache and views, before the frame's passes */
+    /* called after the GPU scene and views, before the frame's passes */
     bool (*make)(Render *render);
     /* called after the depth maps are made; not called without maps */
     bool (*make_maps)(Render *render);
     /* Draws the opaque casters of a view into its map; NULL: shadow_draw_cast() does. */
-    void (*draw)(Render *render, const CacheSource *source, int view);
+    void (*draw)(Render *render, const GpuSceneSource *source, int view);
     void (*drawn)(Render *render);                       /* called when all depth maps are drawn */
     bool (*changed)(Render *render, unsigned what);      /* `what`: a set of FrameChange */
     bool (*moved)(Render *render, int first, int count); /* called after these objects have moved */

@@ -19,7 +19,7 @@
 
 enum { TEXEL_BYTES = 8, IMAGE_UNIT = 0 };
 
-static bool is_sheet(const CachePlane *plane) { return plane->program->caster >= 0; }
+static bool is_sheet(const GpuScenePlane *plane) { return plane->program->caster >= 0; }
 
 /* Returns whether the light has a layer: an area light has many points, and no layer. */
 bool shadow_sheet_reads(const SceneLight *light)
@@ -56,8 +56,8 @@ bool shadow_sheet_check(const Render *render)
 static int count_sheets(const Render *render)
 {
     int count = 0;
-    for (int i = 0; i < render->cache.plane_count; i++)
-        count += is_sheet(&render->cache.planes[i]);
+    for (int i = 0; i < render->gpu_scene.plane_count; i++)
+        count += is_sheet(&render->gpu_scene.planes[i]);
     return count;
 }
 
@@ -106,19 +106,19 @@ static char *without_input(const char *fragment)
     return text;
 }
 
-static bool make_material(Render *render, const SetProgram *program, Material *made)
+static bool make_material(Render *render, const PassProgram *program, Material *made)
 {
     const bool modern = render->gl->major * 10 + render->gl->minor >= 45;
     const char *const head = modern ? "#version 450 core\n" : "#version 430 core\n";
     /* the text after its #version line */
-    char *own = without_input(strchr(set_fragment(&render->set, program), '\n') + 1);
+    char *own = without_input(strchr(material_set_fragment(&render->set, program), '\n') + 1);
     if (!own)
         return gl_fail(render->gl, "out of memory");
     const ProgramText text = {.vertex = {head, screen_text},
                               .fragment = {head, "#define main surfaceMain\n", own, "#undef main\n",
                                            render_text_shadow_sheet}};
     const bool done = material_make(render->store, program->program, &text, made) ||
-                      set_fail(render->gl, render->scene, program->material);
+                      material_set_fail(render->gl, render->scene, program->material);
     free(own);
     return done;
 }
@@ -126,15 +126,15 @@ static bool make_material(Render *render, const SetProgram *program, Material *m
 static bool make_materials(Render *render)
 {
     ShadowSheets *sheets = &render->shadows->sheets;
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     sheets->materials =
         calloc((size_t)sheets->layer_count * (size_t)sheets->count + 1, sizeof *sheets->materials);
     if (!sheets->materials)
         return gl_fail(render->gl, "out of memory");
     for (int layer = 0, k = 0; layer < sheets->layer_count; layer++)
-        for (int i = 0; i < cache->plane_count; i++)
-            if (is_sheet(&cache->planes[i]) &&
-                !make_material(render, &render->set.programs[cache->planes[i].program->caster],
+        for (int i = 0; i < gpu_scene->plane_count; i++)
+            if (is_sheet(&gpu_scene->planes[i]) &&
+                !make_material(render, &render->set.programs[gpu_scene->planes[i].program->caster],
                                &sheets->materials[k++]))
                 return false;
     return true;
@@ -212,15 +212,15 @@ static void set_plane(const Render *render, const SceneLight *light, const Scene
 static void set_numbers(const Render *render, int layer, const SceneLight *light)
 {
     const ShadowSheets *sheets = &render->shadows->sheets;
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     Material *material = sheets->materials + (size_t)layer * (size_t)sheets->count;
-    for (int i = 0, before = 0; i < cache->plane_count; i++) {
-        if (!is_sheet(&cache->planes[i]))
+    for (int i = 0, before = 0; i < gpu_scene->plane_count; i++) {
+        if (!is_sheet(&gpu_scene->planes[i]))
             continue;
         set_world(render, material);
         set_light(render, light, material);
-        set_plane(render, light, &render->scene->objects[cache->planes[i].object].world_from_local,
-                  material);
+        set_plane(render, light,
+                  &render->scene->objects[gpu_scene->planes[i].object].world_from_local, material);
         set(material, "sheet_view", 4, render->space.depth);
         material_set_number(material, "sheet_layer", (float)layer);
         material_set_number(material, "sheet_more", (float)(before++ > 0));
@@ -253,9 +253,9 @@ bool shadow_sheet_set(const Render *render, int material, const MaterialValue *v
     const ShadowSheets *sheets = &render->shadows->sheets;
     bool found = false;
     for (int layer = 0, k = 0; sheets->materials && layer < sheets->layer_count; layer++)
-        for (int i = 0; i < render->cache.plane_count; i++)
-            if (is_sheet(&render->cache.planes[i])) {
-                const int own = render->scene->objects[render->cache.planes[i].object].material;
+        for (int i = 0; i < render->gpu_scene.plane_count; i++)
+            if (is_sheet(&render->gpu_scene.planes[i])) {
+                const int own = render->scene->objects[render->gpu_scene.planes[i].object].material;
                 found |= own == material && material_set(&sheets->materials[k], value);
                 k++;
             }

@@ -81,18 +81,21 @@ static bool write_views(Render *render)
 }
 
 /* Returns true for a plane of constant transparency, whose shadow needs no map. */
-static bool is_glass(const CachePlane *plane) { return plane->transparent && plane->program->even; }
+static bool is_glass(const GpuScenePlane *plane)
+{
+    return plane->transparent && plane->program->even;
+}
 
 int shadow_count_panes(const Render *render)
 {
     int count = 0;
-    for (int i = 0; i < render->cache.plane_count; i++)
-        count += is_glass(&render->cache.planes[i]);
+    for (int i = 0; i < render->gpu_scene.plane_count; i++)
+        count += is_glass(&render->gpu_scene.planes[i]);
     return count;
 }
 
 /* Writes the transmittance of a plane: 0 or 1 if shadows are alpha-tested. */
-static void put_through(const Render *render, const SetProgram *program, float texel[4])
+static void put_through(const Render *render, const PassProgram *program, float texel[4])
 {
     const float *t = program->through;
     for (int i = 0; i < 3; i++)
@@ -103,14 +106,14 @@ static void put_through(const Render *render, const SetProgram *program, float t
 /* Writes opaque planes, then those of constant transparency, each followed by its transmittance. */
 static bool write_planes(Render *render)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     int count = 0;
-    float(*texels)[4] = calloc(2 * (size_t)cache->plane_count + ROW, sizeof *texels);
+    float(*texels)[4] = calloc(2 * (size_t)gpu_scene->plane_count + ROW, sizeof *texels);
     if (!texels)
         return gl_fail(render->gl, "out of memory");
     for (int glass = 0; glass < 2; glass++)
-        for (int i = 0; i < cache->plane_count; i++) {
-            const CachePlane *plane = &cache->planes[i];
+        for (int i = 0; i < gpu_scene->plane_count; i++) {
+            const GpuScenePlane *plane = &gpu_scene->planes[i];
             if (glass ? !is_glass(plane) : plane->transparent)
                 continue;
             shadow_plane(render, &render->scene->objects[plane->object].world_from_local,
@@ -141,7 +144,7 @@ bool shadow_is_soft(const Render *render)
     return soft && !render->options.no_shadows;
 }
 
-SetCasts shadow_casts(const Render *render)
+MaterialSetCasts shadow_casts(const Render *render)
 {
     if (!shadow_is_cast(render))
         return SET_CASTS_none;
@@ -154,13 +157,13 @@ SetCasts shadow_casts(const Render *render)
 bool shadow_has_planes(const Render *render)
 {
     return shadow_is_cast(render) &&
-           (render->cache.opaque_plane_count > 0 || shadow_count_panes(render) > 0);
+           (render->gpu_scene.opaque_plane_count > 0 || shadow_count_panes(render) > 0);
 }
 
 bool shadow_make_views(Render *render)
 {
     return render->options.no_shadows ||
-           shadow_views_make(shadow_methods_of(render), render->scene, &render->cache,
+           shadow_views_make(shadow_methods_of(render), render->scene, &render->gpu_scene,
                              render->whole, &render->shadows->views) ||
            gl_fail(render->gl, "out of memory");
 }

@@ -46,7 +46,7 @@ static bool define(const Render *render, bool nearest, char defined[SHADOW_TEXT_
     if (shadow_is_soft(render))
         add(defined, "#define SHADOW_SOFT\n#define SOFT_POINTS %d\n", render->scene->shadow_points);
     if (planes)
-        add(defined, "#define SHADOW_PLANES %d\n", render->cache.opaque_plane_count);
+        add(defined, "#define SHADOW_PLANES %d\n", render->gpu_scene.opaque_plane_count);
     if (panes)
         add(defined, "#define SHADOW_GLASS_PLANES %d\n", panes);
     if (sheets)

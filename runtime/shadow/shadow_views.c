@@ -311,31 +311,31 @@ static size_t room_for(const Scene *scene)
     return room;
 }
 
-int shadow_views_varying(const Cache *cache)
+int shadow_views_varying(const GpuScene *gpu_scene)
 {
     int count = 0;
-    for (int i = 0; i < cache->place_count; i++)
-        count += cache->places[i].caster >= 0 && !cache->places[i].even;
+    for (int i = 0; i < gpu_scene->place_count; i++)
+        count += gpu_scene->places[i].caster >= 0 && !gpu_scene->places[i].even;
     return count;
 }
 
-bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
-                       const int size[2], ShadowViews *made)
+bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene,
+                       const GpuScene *gpu_scene, const int size[2], ShadowViews *made)
 {
     Fit fit = {.methods = methods,
                .scene = scene,
                .made = made,
                .size = size,
-               .varying = shadow_views_varying(cache) > 0};
+               .varying = shadow_views_varying(gpu_scene) > 0};
     const size_t lights = (size_t)scene->light_count + 1;
     made->count = 0;
     made->views = calloc(room_for(scene), sizeof *made->views);
     made->lights = calloc(lights, sizeof *made->lights);
-    fit.corners = calloc((size_t)cache->place_count * CORNERS + 1, sizeof *fit.corners);
+    fit.corners = calloc((size_t)gpu_scene->place_count * CORNERS + 1, sizeof *fit.corners);
     const bool done = made->views && made->lights && fit.corners;
-    for (int i = 0; done && i < cache->place_count; i++)
-        add_corners(&fit, &cache->boxes[cache->places[i].mesh],
-                    &scene->objects[cache->places[i].object].world_from_local);
+    for (int i = 0; done && i < gpu_scene->place_count; i++)
+        add_corners(&fit, &gpu_scene->boxes[gpu_scene->places[i].mesh],
+                    &scene->objects[gpu_scene->places[i].object].world_from_local);
     for (int i = 0; done && fit.count && i < scene->light_count; i++)
         fit_light(&fit, i);
     free(fit.corners);

@@ -7,7 +7,7 @@
  * Greater is nearer to the light. */
 #ifndef MATC_RENDER_SHADOW_VIEWS_H
 #define MATC_RENDER_SHADOW_VIEWS_H
-#include "runtime/cache/cache.h"
+#include "runtime/gpu_scene/gpu_scene.h"
 
 enum { SHADOW_VIEWS_CUBE = 6 };
 
@@ -40,10 +40,10 @@ typedef struct {
 
 /* Makes views for a picture of that size, to which cascades are fitted; `methods` are the rows
  * of techniques, up to NULL. False: out of memory; made is empty then. */
-bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene, const Cache *cache,
-                       const int size[2], ShadowViews *made);
+bool shadow_views_make(const ShadowMethod *const *methods, const Scene *scene,
+                       const GpuScene *gpu_scene, const int size[2], ShadowViews *made);
 /* Returns the number of casters with varying transparency. */
-int shadow_views_varying(const Cache *cache);
+int shadow_views_varying(const GpuScene *gpu_scene);
 /* Returns the half spaces that bound a view's map. */
 CullVolume shadow_views_volume(const ShadowView *view);
 /* Frees and empties; safe on an empty one. */

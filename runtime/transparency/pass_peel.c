@@ -34,11 +34,11 @@ static bool make_layer(Render *render, int number)
 }
 
 /* Returns the max number of triangles of an object. */
-static int most_triangles(const Cache *cache)
+static int most_triangles(const GpuScene *gpu_scene)
 {
     int most = 1;
-    for (int i = cache->opaque_count; i < cache->surface_count; i++) {
-        const int triangles = cache->meshes[cache->surfaces[i].mesh].index_count / 3;
+    for (int i = gpu_scene->opaque_count; i < gpu_scene->surface_count; i++) {
+        const int triangles = gpu_scene->meshes[gpu_scene->surfaces[i].mesh].index_count / 3;
         most = triangles > most ? triangles : most;
     }
     return most;
@@ -48,19 +48,20 @@ static int most_triangles(const Cache *cache)
  * combined into one number. Programs that draw instances know the place. */
 static bool number_objects(Render *render)
 {
-    Cache *cache = &render->cache;
-    const long stride = most_triangles(cache) / TRANSPARENCY_STRIDE + 1,
-               objects = cache->place_count + cache->plane_count;
+    GpuScene *gpu_scene = &render->gpu_scene;
+    const long stride = most_triangles(gpu_scene) / TRANSPARENCY_STRIDE + 1,
+               objects = gpu_scene->place_count + gpu_scene->plane_count;
     transparency_set(render, "peel_stride", (float)stride);
-    for (int i = cache->instances ? cache->place_count : 0; i < cache->place_count; i++)
-        material_set_number(&cache->kinds[cache->places[i].kind].material, "peel_object", (float)i);
-    for (int i = 0; i < cache->plane_count; i++)
-        material_set_number(&cache->planes[i].material, "peel_object",
-                            (float)(cache->place_count + i));
+    for (int i = gpu_scene->instances ? gpu_scene->place_count : 0; i < gpu_scene->place_count; i++)
+        material_set_number(&gpu_scene->kinds[gpu_scene->places[i].kind].material, "peel_object",
+                            (float)i);
+    for (int i = 0; i < gpu_scene->plane_count; i++)
+        material_set_number(&gpu_scene->planes[i].material, "peel_object",
+                            (float)(gpu_scene->place_count + i));
     return objects <= UINT32_MAX / TRANSPARENCY_STRIDE / stride ||
            gl_fail(render->gl,
                    "%ld objects of up to %d triangles are more than peeling can tell apart",
-                   objects, most_triangles(cache));
+                   objects, most_triangles(gpu_scene));
 }
 
 static void draw_layer(Render *render, int number)

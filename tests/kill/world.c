@@ -82,7 +82,7 @@ static int note(const char *path, const struct stat *info, int kind, struct FTW 
     return 0;
 }
 
-/* All names below a folder and all bytes, but for the cache's; those that only a next run removes
+/* All names below a folder and all bytes, but for the GPU scene's; those that only a next run removes
  * are left out where that is said. */
 Bytes world_tree(const char *path, bool hidden)
 {

@@ -58,7 +58,7 @@ void world_check(World *w, bool fine, const Strike *at, const char *what);
 
 /* A path below the root. */
 void world_path(const World *w, const char *name, char path[PATH_ROOM]);
-/* All names below a folder and all bytes, but for the cache's; without what only a next run
+/* All names below a folder and all bytes, but for the GPU scene's; without what only a next run
  * removes, unless `hidden`. */
 Bytes world_tree(const char *path, bool hidden);
 /* "now" is such a tree. */

@@ -1,4 +1,4 @@
-/* The cache: what is served is what was put there, whatever happens to its files. */
+/* The GPU scene: what is served is what was put there, whatever happens to its files. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
 #include <errno.h>

@@ -1,4 +1,4 @@
-/* The cache of many runs at once, and its limit: nothing wrong is served, and what was not used for
+/* The GPU scene of many runs at once, and its limit: nothing wrong is served, and what was not used for
  * longest goes. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"
@@ -158,7 +158,7 @@ static void the_limit_holds_while_a_run_goes_on(void **state)
     assert_int_equal(statistic(folder, "failed"), 1);
 }
 
-/* Only the cache's own files are ever removed; its temporaries without a writer are. */
+/* Only the GPU scene's own files are ever removed; its temporaries without a writer are. */
 static void trimming_leaves_other_files_alone(void **state)
 {
     const Folder *folder = *state;

@@ -1,4 +1,4 @@
-/* Entries of the cache whose size is wrong: each is a miss, counts as damaged, and is replaced. And
+/* Entries of the GPU scene whose size is wrong: each is a miss, counts as damaged, and is replaced. And
  * the border of what a cache reads and writes. */
 #include "tests/test.h"
 #include "tests/cache_folder.h"

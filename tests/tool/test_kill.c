@@ -12,7 +12,7 @@
 
 enum { OLD_SECONDS = 7200 };
 
-/* Temporary files of the cache are as old as those that lost their writer, and it was looked
+/* Temporary files of the GPU scene are as old as those that lost their writer, and it was looked
  * through long ago. */
 static bool temporary_found;
 static int age(const char *path, const struct stat *info, int kind, struct FTW *walk)

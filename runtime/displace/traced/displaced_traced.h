@@ -1,5 +1,5 @@
 /* Meshes with ray-marched displacement. All passes can draw the triangles of a grid
- * (displaced_grid.c). Passes that support ray marching (cache_trace.h) draw the patches' hulls
+ * (displaced_grid.c). Passes that support ray marching (gpu_scene_trace.h) draw the patches' hulls
  * instead, whose program follows each pixel's ray through a pyramid of bounds of the grid's
  * triangles, and on to the exact surface. */
 #ifndef MATC_DISPLACE_DISPLACED_TRACED_H

@@ -98,11 +98,11 @@ static void add_box(const VoxelRange *added, VoxelRange *boxes, int *count)
 /* Returns the bounding box of an object in world space; that of a plane is infinite. */
 static VoxelRange range_of(const Render *render, int object, const SceneMatrix *matrix)
 {
-    const int place = render->cache.place_of[object];
+    const int place = render->gpu_scene.place_of[object];
     VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
     if (place < 0)
         return everywhere;
-    voxel_grid_add(&render->cache.boxes[render->cache.places[place].mesh], matrix, &range);
+    voxel_grid_add(&render->gpu_scene.boxes[render->gpu_scene.places[place].mesh], matrix, &range);
     return range;
 }
 
@@ -154,25 +154,25 @@ static void draw_number(Render *render, int object, int number)
 {
     Material *material = &render->indirect->motion.number;
     const SceneMatrix *world_from_local = &render->scene->objects[object].world_from_local;
-    const CachePlace *place = &render->cache.places[render->cache.place_of[object]];
+    const GpuScenePlace *place = &render->gpu_scene.places[render->gpu_scene.place_of[object]];
     Spaces spaces = render->space.spaces;
     for (int i = 0; i < 16; i++)
         spaces.world_from_local.m[i] = (float)world_from_local->m[i];
     spaces_set(&spaces, material);
     material_set_number(material, "motion_number", (float)number);
     material_use(material);
-    mesh_draw(render->gl, &render->cache.meshes[place->mesh]);
+    mesh_draw(render->gl, &render->gpu_scene.meshes[place->mesh]);
 }
 
 /* Draws a visible object's motion id: the next one, or, if its motion cannot be stored, the id
  * one past the last, which marks an unknown motion. */
 static void number_object(Render *render, const double was[16], int object, float (*block)[4])
 {
-    const int next = (int)block[HISTORY_COUNTS][1], place = render->cache.place_of[object];
+    const int next = (int)block[HISTORY_COUNTS][1], place = render->gpu_scene.place_of[object];
     const SceneMatrix *matrix = &render->scene->objects[object].world_from_local;
-    if (place < 0 || render->cache.places[place].transparent)
+    if (place < 0 || render->gpu_scene.places[place].transparent)
         return;
-    const CullBox *box = &render->cache.boxes[render->cache.places[place].mesh];
+    const CullBox *box = &render->gpu_scene.boxes[render->gpu_scene.places[place].mesh];
     if (!cull_sees(&render->volume, box, matrix))
         return;
     const bool known = next < HISTORY_MOTIONS_MOST &&

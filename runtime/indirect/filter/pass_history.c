@@ -78,8 +78,8 @@ static void put_product(const double a[16], const double b[16], float made[4][4]
 static double reach_of(const Render *render)
 {
     const double voxel =
-        indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->cache).edge : 0;
-    return voxel_grid_radius(render->scene, &render->cache) + 2 * voxel;
+        indirect_reads_voxels(render) ? voxel_grid(render->scene, &render->gpu_scene).edge : 0;
+    return voxel_grid_radius(render->scene, &render->gpu_scene) + 2 * voxel;
 }
 
 static unsigned doubts_of(const Render *render)

@@ -26,18 +26,18 @@ static void clip_of(const Render *render, int side, double clip[16])
 static void cast(Render *render, int side, RadianceCast kind, bool cut)
 {
     static const CullVolume all = {.count = 0};
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     double clip[16];
     clip_of(render, side, clip);
-    cache_cast(render->gl, &source, &render->cache,
-               &(CacheLight){.clip_from_world = clip,
-                             .volume = &all,
-                             .mirrored = side % 2 == 0,
-                             .kept = render->radiance->keepers,
-                             .waves = render->radiance->casts,
-                             .wave = kind,
-                             .cut = cut},
-               false);
+    gpu_scene_cast(render->gl, &source, &render->gpu_scene,
+                   &(GpuSceneLight){.clip_from_world = clip,
+                                    .volume = &all,
+                                    .mirrored = side % 2 == 0,
+                                    .kept = render->radiance->keepers,
+                                    .waves = render->radiance->casts,
+                                    .wave = kind,
+                                    .cut = cut},
+                   false);
 }
 
 static void tell(Render *render, const char *name, int number)
@@ -193,7 +193,7 @@ static void bounce_nodes(Render *render)
 {
     enum { VOXEL_UNIT, RADIANCE_UNIT };
     ScreenPass *bounce = &render->radiance->bounce;
-    const double radius = voxel_grid_radius(render->scene, &render->cache);
+    const double radius = voxel_grid_radius(render->scene, &render->gpu_scene);
     if (!bounce->material.store)
         return;
     pass_voxels_set(render, VOXEL_UNIT, bounce);

@@ -38,29 +38,29 @@ int radiance_texels(const Render *render)
 /* Makes one program for each surface kind that fills voxels. */
 static bool make_keepers(Render *render)
 {
-    const Cache *cache = &render->cache;
-    const Set *set = &render->set;
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    const MaterialSet *set = &render->set;
     FrameRadiance *radiance = render->radiance;
     TransparencyText *around = malloc(sizeof *around);
     bool fine = around != NULL;
-    radiance->keeper_count = cache->kind_count;
-    radiance->keepers = calloc((size_t)cache->kind_count + 1, sizeof *radiance->keepers);
+    radiance->keeper_count = gpu_scene->kind_count;
+    radiance->keepers = calloc((size_t)gpu_scene->kind_count + 1, sizeof *radiance->keepers);
     if (!fine || !radiance->keepers)
         return free(around), gl_fail(render->gl, "out of memory");
     transparency_text(render->gl, set, TRANSPARENCY_lists, around);
     around->body = render_text_radiance_store;
-    for (int i = 0; fine && i < cache->place_count; i++) {
-        const CachePlace *place = &cache->places[i];
+    for (int i = 0; fine && i < gpu_scene->place_count; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[i];
         const int material = render->scene->objects[place->object].material;
-        const SetProgram *program = set_find(set, material, "gbuffer");
+        const PassProgram *program = material_set_find(set, material, "gbuffer");
         if (!voxels_have(place) || radiance->keepers[place->kind].store)
             continue;
-        ProgramText text = {.vertex = {set_vertex(set, program)},
-                            .fragment = {set_fragment(set, program)}};
+        ProgramText text = {.vertex = {material_set_vertex(set, program)},
+                            .fragment = {material_set_fragment(set, program)}};
         transparency_wrap(around, false, &text);
         fine = material_make(render->store, program->program, &text,
                              &radiance->keepers[place->kind]) ||
-               set_fail(render->gl, render->scene, material);
+               material_set_fail(render->gl, render->scene, material);
     }
     free(around);
     return fine;
@@ -170,10 +170,10 @@ static bool make_buffers(Render *render)
 
 void radiance_sort(Render *render)
 {
-    const Cache *cache = &render->cache;
-    for (int i = 0; i < cache->place_count; i++) {
-        const bool closed = cache->meshes[cache->places[i].mesh].body == SHAPE_BODY_solid &&
-                            cache->places[i].cut < 0;
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    for (int i = 0; i < gpu_scene->place_count; i++) {
+        const bool closed = gpu_scene->meshes[gpu_scene->places[i].mesh].body == SHAPE_BODY_solid &&
+                            gpu_scene->places[i].cut < 0;
         render->radiance->casts[i] = voxel_bodies_is_body(render->voxels, i) ? RADIANCE_body
                                      : closed                                ? RADIANCE_closed
                                                                              : RADIANCE_surface;
@@ -183,14 +183,14 @@ void radiance_sort(Render *render)
 bool radiance_make(Render *render)
 {
     render->radiance->casts =
-        calloc((size_t)render->cache.place_count + 1, sizeof *render->radiance->casts);
+        calloc((size_t)render->gpu_scene.place_count + 1, sizeof *render->radiance->casts);
     if (!render->radiance->casts)
         return gl_fail(render->gl, "out of memory");
     return make_buffers(render) && make_keepers(render) && make_number(render) &&
            make_light(render) && make_bounce(render);
 }
 
-/* -- inputs of passes that read the cache */
+/* -- inputs of passes that read the GPU scene */
 
 void radiance_set(const Render *render, int unit, ScreenPass *pass)
 {
@@ -215,12 +215,12 @@ void radiance_bind(const Render *render, int unit)
 
 bool radiance_param(Render *render, int material, const MaterialValue *value)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     bool found = false;
-    for (int i = 0; i < cache->place_count && render->radiance->keepers; i++)
-        if (render->scene->objects[cache->places[i].object].material == material &&
-            render->radiance->keepers[cache->places[i].kind].store)
-            found |= material_set(&render->radiance->keepers[cache->places[i].kind], value);
+    for (int i = 0; i < gpu_scene->place_count && render->radiance->keepers; i++)
+        if (render->scene->objects[gpu_scene->places[i].object].material == material &&
+            render->radiance->keepers[gpu_scene->places[i].kind].store)
+            found |= material_set(&render->radiance->keepers[gpu_scene->places[i].kind], value);
     render->radiance->drawn = false;
     return found;
 }

@@ -29,9 +29,9 @@
 enum { RADIANCE_SIZE_MOST = 256, RADIANCE_SIDES = 6 };
 
 struct FrameRadiance {
-    Material *keepers; /* by surface kind of the cache: a program that writes nodes */
+    Material *keepers; /* by surface kind of the GPU scene: a program that writes nodes */
     int keeper_count;
-    unsigned char *casts; /* a RadianceCast by place of the cache */
+    unsigned char *casts; /* a RadianceCast by place of the GPU scene */
     Material number;      /* numbers the nodes of each voxel */
     /* Passes over nodes: direct light that they reflect; light of further bounces. */
     ScreenPass light, bounce;
@@ -46,11 +46,11 @@ struct FrameRadiance {
     bool drawn; /* the buffers hold the current scene */
 };
 
-/* How a place of the cache is drawn: both sides; front faces only, since the mesh is closed;
+/* How a place of the GPU scene is drawn: both sides; front faces only, since the mesh is closed;
  * front faces of a closed mesh that fills voxels. */
 typedef enum { RADIANCE_surface, RADIANCE_closed, RADIANCE_body, RADIANCE_CASTS } RadianceCast;
 
-/* Reports whether rays read the cache: they trace voxels and look for light. */
+/* Reports whether rays read the GPU scene: they trace voxels and look for light. */
 bool radiance_needed(const Render *render);
 /* Makes programs and buffers. radiance.c */
 bool radiance_make(Render *render);

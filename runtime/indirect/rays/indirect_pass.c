@@ -93,7 +93,7 @@ const char *indirect_surface_text(const Render *render)
 
 double indirect_near(const Render *render)
 {
-    return NEAR * voxel_grid(render->scene, &render->cache).edge;
+    return NEAR * voxel_grid(render->scene, &render->gpu_scene).edge;
 }
 
 /* Fills the element `models`. x: length along which voxels miss hits, since rays start off the
@@ -104,8 +104,8 @@ static void set_models(const Render *render, float models[4])
     const double thick = 2, part = .5; /* in voxels; in ray lengths */
     const SceneIndirect *in = &render->scene->indirect;
     const bool voxels = indirect_reads_voxels(render);
-    const double edge = voxels ? voxel_grid(render->scene, &render->cache).edge : 0;
-    const double radius = voxel_grid_radius(render->scene, &render->cache);
+    const double edge = voxels ? voxel_grid(render->scene, &render->gpu_scene).edge : 0;
+    const double radius = voxel_grid_radius(render->scene, &render->gpu_scene);
     models[0] = voxels ? (float)indirect_near(render) : 0;
     models[1] = (float)(in->thickness > 0 ? in->thickness : voxels ? thick * edge : part * radius);
 }
@@ -140,7 +140,7 @@ static void set_block(const Render *render, ScreenPass *pass)
     double samples[INDIRECT_RAYS_MOST][2];
     memcpy(block[INDIRECT_BLOCK_RAY], render->space.ray, sizeof block[INDIRECT_BLOCK_RAY]);
     memcpy(block[INDIRECT_BLOCK_VIEW], render->space.depth, sizeof block[INDIRECT_BLOCK_VIEW]);
-    block[INDIRECT_BLOCK_REACH][0] = (float)voxel_grid_radius(render->scene, &render->cache);
+    block[INDIRECT_BLOCK_REACH][0] = (float)voxel_grid_radius(render->scene, &render->gpu_scene);
     block[INDIRECT_BLOCK_REACH][1] = (float)in->offset;
     block[INDIRECT_BLOCK_REACH][2] = in->offset > 0 ? 0 : (float)lift;
     block[INDIRECT_BLOCK_REACH][3] = (float)in->contrast;
@@ -153,7 +153,7 @@ static void set_block(const Render *render, ScreenPass *pass)
     }
     block[INDIRECT_BLOCK_PICTURE][3] =
         in->filter_size ? INFINITY
-                        : (float)(part * voxel_grid_radius(render->scene, &render->cache));
+                        : (float)(part * voxel_grid_radius(render->scene, &render->gpu_scene));
     indirect_sequence_samples(in->sequence, in->rays, samples);
     for (int i = 0; i < in->rays; i++) {
         for (int k = 0; k < 2; k++)
@@ -170,7 +170,7 @@ void indirect_set(const Render *render, ScreenPass *pass)
     char name[] = "matc_gbuffer0";
     if (!pass->material.store)
         return;
-    for (int i = 0; set_format(&render->set, i); i++) {
+    for (int i = 0; material_set_format(&render->set, i); i++) {
         name[sizeof name - 2] = (char)('0' + i);
         screen_pass_sampler(pass, name, i);
     }

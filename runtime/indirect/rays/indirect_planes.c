@@ -6,7 +6,7 @@
 
 int indirect_planes_count(const Render *render)
 {
-    const int count = render->cache.opaque_plane_count;
+    const int count = render->gpu_scene.opaque_plane_count;
     return !indirect_reads_radiance(render) ? 0
            : count < INDIRECT_PLANES_MOST   ? count
                                             : INDIRECT_PLANES_MOST;
@@ -24,10 +24,11 @@ void indirect_planes_set(const Render *render, ScreenPass *pass)
 {
     float planes[INDIRECT_PLANES_MOST][4];
     int count = 0;
-    for (int i = 0; i < render->cache.plane_count && count < INDIRECT_PLANES_MOST; i++)
-        if (!render->cache.planes[i].transparent)
-            shadow_plane(render,
-                         &render->scene->objects[render->cache.planes[i].object].world_from_local,
-                         planes[count++]);
+    for (int i = 0; i < render->gpu_scene.plane_count && count < INDIRECT_PLANES_MOST; i++)
+        if (!render->gpu_scene.planes[i].transparent)
+            shadow_plane(
+                render,
+                &render->scene->objects[render->gpu_scene.planes[i].object].world_from_local,
+                planes[count++]);
     material_write(&pass->material, "IndirectPlanes", planes, sizeof *planes * (size_t)count);
 }

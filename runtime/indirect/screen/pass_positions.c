@@ -70,7 +70,7 @@ static void pass_positions_place(Render *render)
     float middle[4] = {0};
     if (!render->positions->material.store)
         return;
-    const VoxelGrid grid = voxel_grid(render->scene, &render->cache);
+    const VoxelGrid grid = voxel_grid(render->scene, &render->gpu_scene);
     for (int row = 0; row < 3; row++) {
         double at = e[12 + row];
         for (int k = 0; k < 3; k++)

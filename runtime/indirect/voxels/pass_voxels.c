@@ -67,7 +67,9 @@ static bool make_program(Render *render, const char *text, bool casts, Material 
     snprintf(defined, sizeof defined, "#define VOXEL_SIZE %d\n#define VOXEL_LAYERS %d\n",
              render->voxels->grid.size, render->voxels->layers);
     ProgramText program = {.fragment = {version, defined, text}, .vertex = {version}};
-    program.vertex[1] = !casts ? screen_text : render->cache.instances ? "#define INSTANCES\n" : "";
+    program.vertex[1] = !casts                        ? screen_text
+                        : render->gpu_scene.instances ? "#define INSTANCES\n"
+                                                      : "";
     program.vertex[2] = casts ? render_text_shadow_depth : "";
     return material_make(render->store, NULL, &program, made);
 }
@@ -91,7 +93,7 @@ static bool pass_voxels_make(Render *render)
     if (!transparency_has_lists(render->gl))
         return gl_fail(render->gl, "voxels take OpenGL 4.3, and the driver has %d.%d",
                        render->gl->major, render->gl->minor);
-    voxels->grid = voxel_grid(render->scene, &render->cache);
+    voxels->grid = voxel_grid(render->scene, &render->gpu_scene);
     if (!voxel_bodies_measure(render, voxels) || !voxel_bodies_sort(render, voxels))
         return gl_fail(render->gl, "out of memory");
     return make_textures(render) && make_programs(render) &&
@@ -120,17 +122,17 @@ static void use_layers(const Render *render, GLuint texture, int level, int firs
 static void cast(Render *render, int axis, int wave, Material *material)
 {
     static const CullVolume all = {.count = 0};
-    const CacheSource source = frame_source(render);
+    const GpuSceneSource source = frame_source(render);
     double clip[16];
     voxel_grid_clip(&render->voxels->grid, axis, render->zero_to_one, clip);
-    cache_cast(render->gl, &source, &render->cache,
-               &(CacheLight){.clip_from_world = clip,
-                             .volume = &all,
-                             .solid = material,
-                             .waves = render->voxels->waves,
-                             .wave = wave,
-                             .cut = !material},
-               false);
+    gpu_scene_cast(render->gl, &source, &render->gpu_scene,
+                   &(GpuSceneLight){.clip_from_world = clip,
+                                    .volume = &all,
+                                    .solid = material,
+                                    .waves = render->voxels->waves,
+                                    .wave = wave,
+                                    .cut = !material},
+                   false);
 }
 
 static void draw_within(Render *render, int wave)
@@ -140,7 +142,7 @@ static void draw_within(Render *render, int wave)
     use_layers(render, voxels->within, 0, 0, voxels->layers);
     for (int layer = 0; layer < voxels->layers; layer++)
         gl->ClearBufferuiv(GL_COLOR, layer, (const GLuint[4]){0});
-    if (!voxel_bodies_has(voxels, &render->cache, wave))
+    if (!voxel_bodies_has(voxels, &render->gpu_scene, wave))
         return;
     gl->Enable(GL_COLOR_LOGIC_OP);
     gl->LogicOp(GL_XOR);
@@ -151,17 +153,17 @@ static void draw_within(Render *render, int wave)
 
 static bool has_surfaces(const Render *render)
 {
-    return voxel_bodies_has(render->voxels, &render->cache, 0) ||
-           voxel_bodies_has(render->voxels, &render->cache, VOXELS_FINE);
+    return voxel_bodies_has(render->voxels, &render->gpu_scene, 0) ||
+           voxel_bodies_has(render->voxels, &render->gpu_scene, VOXELS_FINE);
 }
 
 static void tell_cut(Render *render, int axis)
 {
-    const Cache *cache = &render->cache;
-    for (int i = 0; i < cache->place_count; i++)
-        if (cache->places[i].cut >= 0)
-            material_set_number(&cache->casters[cache->places[i].cut].material, "voxel_axis",
-                                (float)axis);
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    for (int i = 0; i < gpu_scene->place_count; i++)
+        if (gpu_scene->places[i].cut >= 0)
+            material_set_number(&gpu_scene->casters[gpu_scene->places[i].cut].material,
+                                "voxel_axis", (float)axis);
 }
 
 static void draw_surface(Render *render)
@@ -273,26 +275,26 @@ void pass_voxels_set(const Render *render, int unit, ScreenPass *pass)
 
 void pass_voxels_forget(Render *render)
 {
-    for (int i = 0; i < render->cache.place_count; i++)
-        render->voxels->drawn &= render->cache.places[i].cut < 0;
+    for (int i = 0; i < render->gpu_scene.place_count; i++)
+        render->voxels->drawn &= render->gpu_scene.places[i].cut < 0;
 }
 
 bool pass_voxels_by_time(const Render *render)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     bool is = false;
-    for (int i = 0; i < cache->caster_count; i++)
-        is |= spaces_by_time(&cache->casters[i].material);
+    for (int i = 0; i < gpu_scene->caster_count; i++)
+        is |= spaces_by_time(&gpu_scene->casters[i].material);
     return is;
 }
 
 static void pass_voxels_forget_time(Render *render)
 {
-    const Cache *cache = &render->cache;
-    for (int i = 0; i < cache->place_count; i++)
-        if (cache->places[i].cut >= 0)
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    for (int i = 0; i < gpu_scene->place_count; i++)
+        if (gpu_scene->places[i].cut >= 0)
             render->voxels->drawn &=
-                !spaces_by_time(&cache->casters[cache->places[i].cut].material);
+                !spaces_by_time(&gpu_scene->casters[gpu_scene->places[i].cut].material);
 }
 
 /* Fits the grid to moved objects, which may lie outside it or be smaller than a voxel. */
@@ -300,7 +302,7 @@ static bool pass_voxels_change(Render *render)
 {
     if (!render->voxels->map)
         return true;
-    render->voxels->grid = voxel_grid(render->scene, &render->cache);
+    render->voxels->grid = voxel_grid(render->scene, &render->gpu_scene);
     if (!voxel_bodies_sort(render, render->voxels))
         return gl_fail(render->gl, "out of memory");
     render->voxels->drawn = false;

@@ -62,15 +62,15 @@ static VoxelShape measure(const Shape *shape, ShapeBody body)
 /* Measures each mesh, by the first object that uses it. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
 {
-    const Cache *cache = &render->cache;
-    const size_t meshes = (size_t)cache->mesh_count + 1;
+    const GpuScene *gpu_scene = &render->gpu_scene;
+    const size_t meshes = (size_t)gpu_scene->mesh_count + 1;
     bool *known = calloc(meshes, sizeof *known), fine;
     voxels->shapes = calloc(meshes, sizeof *voxels->shapes);
-    voxels->waves = calloc((size_t)cache->place_count + 1, sizeof *voxels->waves);
+    voxels->waves = calloc((size_t)gpu_scene->place_count + 1, sizeof *voxels->waves);
     fine = known && voxels->shapes && voxels->waves;
-    for (int i = 0; fine && i < cache->place_count; i++) {
-        const SceneObject *object = &render->scene->objects[cache->places[i].object];
-        const int mesh = cache->places[i].mesh;
+    for (int i = 0; fine && i < gpu_scene->place_count; i++) {
+        const SceneObject *object = &render->scene->objects[gpu_scene->places[i].object];
+        const int mesh = gpu_scene->places[i].mesh;
         Shape made = {0};
         if (known[mesh])
             continue;
@@ -79,7 +79,7 @@ bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels)
         if (fine)
             voxels->shapes[mesh] = measure(
                 object->kind == SCENE_Mesh ? &render->scene->meshes[object->mesh].shape : &made,
-                cache->meshes[mesh].body);
+                gpu_scene->meshes[mesh].body);
         shape_free(&made);
     }
     free(known);
@@ -133,12 +133,12 @@ bool voxel_bodies_is_body(const FrameVoxels *voxels, int place)
 unsigned char voxel_bodies_surface(const Render *render, int number)
 {
     const FrameVoxels *voxels = render->voxels;
-    const CachePlace *place = &render->cache.places[number];
+    const GpuScenePlace *place = &render->gpu_scene.places[number];
     const double longest = voxels->shapes[place->mesh].longest *
                            stretch(&render->scene->objects[place->object].world_from_local) /
                            voxels->grid.edge;
     return render->compute && !place->transparent &&
-                   !render->cache.displaced[place->mesh].patches && longest <= FINEST
+                   !render->gpu_scene.displaced[place->mesh].patches && longest <= FINEST
                ? VOXELS_FINE
                : 0;
 }
@@ -166,7 +166,7 @@ static bool meets(const VoxelRange *a, const VoxelRange *b)
 VoxelKind voxel_bodies_kind(const Render *render, int number)
 {
     const FrameVoxels *voxels = render->voxels;
-    const CachePlace *place = &render->cache.places[number];
+    const GpuScenePlace *place = &render->gpu_scene.places[number];
     const VoxelShape *shape = &voxels->shapes[place->mesh];
     if (!shape->closed)
         return VOXEL_open;
@@ -178,10 +178,10 @@ VoxelKind voxel_bodies_kind(const Render *render, int number)
 
 static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bodies)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     int count = 0;
-    for (int i = 0; i < cache->place_count; i++) {
-        const CachePlace *place = &cache->places[i];
+    for (int i = 0; i < gpu_scene->place_count; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[i];
         const VoxelShape *shape = &voxels->shapes[place->mesh];
         const SceneMatrix *matrix = &render->scene->objects[place->object].world_from_local;
         if (place->transparent || !shape->closed ||
@@ -189,7 +189,7 @@ static int list_bodies(const Render *render, const FrameVoxels *voxels, Body *bo
             continue;
         bodies[count] =
             (Body){{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}}, 0, i};
-        voxel_grid_add(&cache->boxes[place->mesh], matrix, &bodies[count++].range);
+        voxel_grid_add(&gpu_scene->boxes[place->mesh], matrix, &bodies[count++].range);
     }
     return count;
 }
@@ -232,7 +232,7 @@ static int wave_of(const FrameVoxels *voxels, const Body *body, int axis, Body *
 
 bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
 {
-    const size_t places = (size_t)render->cache.place_count + 1;
+    const size_t places = (size_t)render->gpu_scene.place_count + 1;
     Body *bodies = malloc(places * sizeof *bodies), *list = malloc(places * sizeof *list);
     const bool fine = bodies && list;
     const int count = fine ? list_bodies(render, voxels, bodies) : 0, axis = axis_of(bodies, count);
@@ -241,7 +241,7 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
         bodies[i].low = bodies[i].range.low[axis];
     if (count)
         qsort(bodies, (size_t)count, sizeof *bodies, compare);
-    for (int i = 0; fine && i < render->cache.place_count; i++)
+    for (int i = 0; fine && i < render->gpu_scene.place_count; i++)
         voxels->waves[i] = voxel_bodies_surface(render, i);
     voxels->wave_count = 0;
     for (int i = 0; i < count; i++) {
@@ -257,10 +257,10 @@ bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels)
     return fine;
 }
 
-bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave)
+bool voxel_bodies_has(const FrameVoxels *voxels, const GpuScene *gpu_scene, int wave)
 {
-    for (int i = 0; i < cache->place_count; i++)
-        if (voxels_have(&cache->places[i]) && voxels->waves[i] == wave)
+    for (int i = 0; i < gpu_scene->place_count; i++)
+        if (voxels_have(&gpu_scene->places[i]) && voxels->waves[i] == wave)
             return true;
     return false;
 }

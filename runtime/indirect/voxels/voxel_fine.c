@@ -20,7 +20,7 @@ bool voxel_fine_make(Render *render)
              (int)(sizeof(ShapeVertex) / sizeof(float)));
     gl->GenBuffers(1, &render->voxels->fine_places);
     render->voxels->fine_rows =
-        malloc((size_t)render->cache.place_count * sizeof *render->voxels->fine_rows + 1);
+        malloc((size_t)render->gpu_scene.place_count * sizeof *render->voxels->fine_rows + 1);
     if (!render->voxels->fine_rows)
         return gl_fail(gl, "out of memory");
     return material_make(render->store, NULL, &text, &render->voxels->fine) &&
@@ -43,7 +43,7 @@ static void touch(Render *render, int mesh, int count)
 {
     const GlContext *gl = render->gl;
     const FrameVoxels *voxels = render->voxels;
-    const Mesh *drawn = &render->cache.meshes[mesh];
+    const Mesh *drawn = &render->gpu_scene.meshes[mesh];
     const GLuint groups = (GLuint)((drawn->index_count / 3 + GROUP - 1) / GROUP);
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, voxels->fine_places);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *voxels->fine_rows * count,
@@ -59,16 +59,16 @@ static void touch(Render *render, int mesh, int count)
  * drawn together, at most PLACES_MOST at once. */
 void voxel_fine_draw(Render *render)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     FrameVoxels *voxels = render->voxels;
-    if (!voxel_bodies_has(voxels, cache, VOXELS_FINE))
+    if (!voxel_bodies_has(voxels, gpu_scene, VOXELS_FINE))
         return;
     material_use(&voxels->fine);
-    for (int i = 0, count = 0; i < cache->cast_count; i++) {
-        const CachePlace *place = &cache->places[cache->cast_order[i]];
-        const bool ends = i + 1 == cache->cast_count ||
-                          cache->places[cache->cast_order[i + 1]].mesh != place->mesh;
-        if (voxels->waves[cache->cast_order[i]] == VOXELS_FINE)
+    for (int i = 0, count = 0; i < gpu_scene->cast_count; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[gpu_scene->cast_order[i]];
+        const bool ends = i + 1 == gpu_scene->cast_count ||
+                          gpu_scene->places[gpu_scene->cast_order[i + 1]].mesh != place->mesh;
+        if (voxels->waves[gpu_scene->cast_order[i]] == VOXELS_FINE)
             put_place(&voxels->grid, &render->scene->objects[place->object].world_from_local,
                       voxels->fine_rows[count++]);
         if (count && (ends || count == PLACES_MOST)) {

@@ -23,25 +23,25 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
     }
 }
 
-bool voxels_have(const CachePlace *place) { return !place->transparent || place->cut >= 0; }
+bool voxels_have(const GpuScenePlace *place) { return !place->transparent || place->cut >= 0; }
 
-static VoxelRange range_of(const Scene *scene, const Cache *cache)
+static VoxelRange range_of(const Scene *scene, const GpuScene *gpu_scene)
 {
     VoxelRange range = {{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-    for (int i = 0; i < cache->place_count; i++)
-        if (voxels_have(&cache->places[i]))
-            voxel_grid_add(&cache->boxes[cache->places[i].mesh],
-                           &scene->objects[cache->places[i].object].world_from_local, &range);
+    for (int i = 0; i < gpu_scene->place_count; i++)
+        if (voxels_have(&gpu_scene->places[i]))
+            voxel_grid_add(&gpu_scene->boxes[gpu_scene->places[i].mesh],
+                           &scene->objects[gpu_scene->places[i].object].world_from_local, &range);
     if (!(range.low[0] <= range.high[0]))
         memset(&range, 0, sizeof range);
     return range;
 }
 
-VoxelGrid voxel_grid(const Scene *scene, const Cache *cache)
+VoxelGrid voxel_grid(const Scene *scene, const GpuScene *gpu_scene)
 {
     /* min voxel, relative to the largest coordinate: floats must resolve it */
     const double least = 1e-6;
-    const VoxelRange range = range_of(scene, cache);
+    const VoxelRange range = range_of(scene, gpu_scene);
     VoxelGrid grid = {.size = scene->voxel_size};
     double longest = 1e-30;
     for (int k = 0; k < 3; k++) {
@@ -67,12 +67,12 @@ void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double c
     }
 }
 
-double voxel_grid_radius(const Scene *scene, const Cache *cache)
+double voxel_grid_radius(const Scene *scene, const GpuScene *gpu_scene)
 {
     /* the grid without its outer layers is as wide as the objects */
-    const VoxelGrid grid = voxel_grid(scene, cache);
+    const VoxelGrid grid = voxel_grid(scene, gpu_scene);
     const double longest = grid.edge * (grid.size - 2);
     if (scene->indirect.radius > 0)
         return scene->indirect.radius;
-    return cache->place_count && longest > 1e-9 ? longest / 4 : 1;
+    return gpu_scene->place_count && longest > 1e-9 ? longest / 4 : 1;
 }

@@ -19,10 +19,10 @@ void voxels_put(Text *out, const Render *render)
     const FrameVoxels *voxels = render->voxels;
     const int size = voxels->grid.size;
     int counts[VOXEL_KINDS] = {0}, cut = 0;
-    for (int i = 0; i < render->cache.place_count; i++) {
-        if (!render->cache.places[i].transparent)
+    for (int i = 0; i < render->gpu_scene.place_count; i++) {
+        if (!render->gpu_scene.places[i].transparent)
             counts[voxel_bodies_kind(render, i)]++;
-        cut += render->cache.places[i].cut >= 0;
+        cut += render->gpu_scene.places[i].cut >= 0;
     }
     text_format(out, "voxels    %d x %d x %d, each ", size, size, size);
     text_rounded(out, voxels->grid.edge, DIGITS);

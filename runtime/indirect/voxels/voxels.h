@@ -8,7 +8,7 @@
 #define MATC_INDIRECT_VOXELS_H
 #include "runtime/frame/frame_pass.h"
 #include "compiler/base/text.h"
-#include "runtime/cache/cache.h"
+#include "runtime/gpu_scene/gpu_scene.h"
 #include "runtime/frame/render_options.h"
 
 enum {
@@ -34,8 +34,8 @@ typedef struct {
 struct FrameVoxels {
     VoxelGrid grid;
     int layers, levels; /* of the map; coarser levels exist for views only */
-    VoxelShape *shapes; /* by mesh of the cache */
-    /* By place of the cache: 0, a surface; VOXELS_FINE, a surface of small triangles; else a
+    VoxelShape *shapes; /* by mesh of the GPU scene */
+    /* By place of the GPU scene: 0, a surface; VOXELS_FINE, a surface of small triangles; else a
      * body, and the wave in which it is drawn. Bodies of one wave do not overlap, since overlaps
      * would cancel out. */
     unsigned char *waves;
@@ -51,14 +51,14 @@ struct FrameVoxels {
      * bricks. */
     Material flip, touch, fine, merge, above, brick;
     GLuint fine_places;       /* a buffer, filled from fine_rows: voxel_fine.c */
-    float (*fine_rows)[3][4]; /* capacity: all places of the cache */
+    float (*fine_rows)[3][4]; /* capacity: all places of the GPU scene */
     bool drawn;               /* the map holds the current scene */
     ScreenPass view;
 };
 
 /* Fits the grid to all objects that fill voxels, or, without any, around the origin.
  * voxel_grid.c, which also has the next functions. */
-VoxelGrid voxel_grid(const Scene *scene, const Cache *cache);
+VoxelGrid voxel_grid(const Scene *scene, const GpuScene *gpu_scene);
 /* Computes clip space from world space for a view along an axis (0 to 2, x to z), which becomes
  * depth; x and y are the next two axes in cyclic order, for axis 1: z and x. */
 void voxel_grid_clip(const VoxelGrid *grid, int axis, bool zero_to_one, double clip[16]);
@@ -76,7 +76,7 @@ void voxel_grid_add(const CullBox *box, const SceneMatrix *world_from_local, Vox
  * mesh that overlaps too many others for the waves is treated as a surface. */
 bool voxel_bodies_measure(const Render *render, FrameVoxels *voxels);
 bool voxel_bodies_sort(const Render *render, FrameVoxels *voxels);
-/* Kind of an opaque place of the cache: a closed body; or a surface, for one of three reasons:
+/* Kind of an opaque place of the GPU scene: a closed body; or a surface, for one of three reasons:
  * its mesh is open, it is too thin, or it overlaps too many others. */
 typedef enum { VOXEL_body, VOXEL_open, VOXEL_thin, VOXEL_crossing, VOXEL_KINDS } VoxelKind;
 VoxelKind voxel_bodies_kind(const Render *render, int place);
@@ -85,11 +85,11 @@ VoxelKind voxel_bodies_kind(const Render *render, int place);
 unsigned char voxel_bodies_surface(const Render *render, int place);
 bool voxel_bodies_is_body(const FrameVoxels *voxels, int place);
 /* Reports whether a place that fills voxels has that entry in `waves`. */
-bool voxel_bodies_has(const FrameVoxels *voxels, const Cache *cache, int wave);
+bool voxel_bodies_has(const FrameVoxels *voxels, const GpuScene *gpu_scene, int wave);
 
 /* Returns the ray length in world units: the key `radius`, or a quarter of the longest edge of
  * the box around all objects. */
-double voxel_grid_radius(const Scene *scene, const Cache *cache);
+double voxel_grid_radius(const Scene *scene, const GpuScene *gpu_scene);
 
 bool pass_voxels_needed(const Render *render);
 /* Reports whether alpha-tested shadow casters depend on the time. */
@@ -117,8 +117,8 @@ void voxel_bricks_delete(Render *render);
  * voxels.c */
 int voxels_view_level(const char *view);
 
-/* Reports whether a place of the cache fills voxels: it is opaque or alpha-tested. voxel_grid.c */
-bool voxels_have(const CachePlace *place);
+/* Reports whether a place of the GPU scene fills voxels: it is opaque or alpha-tested. voxel_grid.c */
+bool voxels_have(const GpuScenePlace *place);
 
 /* Writes lines for --stats. */
 void voxels_put(Text *out, const Render *render);

@@ -25,7 +25,7 @@ static bool make_maps(Render *render)
 
 /* Draws one side of opaque casters, and nothing at the border, so that the resulting volume is
  * closed. */
-static void draw(Render *render, const CacheSource *source, int view)
+static void draw(Render *render, const GpuSceneSource *source, int view)
 {
     const GlContext *gl = render->gl;
     const Scene *scene = render->scene;

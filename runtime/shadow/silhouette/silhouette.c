@@ -2,10 +2,10 @@
  * into an integer buffer, and from there into a texture. */
 #include "gen/render_text.h"
 #include "runtime/shadow/silhouette/silhouette.h"
-#include "runtime/cache/instances.h"
+#include "runtime/gpu_scene/instances.h"
 #include "runtime/frame/frame.h"
 #include "runtime/frame/transparency_draw.h"
-#include "runtime/cache/edge_list.h"
+#include "runtime/gpu_scene/edge_list.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,10 +72,10 @@ static bool add_mesh(Silhouettes *made, const EdgeMesh *mesh, int number, Silhou
 
 static bool gather_edges(const Render *render, Silhouettes *made, SilhouetteEdge **edges)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     bool fine = true;
-    for (int i = 0; fine && i < cache->place_count && !cache->places[i].transparent; i++) {
-        const CachePlace *place = &cache->places[i];
+    for (int i = 0; fine && i < gpu_scene->place_count && !gpu_scene->places[i].transparent; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[i];
         EdgeMesh mesh;
         if (made->meshes[place->mesh].count)
             continue;
@@ -109,7 +109,7 @@ static GLuint make_buffer(Render *render, const void *from, size_t bytes)
 static bool make_edges(Render *render, Silhouettes *made)
 {
     SilhouetteEdge *edges = NULL;
-    made->meshes = calloc((size_t)render->cache.mesh_count + 1, sizeof *made->meshes);
+    made->meshes = calloc((size_t)render->gpu_scene.mesh_count + 1, sizeof *made->meshes);
     if (!made->meshes || !gather_edges(render, made, &edges)) {
         free(edges);
         return gl_fail(render->gl, "out of memory, or more than %d edges for shadows: silhouette",
@@ -148,7 +148,7 @@ bool silhouette_make(Render *render)
     Silhouettes *made = silhouette_state(render);
     if (!silhouette_layers(render))
         return true;
-    if (!render->cache.instances || !render->gl->DispatchCompute)
+    if (!render->gpu_scene.instances || !render->gl->DispatchCompute)
         return gl_fail(render->gl, "shadows: silhouette takes OpenGL 4.5, and the driver has %d.%d",
                        render->gl->major, render->gl->minor);
     return make_edges(render, made) && make_textures(render, made) &&
@@ -193,17 +193,18 @@ static void set_view(const Render *render, int number, Material *material)
  * their number. */
 static int list_places(Render *render, const ShadowView *view)
 {
-    Cache *cache = &render->cache;
+    GpuScene *gpu_scene = &render->gpu_scene;
     const GlContext *gl = render->gl;
     const CullVolume volume = shadow_views_volume(view);
-    uint32_t *list = cache->list + (size_t)(CACHE_LISTS - 1) * (size_t)cache->place_count;
+    uint32_t *list =
+        gpu_scene->list + (size_t)(GPU_SCENE_LISTS - 1) * (size_t)gpu_scene->place_count;
     int count = 0;
-    for (int i = 0; i < cache->cast_count; i++) {
-        const CachePlace *place = &cache->places[cache->cast_order[i]];
+    for (int i = 0; i < gpu_scene->cast_count; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[gpu_scene->cast_order[i]];
         if (!place->transparent &&
-            cull_sees(&volume, &cache->boxes[place->mesh],
+            cull_sees(&volume, &gpu_scene->boxes[place->mesh],
                       &render->scene->objects[place->object].world_from_local))
-            list[count++] = cache->cast_order[i];
+            list[count++] = gpu_scene->cast_order[i];
     }
     gl->BindBuffer(GL_SHADER_STORAGE_BUFFER, silhouette_state(render)->places);
     gl->BufferData(GL_SHADER_STORAGE_BUFFER, (GLsizeiptr)sizeof *list * count, list,
@@ -231,7 +232,7 @@ static void bind(const Render *render)
     const Silhouettes *made = silhouette_state(render);
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D_ARRAY, render->shadows->maps);
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, render->cache.matrices);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, render->gpu_scene.matrices);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, PLACES_BINDING, made->places);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EDGES_BINDING, made->edges);
     gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, EXTENTS_BINDING, made->extents);
@@ -253,16 +254,17 @@ static void pack(Render *render, int layer)
 
 static void find_in_view(Render *render, int number, int layer)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     Silhouettes *made = silhouette_state(render);
     const int count = list_places(render, &render->shadows->views.views[number]);
-    const uint32_t *list = cache->list + (size_t)(CACHE_LISTS - 1) * (size_t)cache->place_count;
+    const uint32_t *list =
+        gpu_scene->list + (size_t)(GPU_SCENE_LISTS - 1) * (size_t)gpu_scene->place_count;
     set_view(render, number, &made->find);
     set_view(render, number, &made->pack);
     bind(render);
     for (int first = 0, end; first < count; first = end) {
-        const int mesh = cache->places[list[first]].mesh;
-        for (end = first + 1; end < count && cache->places[list[end]].mesh == mesh;)
+        const int mesh = gpu_scene->places[list[first]].mesh;
+        for (end = first + 1; end < count && gpu_scene->places[list[end]].mesh == mesh;)
             end++;
         find_of_mesh(render, &made->meshes[mesh], first, end - first);
     }

@@ -22,7 +22,7 @@ static bool seen_wanted(const Render *render)
 static bool seen_needed(const Render *render) { return silhouette_layers(render) > 0; }
 
 /* Draws without slope-scaled bias, since silhouette.glsl compares with planes. */
-static void draw(Render *render, const CacheSource *source, int view)
+static void draw(Render *render, const GpuSceneSource *source, int view)
 {
     render->gl->PolygonOffset(-1.0f / 64, -2);
     shadow_draw_cast(render, source, view, false);

@@ -166,7 +166,7 @@ static bool measure(Drawn *d, double height, Point *made)
         d->gl->Finish();
         made->seconds = fmin(made->seconds, bench_now() - begin);
     }
-    made->triangles = d->render->cache.meshes[0].index_count / 3;
+    made->triangles = d->render->gpu_scene.meshes[0].index_count / 3;
     return true;
 }
 

@@ -130,7 +130,7 @@ static double bricks_time(const Place *p)
 /* Bodies are surfaces from now on: all drawn, or those of small triangles one by one. */
 static void make_surfaces(const Place *p, bool drawn)
 {
-    for (int i = 0; i < p->render->cache.place_count; i++)
+    for (int i = 0; i < p->render->gpu_scene.place_count; i++)
         p->render->voxels->waves[i] = drawn ? 0 : voxel_bodies_surface(p->render, i);
     p->render->voxels->wave_count = 0;
 }

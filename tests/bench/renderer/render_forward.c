@@ -10,7 +10,7 @@
  *     #define FORWARD_TEXELS fragment0, fragment1, fragment2
  *     ... main() below */
 #include "render_forward.h"
-#include "runtime/cache/view_space.h"
+#include "runtime/gpu_scene/view_space.h"
 #include "runtime/gl/framebuffer.h"
 #include "runtime/gl/mesh.h"
 #include "runtime/tessellate/scene_solid.h"

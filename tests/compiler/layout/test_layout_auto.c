@@ -8,7 +8,7 @@
 #include <stdlib.h>
 
 /* It is the same in every case that has it. */
-static const FieldRow *field_of(const Set *set, Slot slot)
+static const FieldRow *field_of(const MaterialSet *set, Slot slot)
 {
     const LayoutRow *row = set->layout->row;
     for (int number = 0; number < row->case_count; number++)
@@ -23,7 +23,7 @@ static const FieldRow *field_of(const Set *set, Slot slot)
 static void diffuse_colors_take_eight_bytes(void **state)
 {
     (void)state;
-    Set set;
+    MaterialSet set;
     set_open(&set, lambert, 1, 0);
     assert_int_equal(matc_layout_bytes(set.layout), 8);
     assert_true(set.layout->row->cases[0].field_count == 2 && set.layout->row->fixed_count == 0);
@@ -54,7 +54,7 @@ static void ratios_of_the_draw_are_no_constants(void **state)
 {
     (void)state;
     static const char *const ior[] = {"tests/layouts/ior.yaml"};
-    Set set;
+    MaterialSet set;
     set_open(&set, ior, 1, 0);
     assert_non_null(field_of(&set, SLOT_ior));
     assert_false(layout_fixed(set.layout->row, SLOT_ior));
@@ -66,7 +66,7 @@ static void ratios_of_the_draw_are_no_constants(void **state)
 static void ranges_make_fields(void **state)
 {
     (void)state;
-    Set set;
+    MaterialSet set;
     set_open(&set, grays, 1, 0);
     const FieldRow *diffuse = field_of(&set, SLOT_diffuse),
                    *emissive = field_of(&set, SLOT_emissive);
@@ -94,7 +94,7 @@ static void ends_and_lanes_are_kept(void **state)
 {
     (void)state;
     static const char *const bright[] = {"tests/layouts/bright.yaml"};
-    Set set;
+    MaterialSet set;
     set_open(&set, bright, 1, 0);
     const FieldRow *emissive = field_of(&set, SLOT_emissive),
                    *diffuse = field_of(&set, SLOT_diffuse);
@@ -103,7 +103,7 @@ static void ends_and_lanes_are_kept(void **state)
     set_close(&set);
 }
 
-static int all_bits(const Set *set)
+static int all_bits(const MaterialSet *set)
 {
     int bits = 0;
     for (int slot = 0; slot < SLOT_COUNT; slot++)
@@ -112,7 +112,7 @@ static int all_bits(const Set *set)
 }
 
 /* Bits of the largest case. */
-static int placed_bits(const Set *set)
+static int placed_bits(const MaterialSet *set)
 {
     int most = 0;
     for (int number = 0; number < set->layout->row->case_count; number++) {
@@ -133,7 +133,7 @@ static void smaller_errors_take_more_bits(void **state)
     static const double errors[] = {0.02, 0.005, 0, 0.0005, 0.0001};
     int before = 0;
     for (size_t i = 0; i < sizeof errors / sizeof *errors; i++) {
-        Set set;
+        MaterialSet set;
         set_open(&set, glow, 1, errors[i]);
         const int bits = all_bits(&set), placed = placed_bits(&set),
                   bytes = matc_layout_bytes(set.layout);
@@ -150,7 +150,7 @@ static void a_direction_is_one_whatever_its_lanes(void **state)
 {
     (void)state;
     static const char *const alike[] = {"examples/conversions/floatToNormal.yaml"};
-    Set set;
+    MaterialSet set;
     set_open(&set, alike, 1, 0);
     assert_true(matc_layout_ok(set.layout));
     assert_non_null(strstr(matc_layout_text(set.layout), "octahedral"));
@@ -163,7 +163,7 @@ static void joining_has_no_order(void **state)
     (void)state;
     static const char *const all[] = {"tests/layouts/lambert.yaml", "tests/layouts/grays.yaml",
                                       "tests/layouts/mixed.yaml"};
-    Set set;
+    MaterialSet set;
     MatcRanges parts[3], back, split;
     set_open(&set, all, 3, 0);
     for (int i = 0; i < 3; i++) {
@@ -190,7 +190,7 @@ static void joining_has_no_order(void **state)
 static void mixed_sets_have_cases(void **state)
 {
     (void)state;
-    Set set;
+    MaterialSet set;
     set_open(&set, mixed, 1, 0);
     const LayoutRow *row = set.layout->row;
     const char *report = matc_layout_report(set.layout), *text = matc_layout_text(set.layout);
@@ -234,7 +234,7 @@ static void none_is_without_a_case(void **state)
     static const char *const constants[] = {"baked", "uniform"}, *const passes[] = {"gbuffer",
                                                                                     "plane"};
     static const char other[] = "material: Phong\nemissive: 5\ntransparency: 0.5\nambient: 0\n";
-    Set set;
+    MaterialSet set;
     set_open(&set, mixed, 1, 0);
     for (int i = 0; i < 12; i++) {
         MatcOptions options = set.documents[0].options;
@@ -270,7 +270,7 @@ static void constants_are_for_those_to_which_they_matter(void **state)
 {
     (void)state;
     static const char *const gloss[] = {"tests/layouts/gloss.yaml"};
-    Set set;
+    MaterialSet set;
     set_open(&set, gloss, 1, 0);
     assert_non_null(layout_fixed(set.layout->row, SLOT_shininess));
     for (int i = 0; i < 3; i++)

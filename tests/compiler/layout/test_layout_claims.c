@@ -20,7 +20,7 @@ static void find_matters(const Document *d, int material, bool matters[SLOT_COUN
         matters[slot] = one.slot[slot].counted > 0;
 }
 
-static void check_set(Kept *kept, Drawer *drawer, const Set *set)
+static void check_set(Kept *kept, Drawer *drawer, const MaterialSet *set)
 {
     for (int i = 0; i < set->count; i++) {
         Document *d = (Document *)(uintptr_t)&set->documents[i];
@@ -63,7 +63,7 @@ static void what_is_packed_comes_back(void **state)
     points_make(points);
     assert_true(drawer_open(&drawer, true, points, POINT_COUNT));
     for (size_t i = 0; i < sizeof sets / sizeof *sets; i++) {
-        Set set;
+        MaterialSet set;
         set_open(&set, sets[i].paths, sets[i].count, sets[i].error);
         memset(kept.drawn, 0, sizeof kept.drawn);
         check_set(&kept, &drawer, &set);

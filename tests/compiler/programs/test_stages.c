@@ -19,8 +19,8 @@ enum { MOST_STAGES = 4 };
 typedef struct {
     MatcOutput output[MOST_STAGES];
     int model[MOST_STAGES], count;
-} Set;
-static const Set sets[] = {
+} MaterialSet;
+static const MaterialSet sets[] = {
     {{MATC_VERTEX, MATC_FRAGMENT}, {0, 4}, 2},
     {{MATC_TESSVERTEX, MATC_TESSCONTROL, MATC_TESSEVAL, MATC_FRAGMENT}, {0, 1, 2, 4}, 4},
     {{MATC_GEOMETRYVERTEX, MATC_GEOMETRY, MATC_FRAGMENT}, {0, 3, 4}, 3},
@@ -118,7 +118,7 @@ static bool in_any(const SpirvModule *modules, int count, int binding)
 /* Textures and the block of uniforms are where the reflection has them; so are a compute program's
  * buffers. */
 static void check_reflection(const char *what, const cJSON *json, const SpirvModule *modules,
-                             const Set *set)
+                             const MaterialSet *set)
 {
     const cJSON *texture, *block = cJSON_GetObjectItem(json, "block"),
                           *compute = cJSON_GetObjectItem(json, "compute");
@@ -138,7 +138,7 @@ static void check_reflection(const char *what, const cJSON *json, const SpirvMod
     assert_int_equal(modules[0].local_size, cJSON_GetObjectItem(compute, "localSize")->valueint);
 }
 
-static void check_set(const char *what, const MatcProgram *program, const Set *set,
+static void check_set(const char *what, const MatcProgram *program, const MaterialSet *set,
                       const cJSON *json)
 {
     static SpirvModule modules[MOST_STAGES];

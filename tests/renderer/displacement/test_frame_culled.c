@@ -44,7 +44,7 @@ static int draw(GlContext *gl, const Scene *scene, const RenderOptions *how,
     Render *render = render_open(gl, how);
     assert_true(render && render_scene(render, scene) && render_frame(render) &&
                 render_read(render, light));
-    const int triangles = (int)render->cache.triangles;
+    const int triangles = (int)render->gpu_scene.triangles;
     render_close(render);
     return triangles;
 }
@@ -131,7 +131,7 @@ static void turn_under(const char *lights)
         const int fresh = draw(gl, scene, &how, light[1]);
         assert_memory_equal(light[0], light[1], sizeof light[0]);
         assert_true(fresh < all);
-        anew += (int)render->cache.triangles == fresh;
+        anew += (int)render->gpu_scene.triangles == fresh;
     }
     render_close(render);
     frame_forget(scene, document);
@@ -171,7 +171,7 @@ static void what_a_light_shows_is_there(void **state)
                     render_read(render, light[0]));
         const int fresh = draw(gl, scene, &how, light[1]);
         assert_memory_equal(light[0], light[1], sizeof light[0]);
-        anew += (int)render->cache.triangles == fresh;
+        anew += (int)render->gpu_scene.triangles == fresh;
         least = fresh < least ? fresh : least;
         most = fresh > most ? fresh : most;
     }

@@ -172,7 +172,7 @@ static int triangles_from(Render *render, Scene *scene, const double eye[3], con
     memcpy(scene->camera.target, target, sizeof scene->camera.target);
     assert_true(scene_camera_aim(&scene->camera) == SCENE_AIM_fine &&
                 render_changed(render, RENDER_CAMERA) && render_frame(render));
-    return (int)render->cache.triangles;
+    return (int)render->gpu_scene.triangles;
 }
 
 /* Wherever a camera looks from one place, there are as many; from another place there are as many

@@ -2,7 +2,7 @@
  * many calls it takes. */
 /* ctest: unsanitized seconds=16 */
 #include "tests/test.h"
-#include "runtime/cache/cull.h"
+#include "runtime/gpu_scene/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include "tests/frame/frame_calls.h"
 #include "tests/frame/frame_draw.h"

@@ -183,7 +183,7 @@ static void programs_are_those_of_cut_outs(void **state)
     const Render *render = ((const Drawn *)*state)->voxels.render;
     int cut = 0;
     for (int i = 0; i < render->set.count; i++) {
-        const SetProgram *program = &render->set.programs[i];
+        const PassProgram *program = &render->set.programs[i];
         const char *name = matc_material_name(render->scene->materials[program->material].document,
                                               render->scene->materials[program->material].index);
         const bool has = !strcmp(name, "fence") || !strcmp(name, "lattice");
@@ -191,8 +191,8 @@ static void programs_are_those_of_cut_outs(void **state)
         cut += program->cut >= 0;
     }
     assert_int_equal(cut, 2);
-    for (int i = 0; i < render->cache.place_count; i++)
-        assert_true(render->cache.places[i].cut < 0 || !render->voxels->waves[i]);
+    for (int i = 0; i < render->gpu_scene.place_count; i++)
+        assert_true(render->gpu_scene.places[i].cut < 0 || !render->voxels->waves[i]);
 }
 
 /* The ball's skin is there, in part, and nothing within. */

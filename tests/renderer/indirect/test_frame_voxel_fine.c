@@ -59,7 +59,7 @@ static void remove_shell(const ShellFile *shell)
 static uint32_t *draw_surfaces(FrameVoxelsDrawn *d, bool compute)
 {
     FrameVoxels *voxels = d->render->voxels;
-    for (int i = 0; i < d->render->cache.place_count; i++)
+    for (int i = 0; i < d->render->gpu_scene.place_count; i++)
         voxels->waves[i] = compute ? voxel_bodies_surface(d->render, i) : 0;
     voxels->wave_count = 0;
     voxels->drawn = false;
@@ -101,14 +101,14 @@ static void fine_surfaces_are_the_rasterisers(void **state)
             FrameVoxelsDrawn d = frame_voxels_drawn(scenes[i].objects, sizes[k]);
             uint32_t *fine = draw_surfaces(&d, true);
             int taken = 0;
-            for (int place = 0; place < d.render->cache.place_count; place++)
+            for (int place = 0; place < d.render->gpu_scene.place_count; place++)
                 taken += d.render->voxels->waves[place] == VOXELS_FINE;
             uint32_t *drawn = draw_surfaces(&d, false);
             const int all = count_bits(&d, drawn, NULL), more = count_bits(&d, fine, drawn),
                       less = count_bits(&d, drawn, fine);
             print_message("%d voxels, %d of %d places: %d full, %d more, %d less\n", sizes[k],
-                          taken, d.render->cache.place_count, all, more, less);
-            assert_true(taken == d.render->cache.place_count);
+                          taken, d.render->gpu_scene.place_count, all, more, less);
+            assert_true(taken == d.render->gpu_scene.place_count);
             assert_true(all > sizes[k] * sizes[k] / 4 && more < all / 100 && less < all / 100);
             free(fine);
             free(drawn);

@@ -142,7 +142,7 @@ static Result compare(void)
 static void make_surfaces(Place *p)
 {
     FrameVoxels *voxels = p->render->voxels;
-    for (int i = 0; i < p->render->cache.place_count; i++) {
+    for (int i = 0; i < p->render->gpu_scene.place_count; i++) {
         assert_true(voxel_bodies_is_body(voxels, i));
         voxels->waves[i] = voxel_bodies_surface(p->render, i);
     }

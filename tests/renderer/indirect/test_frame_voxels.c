@@ -34,7 +34,7 @@ static Triangles triangles_of(const FrameVoxelsDrawn *d, bool sheets)
         const SceneObject *object = &d->scene->objects[i];
         const double *m = object->world_from_local.m;
         Shape shape;
-        if (voxel_bodies_is_body(d->render->voxels, d->render->cache.place_of[i]) == sheets)
+        if (voxel_bodies_is_body(d->render->voxels, d->render->gpu_scene.place_of[i]) == sheets)
             continue;
         assert_true(scene_solid(object, &shape));
         for (int k = 0; k < shape.index_count; k++) {
@@ -165,11 +165,11 @@ static Count compare(const FrameVoxelsDrawn *d, const Expected *e)
 static void make_surfaces(FrameVoxelsDrawn *d)
 {
     FrameVoxels *voxels = d->render->voxels;
-    for (int i = 0; i < d->render->cache.place_count; i++)
+    for (int i = 0; i < d->render->gpu_scene.place_count; i++)
         voxels->waves[i] = voxel_bodies_surface(d->render, i);
     voxels->wave_count = 0;
     voxels->drawn = false;
-    assert_true(voxel_bodies_has(voxels, &d->render->cache, VOXELS_FINE) &&
+    assert_true(voxel_bodies_has(voxels, &d->render->gpu_scene, VOXELS_FINE) &&
                 render_frame(d->render));
     free(d->words);
     d->words = frame_voxels_level(d, 0);

@@ -2,7 +2,7 @@
  * objects mapped one by one; lines of the picture by closed forms; what hides them; tiles. */
 /* ctest: seconds=10 */
 #include "tests/test.h"
-#include "runtime/cache/edge_list.h"
+#include "runtime/gpu_scene/edge_list.h"
 #include "tests/frame/frame_draw.h"
 #include "tests/frame_reference/reference_ray.h"
 #include <math.h>

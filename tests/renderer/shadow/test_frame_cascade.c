@@ -20,7 +20,7 @@ static const int picture[2] = {160, 120};
 /* The views of a scene of boxes. */
 static ShadowViews views_of(const Scene *scene)
 {
-    CachePlace places[2] = {{.object = 0, .mesh = 0}, {.object = 1, .mesh = 1}};
+    GpuScenePlace places[2] = {{.object = 0, .mesh = 0}, {.object = 1, .mesh = 1}};
     CullBox boxes[2];
     for (int i = 0; i < 2; i++) {
         Shape shape;
@@ -28,9 +28,9 @@ static ShadowViews views_of(const Scene *scene)
         boxes[i] = cull_box(&shape);
         shape_free(&shape);
     }
-    const Cache cache = {.places = places, .place_count = 2, .boxes = boxes};
+    const GpuScene gpu_scene = {.places = places, .place_count = 2, .boxes = boxes};
     ShadowViews views;
-    assert_true(shadow_views_make(shadow_methods, scene, &cache, picture, &views));
+    assert_true(shadow_views_make(shadow_methods, scene, &gpu_scene, picture, &views));
     assert_int_equal(views.count, CASCADES);
     return views;
 }

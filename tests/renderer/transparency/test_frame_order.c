@@ -38,13 +38,14 @@ static void write_scene(char *text, size_t room)
 /* Heights of each group's objects: greater ones are nearer, or farther. */
 static void assert_order(const Render *render, bool from_above)
 {
-    const Cache *cache = &render->cache;
+    const GpuScene *gpu_scene = &render->gpu_scene;
     int drawn = 0;
-    assert_true(cache->instances);
-    for (int i = cache->opaque_count; i < cache->surface_count; i++) {
+    assert_true(gpu_scene->instances);
+    for (int i = gpu_scene->opaque_count; i < gpu_scene->surface_count; i++) {
         double before = from_above ? -INFINITY : INFINITY;
-        for (int k = 0; k < cache->surfaces[i].seen; k++, drawn++) {
-            const int object = cache->places[cache->list[cache->surfaces[i].first_seen + k]].object;
+        for (int k = 0; k < gpu_scene->surfaces[i].seen; k++, drawn++) {
+            const int object =
+                gpu_scene->places[gpu_scene->list[gpu_scene->surfaces[i].first_seen + k]].object;
             const SceneObject *o = &render->scene->objects[object];
             const double height = o->world_from_local.m[14] +
                                   (o->kind == SCENE_Parallelogram ? o->numbers[2] / 2 : 0);

@@ -1,8 +1,8 @@
 /* GLSL around the programs of opaque surfaces, which then also write a word about the visible
  * triangle to the target `seen`. */
-#ifndef MATC_CACHE_SEEN_TEXT_H
-#define MATC_CACHE_SEEN_TEXT_H
-#include "runtime/cache/set.h"
+#ifndef MATC_GPU_SCENE_SEEN_TEXT_H
+#define MATC_GPU_SCENE_SEEN_TEXT_H
+#include "runtime/gpu_scene/material_set.h"
 #include "runtime/gpu_material/store.h"
 
 enum { SEEN_TEXT_DEFINED = 96 };
@@ -23,7 +23,7 @@ typedef struct {
     bool instances;
 } SeenTextAround;
 
-void seen_text_make(const GlContext *gl, const Set *set, const SeenText *text,
+void seen_text_make(const GlContext *gl, const MaterialSet *set, const SeenText *text,
                     SeenTextAround *made);
 /* Wraps a material's programs, each a single text; *around must live until they are compiled. */
 void seen_text_wrap(const SeenTextAround *around, ProgramText *program);

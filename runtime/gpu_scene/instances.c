@@ -1,5 +1,5 @@
 /* Converts matrices from double to floats of a buffer. */
-#include "runtime/cache/instances.h"
+#include "runtime/gpu_scene/instances.h"
 #include "runtime/tessellate/scene_scatter.h"
 #include <string.h>
 

@@ -1,7 +1,7 @@
 /* A scene's materials as a set: one layout, and a program for each material and pass. Programs
  * that differ only in constants share their text, and read the constants from a buffer. */
-#ifndef MATC_CACHE_SET_H
-#define MATC_CACHE_SET_H
+#ifndef MATC_GPU_SCENE_MATERIAL_SET_H
+#define MATC_GPU_SCENE_MATERIAL_SET_H
 #include "grammar/layout_tables.h"
 #include "runtime/gl/context.h"
 #include "runtime/scene/scene.h"
@@ -28,7 +28,7 @@ typedef struct {
     int other;        /* another program of the material, its index + 1; 0: none */
     bool even;        /* transmittance is constant over the surface */
     float through[3]; /* that transmittance, RGB */
-} SetProgram;
+} PassProgram;
 
 /* How transparent surfaces cast shadows. */
 typedef enum {
@@ -36,15 +36,15 @@ typedef enum {
     /* Like opaque ones where they transmit at most half of the light; elsewhere not. */
     SET_CASTS_cut,
     SET_CASTS_colored /* colored by their transmittance */
-} SetCasts;
+} MaterialSetCasts;
 
 /* Programs to make in addition to those that draw the picture. */
 typedef struct {
-    SetCasts casts;
+    MaterialSetCasts casts;
     /* Voxels exist: alpha-tested programs for surfaces whose transmittance varies. */
     bool cuts;
     bool even; /* surfaces of constant transmittance cast shadows without a program */
-} SetUses;
+} MaterialSetUses;
 
 typedef struct {
     MatcLayout *layout; /* NULL: a built-in layout */
@@ -54,33 +54,33 @@ typedef struct {
     const char *target; /* the GLSL version, "glsl330" or "glsl450" */
     /* GLSL that unpacks the layout's cases in use; NULL: the scene has no surface. */
     const char *unpack;
-    SetProgram *programs;
+    PassProgram *programs;
     int *of_material; /* by material: its last program, index + 1; 0: none */
     int count;
     int texts; /* number of different texts */
-    SetUses uses;
+    MaterialSetUses uses;
     bool instances; /* programs of surfaces use instancing (instances.h) */
-} Set;
+} MaterialSet;
 
 /* Compiles the scene's materials. `compile` has the options; a NULL layout in it selects the
  * smallest that holds the scene's materials. Transparent surfaces also get the programs for
  * `uses`. Returns false on failure, with *made empty; see gl->error. */
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile, SetUses uses,
-              Set *made);
-void set_free(Set *set);
+bool material_set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile,
+                       MaterialSetUses uses, MaterialSet *made);
+void material_set_free(MaterialSet *set);
 
 /* Prepends a material's place and name to gl->error, and returns false. */
-bool set_fail(GlContext *gl, const Scene *scene, int material);
+bool material_set_fail(GlContext *gl, const Scene *scene, int material);
 
 /* Returns the program of a material in a pass; NULL if missing. */
-const SetProgram *set_find(const Set *set, int material, const char *pass);
+const PassProgram *material_set_find(const MaterialSet *set, int material, const char *pass);
 /* Returns the number of programs that share the text. */
-int set_rows(const Set *set, int text);
+int material_set_rows(const MaterialSet *set, int text);
 /* Return the shared texts of a program. */
-const char *set_vertex(const Set *set, const SetProgram *program);
-const char *set_fragment(const Set *set, const SetProgram *program);
+const char *material_set_vertex(const MaterialSet *set, const PassProgram *program);
+const char *material_set_fragment(const MaterialSet *set, const PassProgram *program);
 /* Returns the layout of the set, or the one that `compile` names. */
-const LayoutRow *set_layout(const Set *set, const MatcOptions *compile);
+const LayoutRow *material_set_layout(const MaterialSet *set, const MatcOptions *compile);
 /* Returns the format of a G-buffer target; NULL after the last. */
-const char *set_format(const Set *set, int target);
+const char *material_set_format(const MaterialSet *set, int target);
 #endif

@@ -1,8 +1,8 @@
 /* Frustum culling: a view as half spaces in world space, and a test of boxes against them. In
  * double and conservative: a culled object covers no pixel, whatever the rounding of its
  * vertices in floats. */
-#ifndef MATC_CACHE_CULL_H
-#define MATC_CACHE_CULL_H
+#ifndef MATC_GPU_SCENE_CULL_H
+#define MATC_GPU_SCENE_CULL_H
 #include "runtime/scene/scene.h"
 
 enum { CULL_PLANES = 6 };

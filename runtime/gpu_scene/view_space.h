@@ -1,7 +1,7 @@
 /* Conversions from a scene's camera and lights to the inputs of passes: matrices, pixel rays,
  * lights in eye space. */
-#ifndef MATC_CACHE_VIEW_SPACE_H
-#define MATC_CACHE_VIEW_SPACE_H
+#ifndef MATC_GPU_SCENE_VIEW_SPACE_H
+#define MATC_GPU_SCENE_VIEW_SPACE_H
 #include "gen/light_layout.h"
 #include "runtime/gpu_material/spaces.h"
 #include "runtime/scene/scene.h"

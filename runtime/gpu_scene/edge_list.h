@@ -3,8 +3,8 @@
  * lines include hidden ones; the pass that draws them tests visibility. */
 #ifndef MATC_RENDER_EDGE_LIST_H
 #define MATC_RENDER_EDGE_LIST_H
-#include "runtime/cache/view_space.h"
-#include "runtime/cache/edge_mesh.h"
+#include "runtime/gpu_scene/view_space.h"
+#include "runtime/gpu_scene/edge_mesh.h"
 
 enum { EDGE_LIST_PIECE = 32 /* pixels: longer lines are cut */, EDGE_LIST_TEXELS = 2 };
 

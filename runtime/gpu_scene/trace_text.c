@@ -1,6 +1,6 @@
 /* Rewrites the texts line by line: declarations of inputs and outputs between stages become
  * variables. */
-#include "runtime/cache/trace_text.h"
+#include "runtime/gpu_scene/trace_text.h"
 #include "gen/render_text.h"
 #include "runtime/gpu_material/field.h"
 #include <stdbool.h>

@@ -7,7 +7,7 @@
  *         its center at x = -2, half an edge is 1:
  *     -2 + 1 < 0, the box is culled. Rotated by 45 degrees about z, half edges are 0.7 and 0.7:
  *         -2 + 1.4 < 0, still culled */
-#include "runtime/cache/cull.h"
+#include "runtime/gpu_scene/cull.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>
 #include <string.h>

@@ -1,7 +1,7 @@
 /* Builds a set of programs: value ranges of all materials, a layout for them, keys of all
  * programs, groups of one shape, texts. */
-#include "runtime/cache/set.h"
-#include "runtime/cache/instances.h"
+#include "runtime/gpu_scene/material_set.h"
+#include "runtime/gpu_scene/instances.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/layout/custom.h"
@@ -11,7 +11,7 @@
 
 /* -- Finding programs, and their texts */
 
-const SetProgram *set_find(const Set *set, int material, const char *pass)
+const PassProgram *material_set_find(const MaterialSet *set, int material, const char *pass)
 {
     int number = set->of_material[material];
     while (number && strcmp(set->programs[number - 1].pass, pass) != 0)
@@ -19,7 +19,7 @@ const SetProgram *set_find(const Set *set, int material, const char *pass)
     return number ? &set->programs[number - 1] : NULL;
 }
 
-int set_rows(const Set *set, int text)
+int material_set_rows(const MaterialSet *set, int text)
 {
     int rows = 0;
     for (int i = text; i >= 0; i = set->programs[i].next)
@@ -27,17 +27,17 @@ int set_rows(const Set *set, int text)
     return rows;
 }
 
-const char *set_vertex(const Set *set, const SetProgram *program)
+const char *material_set_vertex(const MaterialSet *set, const PassProgram *program)
 {
     return matc_output(set->programs[program->text].program, MATC_VERTEX, NULL);
 }
 
-const char *set_fragment(const Set *set, const SetProgram *program)
+const char *material_set_fragment(const MaterialSet *set, const PassProgram *program)
 {
     return matc_output(set->programs[program->text].program, MATC_FRAGMENT, NULL);
 }
 
-const char *set_format(const Set *set, int target)
+const char *material_set_format(const MaterialSet *set, int target)
 {
     for (int i = 0; i < set->count; i++)
         if (strcmp(set->programs[i].pass, "sky") != 0)
@@ -47,7 +47,7 @@ const char *set_format(const Set *set, int target)
     return NULL;
 }
 
-const LayoutRow *set_layout(const Set *set, const MatcOptions *compile_options)
+const LayoutRow *material_set_layout(const MaterialSet *set, const MatcOptions *compile_options)
 {
     const MatcLayout *custom = set->layout ? set->layout : compile_options->custom;
     if (custom)
@@ -64,7 +64,7 @@ typedef struct {
     GlContext *gl;
     const Scene *scene;
     MatcOptions options;
-    Set *set;
+    MaterialSet *set;
     int *last; /* by first program of a text: the last one */
 } Maker;
 
@@ -74,7 +74,7 @@ static const char *pass_of(const SceneObject *object)
     return object->kind == SCENE_Plane ? "plane" : "gbuffer";
 }
 
-bool set_fail(GlContext *gl, const Scene *scene, int material)
+bool material_set_fail(GlContext *gl, const Scene *scene, int material)
 {
     const SceneMaterial *of = &scene->materials[material];
     char why[sizeof gl->error], place[SCENE_PLACE];
@@ -97,7 +97,7 @@ static bool add_ranges(Maker *m, MatcRanges *ranges)
         added[material] = true;
         fine = matc_ranges_add(ranges, of->document, of->index, &m->options, &fault) ||
                (gl_fail(m->gl, "%s", fault ? fault : "out of memory"),
-                set_fail(m->gl, m->scene, material));
+                material_set_fail(m->gl, m->scene, material));
         free(fault);
     }
     free(added);
@@ -132,7 +132,7 @@ static MatcOptions sheet_options(const Maker *m)
     return options;
 }
 
-static bool compile(Maker *m, SetProgram *program, unsigned outputs)
+static bool compile(Maker *m, PassProgram *program, unsigned outputs)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
     MatcOptions options = m->options;
@@ -144,16 +144,16 @@ static bool compile(Maker *m, SetProgram *program, unsigned outputs)
     if (matc_ok(program->program))
         return true;
     gl_fail(m->gl, "%s", matc_program_diagnostics(program->program, MATC_TEXT));
-    return set_fail(m->gl, m->scene, program->material);
+    return material_set_fail(m->gl, m->scene, program->material);
 }
 
-static bool packs(const SetProgram *program)
+static bool packs(const PassProgram *program)
 {
     return !strcmp(program->pass, "plane") || !strcmp(program->pass, "gbuffer");
 }
 
 /* Finds the transmittance of a surface or a plane if it is constant. */
-static bool find_through(Maker *m, SetProgram *program)
+static bool find_through(Maker *m, PassProgram *program)
 {
     const SceneMaterial *of = &m->scene->materials[program->material];
     if (!packs(program) || strcmp(matc_opacity(program->program), "transparent") != 0)
@@ -162,22 +162,22 @@ static bool find_through(Maker *m, SetProgram *program)
     for (int i = 0; i < through.lanes; i++)
         program->through[i] = (float)through.lane[i];
     program->even = !through.fault;
-    return program->even ||
-           (gl_fail(m->gl, "%s", through.fault), set_fail(m->gl, m->scene, program->material));
+    return program->even || (gl_fail(m->gl, "%s", through.fault),
+                             material_set_fail(m->gl, m->scene, program->material));
 }
 
 /* Adds a program with its key, shape and constants, but without text. */
 static bool add_program(Maker *m, int material, const char *pass)
 {
-    Set *set = m->set;
-    SetProgram *program = &set->programs[set->count];
-    *program = (SetProgram){.material = material,
-                            .pass = pass,
-                            .text = set->count,
-                            .next = -1,
-                            .caster = -1,
-                            .cut = -1,
-                            .other = set->of_material[material]};
+    MaterialSet *set = m->set;
+    PassProgram *program = &set->programs[set->count];
+    *program = (PassProgram){.material = material,
+                             .pass = pass,
+                             .text = set->count,
+                             .next = -1,
+                             .caster = -1,
+                             .cut = -1,
+                             .other = set->of_material[material]};
     set->of_material[material] = ++set->count;
     if (!compile(m, program, MATC_KEY))
         return false;
@@ -191,7 +191,7 @@ static bool make_sheet_layout(Maker *m)
 {
     static const char text[] =
         "layout: sheet\ntargets: [RGBA32UI]\nfields:\n- { slot: transparency, encoding: full }\n";
-    Set *set = m->set;
+    MaterialSet *set = m->set;
     if (!set->sheet)
         set->sheet = matc_layout_read("sheet", text, sizeof text - 1, &m->options);
     return (set->sheet && matc_layout_ok(set->sheet)) || gl_fail(m->gl, "out of memory");
@@ -205,7 +205,7 @@ static bool has_images(const GlContext *gl)
 
 /* Reports whether a shadow caster needs no program since its transmittance is constant: planes,
  * and surfaces if shadow techniques support that. */
-static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
+static bool casts_by_numbers(const Maker *m, const PassProgram *surface)
 {
     return surface->even && (m->set->uses.even || !strcmp(surface->pass, "plane"));
 }
@@ -213,8 +213,8 @@ static bool casts_by_numbers(const Maker *m, const SetProgram *surface)
 /* Adds the program that casts a transparent surface's shadows; opaque surfaces need only depth. */
 static bool add_caster(Maker *m, int number)
 {
-    Set *set = m->set;
-    SetProgram *surface = &set->programs[number];
+    MaterialSet *set = m->set;
+    PassProgram *surface = &set->programs[number];
     const bool plane = !strcmp(surface->pass, "plane");
     if (!set->uses.casts || !surface->transparent || casts_by_numbers(m, surface) ||
         (plane && !has_images(m->gl)))
@@ -229,8 +229,8 @@ static bool add_caster(Maker *m, int number)
 /* Adds the alpha-tested program for voxels, unless the shadow caster's program is the same. */
 static bool add_cut(Maker *m, int number)
 {
-    Set *set = m->set;
-    SetProgram *surface = &set->programs[number];
+    MaterialSet *set = m->set;
+    PassProgram *surface = &set->programs[number];
     const bool plane = !strcmp(surface->pass, "plane");
     if (!set->uses.cuts || !surface->transparent || surface->even || plane)
         return true;
@@ -259,7 +259,7 @@ static bool add_programs(Maker *m)
         *known = true;
     }
     free(met);
-    if (fine && scene->sky >= 0 && !set_find(m->set, scene->sky, "sky"))
+    if (fine && scene->sky >= 0 && !material_set_find(m->set, scene->sky, "sky"))
         fine = add_program(m, scene->sky, "sky");
     return fine;
 }
@@ -271,7 +271,7 @@ typedef struct {
     bool differs;
 } Column;
 
-static Column column_of(const Set *set, int first, int place)
+static Column column_of(const MaterialSet *set, int first, int place)
 {
     const MatcConstant *head = matc_place(set->programs[first].program, place);
     Column column = {.key = key_of_bytes(head->type, strlen(head->type))};
@@ -288,7 +288,7 @@ static Column column_of(const Set *set, int first, int place)
 
 /* Finds the constants in which programs of a group differ; these become members of the buffer,
  * and equal columns share one. Returns the number of members; -1 if memory runs out. */
-static int find_members(const Set *set, int first, int *members, int count)
+static int find_members(const MaterialSet *set, int first, int *members, int count)
 {
     Column *columns = calloc((size_t)count + 1, sizeof *columns);
     int found = columns ? 0 : -1;
@@ -308,7 +308,7 @@ static int find_members(const Set *set, int first, int *members, int count)
 
 /* Reports whether programs can share a text: equal passes and shapes, and, with `numbers`, equal
  * keys. */
-static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
+static bool is_alike(const PassProgram *a, const PassProgram *b, bool numbers)
 {
     return !strcmp(a->pass, b->pass) && !strcmp(matc_shape(a->program), matc_shape(b->program)) &&
            (!numbers || !strcmp(matc_key(a->program), matc_key(b->program)));
@@ -317,10 +317,10 @@ static bool is_alike(const SetProgram *a, const SetProgram *b, bool numbers)
 /* Splits a chain of programs into one per text, in the order of their first programs. */
 static void part(Maker *m, int first, bool numbers)
 {
-    SetProgram *programs = m->set->programs;
+    PassProgram *programs = m->set->programs;
     HashIndex heads = {0};
     for (int i = first, next; i >= 0; i = next) {
-        SetProgram *program = &programs[i];
+        PassProgram *program = &programs[i];
         const Key key =
             key_read(numbers ? matc_key(program->program) : matc_shape(program->program));
         int head = -1;
@@ -343,7 +343,7 @@ static void part(Maker *m, int first, bool numbers)
 /* Chains all programs, then splits the chain by text. */
 static bool share_texts(Maker *m)
 {
-    Set *set = m->set;
+    MaterialSet *set = m->set;
     m->last = calloc((size_t)set->count + 1, sizeof *m->last);
     if (!m->last)
         return gl_fail(m->gl, "out of memory");
@@ -356,7 +356,7 @@ static bool share_texts(Maker *m)
 
 static bool write_group(Maker *m, int first, const int *members, int count)
 {
-    Set *set = m->set;
+    MaterialSet *set = m->set;
     m->options.members = members;
     m->options.member_count = count;
     bool fine = true;
@@ -368,7 +368,7 @@ static bool write_group(Maker *m, int first, const int *members, int count)
     return fine;
 }
 
-static void number_rows(Set *set, int first)
+static void number_rows(MaterialSet *set, int first)
 {
     int rows = 0;
     for (int i = first; i >= 0; i = set->programs[i].next)
@@ -378,7 +378,7 @@ static void number_rows(Set *set, int first)
 /* Compiles one text for all programs that share it. */
 static bool write_text(Maker *m, int first)
 {
-    Set *set = m->set;
+    MaterialSet *set = m->set;
     const int count = matc_place_count(set->programs[first].program);
     int *members = malloc((size_t)count * sizeof *members + 1);
     int found = members ? find_members(set, first, members, count) : -1;
@@ -396,7 +396,7 @@ static bool write_text(Maker *m, int first)
 
 static bool make(Maker *m)
 {
-    Set *set = m->set;
+    MaterialSet *set = m->set;
     const bool automatic = !m->options.layout && !m->options.custom;
     if ((automatic && !choose_layout(m)) || !add_programs(m) || !share_texts(m))
         return false;
@@ -409,11 +409,12 @@ static bool make(Maker *m)
     return true;
 }
 
-bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options, SetUses uses,
-              Set *made)
+bool material_set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_options,
+                       MaterialSetUses uses, MaterialSet *made)
 {
     Maker maker = {.gl = gl, .scene = scene, .options = *compile_options, .set = made};
-    *made = (Set){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330", .uses = uses};
+    *made = (MaterialSet){.target = gl->major * 10 + gl->minor >= 45 ? "glsl450" : "glsl330",
+                          .uses = uses};
     maker.options.slot = "transparency"; /* the slot of the pass value */
     made->instances = !strcmp(made->target, "glsl450") && instances_there(gl);
     maker.options.target = made->target;
@@ -424,11 +425,11 @@ bool set_make(GlContext *gl, const Scene *scene, const MatcOptions *compile_opti
     free(maker.last);
     if (fine)
         return true;
-    set_free(made);
+    material_set_free(made);
     return false;
 }
 
-void set_free(Set *set)
+void material_set_free(MaterialSet *set)
 {
     for (int i = 0; i < set->count; i++)
         matc_program_free(set->programs[i].program);
@@ -436,5 +437,5 @@ void set_free(Set *set)
     free(set->of_material);
     matc_layout_free(set->layout);
     matc_layout_free(set->sheet);
-    *set = (Set){0};
+    *set = (MaterialSet){0};
 }

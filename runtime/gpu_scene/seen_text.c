@@ -1,4 +1,4 @@
-#include "runtime/cache/seen_text.h"
+#include "runtime/gpu_scene/seen_text.h"
 #include <stdio.h>
 #include <string.h>
 
@@ -7,10 +7,11 @@ static const char vertex_tail[] =
     "#undef main\nflat out uint seen_place;\nvoid main()\n{\n    surfaceMain();\n    "
     "seen_place = matc_instance;\n}\n";
 
-void seen_text_make(const GlContext *gl, const Set *set, const SeenText *text, SeenTextAround *made)
+void seen_text_make(const GlContext *gl, const MaterialSet *set, const SeenText *text,
+                    SeenTextAround *made)
 {
     int targets = 0;
-    while (set_format(set, targets))
+    while (material_set_format(set, targets))
         targets++;
     made->text = text;
     made->head = gl->major * 10 + gl->minor >= 45 ? "#version 450 core\n" : "#version 430 core\n";

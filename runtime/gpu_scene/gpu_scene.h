@@ -1,17 +1,22 @@
 /* A scene on the GPU: each mesh once, each program once with the constants of all its materials,
  * and objects in groups that one call draws. If the driver supports instancing, matrices and
  * constants are in buffers; otherwise each object is a group of its own. */
-#ifndef MATC_CACHE_CACHE_H
-#define MATC_CACHE_CACHE_H
-#include "runtime/cache/cull.h"
-#include "runtime/cache/seen_text.h"
-#include "runtime/cache/transparency.h"
-#include "runtime/cache/view_space.h"
+#ifndef MATC_GPU_SCENE_GPU_SCENE_H
+#define MATC_GPU_SCENE_GPU_SCENE_H
+#include "runtime/gpu_scene/cull.h"
+#include "runtime/gpu_scene/seen_text.h"
+#include "runtime/gpu_scene/transparency.h"
+#include "runtime/gpu_scene/view_space.h"
 #include "runtime/displace/displaced.h"
 #include "runtime/gl/mesh.h"
 
 /* Target of a material's program: shadow maps, voxels (alpha-tested surfaces), or the picture. */
-typedef enum { CACHE_USE_cast, CACHE_USE_cut, CACHE_USES, CACHE_USE_seen = CACHE_USES } CacheUse;
+typedef enum {
+    GPU_SCENE_USE_cast,
+    GPU_SCENE_USE_cut,
+    GPU_SCENE_USES,
+    GPU_SCENE_USE_seen = GPU_SCENE_USES
+} GpuSceneUse;
 
 /* Materials that differ only in constants: one program with the same textures and uniforms. */
 typedef struct {
@@ -19,7 +24,7 @@ typedef struct {
     bool transparent;  /* at least in some fragments */
     /* Buffer with the constants of all materials of the program; 0: no constants. */
     GLuint numbers;
-} CacheKind;
+} GpuSceneKind;
 
 /* One draw call: objects of one kind, one mesh, and one winding of its triangles. */
 typedef struct {
@@ -43,30 +48,30 @@ typedef struct {
     GLuint program;
     bool transparent, mirrored;
     const float *even; /* transmittance if constant, three components; else NULL */
-} CachePlace;
+} GpuScenePlace;
 
 typedef struct {
     Material material;
     int object;
     bool transparent;
-    const SetProgram *program;
-} CachePlane;
+    const PassProgram *program;
+} GpuScenePlane;
 
 /* A place and its depth for sorting. */
 typedef struct {
     double nearness;
     uint32_t place;
-} CacheOrder;
+} GpuSceneOrder;
 
-enum { CACHE_LISTS = 3 /* number of lists of places in one buffer; see Cache.list */ };
+enum { GPU_SCENE_LISTS = 3 /* number of lists of places in one buffer; see Cache.list */ };
 
 typedef struct {
     bool instances; /* the driver supports instancing */
-    CacheKind *kinds;
+    GpuSceneKind *kinds;
     int kind_count;
     /* Programs that draw transparent or alpha-tested surfaces into shadow maps and voxels; their
      * constants have the same order as those of `kinds`. */
-    CacheKind *casters;
+    GpuSceneKind *casters;
     int caster_count;
     GLuint *numbers; /* by program of the set: a buffer of constants, or 0 */
     int number_count;
@@ -75,7 +80,7 @@ typedef struct {
     Key *mesh_keys; /* hashes of the meshes' contents */
     /* by mesh: how the GPU displaces it; empty for meshes that it does not displace */
     Displaced *displaced;
-    /* By kind: program that shades ray-marched surfaces (cache_trace.h); empty if the kind has
+    /* By kind: program that shades ray-marched surfaces (gpu_scene_trace.h); empty if the kind has
      * none. */
     Material *traced;
     bool tracing; /* some kind has such a program */
@@ -83,13 +88,13 @@ typedef struct {
     bool displaced_anew;
     int mesh_count;
     /* Objects except infinite planes, opaque ones first, sorted by program, kind, mesh. */
-    CachePlace *places;
+    GpuScenePlace *places;
     int place_count;
     int *place_of; /* by object: its index in `places`; -1: none */
     Drawable *surfaces;
     int surface_count;
     int opaque_count; /* opaque ones come first; the others have transparent fragments */
-    CachePlane *planes;
+    GpuScenePlane *planes;
     int plane_count, opaque_plane_count;
     Material sky;
     bool has_sky;
@@ -99,16 +104,16 @@ typedef struct {
     uint32_t *list;
     uint32_t *seen_list; /* the second part, as last written to the buffer */
     int seen;
-    CacheOrder *order;    /* scratch memory for sorting places */
+    GpuSceneOrder *order; /* scratch memory for sorting places */
     uint32_t *cast_order; /* places of shadow casters, sorted by caster and mesh */
     int cast_count;
     /* Buffers: matrices of the places, draw list, uniform block View for [camera, light]. */
     GLuint matrices, words, views[2];
-} Cache;
+} GpuScene;
 
 typedef struct {
     const Scene *scene;
-    const Set *set;
+    const MaterialSet *set;
     const ViewSpace *space;
     const CullVolume *volume;   /* the frustum; NULL disables culling */
     const CullVolume *view;     /* the camera's frustum, also if culling is disabled */
@@ -123,43 +128,46 @@ typedef struct {
     Transparency transparency;
     const SeenText *written; /* outputs of opaque surfaces in addition to the G-buffer */
     bool lines;              /* surfaces are drawn as lines */
-} CacheSource;
+} GpuSceneSource;
 
 /* Makes a cache, and moves meshes that `before` (or NULL) already has. Returns false on failure,
  * with *made empty; see the context's error. */
-bool cache_make(Store *store, const CacheSource *source, Cache *before, Cache *made);
-/* Frees the cache and leaves it empty; safe on an empty one. */
-void cache_delete(GlContext *gl, Cache *cache);
+bool gpu_scene_make(Store *store, const GpuSceneSource *source, GpuScene *before, GpuScene *made);
+/* Frees the GPU scene and leaves it empty; safe on an empty one. */
+void gpu_scene_delete(GlContext *gl, GpuScene *gpu_scene);
 
-/* Adds the mesh of an object. This function and the next ones: cache_mesh.c. */
-bool cache_mesh_make(Store *store, const CacheSource *source, Cache *cache,
-                     const SceneObject *object);
+/* Adds the mesh of an object. This function and the next ones: gpu_scene_mesh.c. */
+bool gpu_scene_mesh_make(Store *store, const GpuSceneSource *source, GpuScene *gpu_scene,
+                         const SceneObject *object);
 /* Displaces meshes on the GPU again whose tessellation depends on the view. */
-bool cache_mesh_view(GlContext *gl, const CacheSource *source, Cache *cache);
+bool gpu_scene_mesh_view(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene);
 /* Reports whether the tessellation of some mesh depends on lights. */
-bool cache_mesh_by_lights(const Cache *cache);
-/* Applies a new view without making resources. This function and the next ones: cache_view.c. */
-bool cache_view(GlContext *gl, const CacheSource *source, Cache *cache);
+bool gpu_scene_mesh_by_lights(const GpuScene *gpu_scene);
+/* Applies a new view without making resources. This function and the next ones: gpu_scene_view.c.
+ */
+bool gpu_scene_view(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene);
 /* Applies new matrices of `count` objects from `first` on. */
-bool cache_move(GlContext *gl, const CacheSource *source, Cache *cache, int first, int count);
+bool gpu_scene_move(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene, int first,
+                    int count);
 /* Sets a uniform of a material. Returns false if none of its programs has a uniform of that name
  * and number of components. */
-bool cache_set(const CacheSource *source, Cache *cache, int material, const MaterialValue *value);
+bool gpu_scene_set(const GpuSceneSource *source, GpuScene *gpu_scene, int material,
+                   const MaterialValue *value);
 /* Sorts the places into drawables, and writes all buffers. */
-bool cache_arrange(GlContext *gl, const CacheSource *source, Cache *cache);
-/* Sorts places of a drawable from far to near. cache_order.c */
-void cache_order(const CacheSource *source, Cache *cache, const Drawable *drawable, uint32_t *list,
-                 int count);
+bool gpu_scene_arrange(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene);
+/* Sorts places of a drawable from far to near. gpu_scene_order.c */
+void gpu_scene_order(const GpuSceneSource *source, GpuScene *gpu_scene, const Drawable *drawable,
+                     uint32_t *list, int count);
 /* Draws the surfaces in view with their programs: the opaque ones that are not ray-marched, or
  * the transparent ones. */
-void cache_draw(GlContext *gl, Cache *cache, bool transparent);
+void gpu_scene_draw(GlContext *gl, GpuScene *gpu_scene, bool transparent);
 
 /* Parameters for ray marching surfaces into a shadow map. */
 typedef struct {
     float offset[2]; /* of glPolygonOffset */
     float pixel[2];  /* size of a texel of the map, in clip space */
     float corner[2]; /* corner of texel (0, 0) in clip space */
-} CacheLightTrace;
+} GpuSceneLightTrace;
 
 /* A light's view of the scene, for shadow maps and similar targets. */
 typedef struct {
@@ -180,13 +188,13 @@ typedef struct {
     bool varying;
     /* How surfaces that the picture ray-marches are ray-marched here; NULL: their grids are
      * drawn. */
-    const CacheLightTrace *traced;
-} CacheLight;
+    const GpuSceneLightTrace *traced;
+} GpuSceneLight;
 
-/* Sorts the shadow casters. This function and the next one: cache_cast.c. */
-bool cache_arrange_casters(GlContext *gl, Cache *cache);
+/* Sorts the shadow casters. This function and the next one: gpu_scene_cast.c. */
+bool gpu_scene_arrange_casters(GlContext *gl, GpuScene *gpu_scene);
 /* Draws shadow casters: opaque ones by depth alone, transparent ones by their caster programs,
  * or alpha-tested ones. */
-void cache_cast(GlContext *gl, const CacheSource *source, Cache *cache, const CacheLight *light,
-                bool transparent);
+void gpu_scene_cast(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene,
+                    const GpuSceneLight *light, bool transparent);
 #endif

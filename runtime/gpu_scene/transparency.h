@@ -7,9 +7,9 @@
  * pixel's fragments. The fragments are counted when the scene is made, and the buffer has
  * exactly that capacity. Depth peeling, for other drivers and if the lists would not fit: a pass
  * over the surfaces for each layer, from back to front. */
-#ifndef MATC_CACHE_TRANSPARENCY_H
-#define MATC_CACHE_TRANSPARENCY_H
-#include "runtime/cache/set.h"
+#ifndef MATC_GPU_SCENE_TRANSPARENCY_H
+#define MATC_GPU_SCENE_TRANSPARENCY_H
+#include "runtime/gpu_scene/material_set.h"
 #include "runtime/gpu_material/store.h"
 
 typedef enum { TRANSPARENCY_lists, TRANSPARENCY_peeling } Transparency;
@@ -32,7 +32,7 @@ typedef struct {
     const char *body;
 } TransparencyText;
 
-void transparency_text(const GlContext *gl, const Set *set, Transparency way,
+void transparency_text(const GlContext *gl, const MaterialSet *set, Transparency way,
                        TransparencyText *made);
 /* Wraps a material's programs, each a single text. */
 void transparency_wrap(const TransparencyText *text, bool plane, ProgramText *program);
@@ -45,8 +45,8 @@ void transparency_wrap_caster(const GlContext *gl, ProgramText *program);
 void transparency_wrap_cut(const GlContext *gl, ProgramText *program);
 
 /* Returns the words of a fragment in a list. */
-int transparency_stride(const Set *set);
+int transparency_stride(const MaterialSet *set);
 /* Writes GLSL for readers of the lists: LISTS_STRIDE, and LISTS_TEXELS, the arguments of
  * unpackTexels for the node at `node`. */
-void transparency_reader(const Set *set, char text[TRANSPARENCY_TEXT]);
+void transparency_reader(const MaterialSet *set, char text[TRANSPARENCY_TEXT]);
 #endif

@@ -12,7 +12,7 @@
  *     #define LISTS_PACK fragment0.x, fragment0.y, fragment0.z, fragment0.w
  *     ... depth_hidden.glsl
  *     ... lists_store.glsl, whose main() calls surfaceMain() */
-#include "runtime/cache/transparency.h"
+#include "runtime/gpu_scene/transparency.h"
 #include "gen/render_text.h"
 #include <stdarg.h>
 #include <stdio.h>
@@ -57,11 +57,11 @@ __attribute__((format(printf, 2, 3))) static void put(char *text, const char *fo
     va_end(arguments);
 }
 
-int transparency_stride(const Set *set)
+int transparency_stride(const MaterialSet *set)
 {
     int words = TRANSPARENCY_NODE_HEAD;
-    for (int i = 0; set_format(set, i); i++)
-        words += packings[packing_of(set_format(set, i))].words;
+    for (int i = 0; material_set_format(set, i); i++)
+        words += packings[packing_of(material_set_format(set, i))].words;
     return words;
 }
 
@@ -75,23 +75,23 @@ static void put_target(char *text, const char *format, int target, int word)
 }
 #pragma GCC diagnostic pop
 
-static void put_packing(const Set *set, char *text)
+static void put_packing(const MaterialSet *set, char *text)
 {
     put(text, "#define LISTS_STRIDE %du\n#define LISTS_PACK", transparency_stride(set));
-    for (int i = 0; set_format(set, i); i++) {
+    for (int i = 0; material_set_format(set, i); i++) {
         put(text, "%s", i ? ", " : " ");
-        put_target(text, packings[packing_of(set_format(set, i))].pack, i, 0);
+        put_target(text, packings[packing_of(material_set_format(set, i))].pack, i, 0);
     }
     put(text, "\n");
 }
 
-void transparency_reader(const Set *set, char text[TRANSPARENCY_TEXT])
+void transparency_reader(const MaterialSet *set, char text[TRANSPARENCY_TEXT])
 {
     int word = TRANSPARENCY_NODE_HEAD;
     *text = 0;
     put(text, "#define LISTS_STRIDE %du\n#define LISTS_TEXELS ", transparency_stride(set));
-    for (int i = 0; set_format(set, i); i++) {
-        const int packing = packing_of(set_format(set, i));
+    for (int i = 0; material_set_format(set, i); i++) {
+        const int packing = packing_of(material_set_format(set, i));
         put(text, "%s", i ? ", " : "");
         put_target(text, packings[packing].unpack, i, word);
         word += packings[packing].words;
@@ -99,7 +99,7 @@ void transparency_reader(const Set *set, char text[TRANSPARENCY_TEXT])
     put(text, "\n");
 }
 
-void transparency_text(const GlContext *gl, const Set *set, Transparency way,
+void transparency_text(const GlContext *gl, const MaterialSet *set, Transparency way,
                        TransparencyText *made)
 {
     static const char *const depths[] = {"gl_FragCoord.z", "gl_FragDepth"};
@@ -117,7 +117,7 @@ void transparency_text(const GlContext *gl, const Set *set, Transparency way,
         char *tail = made->tail[plane];
         int targets = 0;
         put(tail, "#undef main\n#undef discard\n#define FRAGMENT_DEPTH %s\n", depths[plane]);
-        while (set_format(set, targets))
+        while (material_set_format(set, targets))
             targets++;
         if (lists)
             put_packing(set, tail);

@@ -1,7 +1,7 @@
 /* Per-instance data of programs that draw instances (MatcOptions.instances), in the std140
  * layout of their buffers. */
-#ifndef MATC_CACHE_INSTANCES_H
-#define MATC_CACHE_INSTANCES_H
+#ifndef MATC_GPU_SCENE_INSTANCES_H
+#define MATC_GPU_SCENE_INSTANCES_H
 #include "runtime/gpu_material/spaces.h"
 #include "runtime/scene/scene.h"
 #include <stdint.h>

@@ -11,8 +11,8 @@
  *
  * become one text with variables `vec2 trace_texcoord, uv, traceX_uv;`, functions
  * traceVertexMain() and traceSurfaceMain(), and the main() of trace_resolve.glsl. */
-#ifndef MATC_CACHE_TRACE_TEXT_H
-#define MATC_CACHE_TRACE_TEXT_H
+#ifndef MATC_GPU_SCENE_TRACE_TEXT_H
+#define MATC_GPU_SCENE_TRACE_TEXT_H
 #include "compiler/matc.h"
 
 /* Joins two texts of matc that use instancing. From malloc; NULL if memory runs out. */

@@ -1,8 +1,8 @@
-#include "runtime/cache/cache_trace.h"
+#include "runtime/gpu_scene/gpu_scene_trace.h"
 #include "compiler/base/vec3.h"
 #include "gen/render_text.h"
-#include "runtime/cache/instances.h"
-#include "runtime/cache/trace_text.h"
+#include "runtime/gpu_scene/instances.h"
+#include "runtime/gpu_scene/trace_text.h"
 #include "runtime/displace/traced/displaced_traced.h"
 #include <math.h>
 #include <stdlib.h>
@@ -11,72 +11,72 @@ enum { MET_UNIT = MATERIAL_TEXTURES - 1 };
 
 /* -- programs */
 
-static bool make_program(Store *store, const CacheSource *source, const SetProgram *program,
+static bool make_program(Store *store, const GpuSceneSource *source, const PassProgram *program,
                          Material *made)
 {
     GlContext *gl = store_context(store);
-    char *text = trace_text(program->program, set_vertex(source->set, program),
-                            set_fragment(source->set, program));
+    char *text = trace_text(program->program, material_set_vertex(source->set, program),
+                            material_set_fragment(source->set, program));
     if (!text)
         return gl_fail(gl, "out of memory");
     const ProgramText of = {.vertex = {"#version 450 core\n", render_text_trace_vertex},
                             .fragment = {text}};
     const bool fine = material_make(store, program->program, &of, made) ||
-                      set_fail(gl, source->scene, program->material);
+                      material_set_fail(gl, source->scene, program->material);
     free(text);
     if (fine)
         material_set_number(made, "trace_met", MET_UNIT);
     return fine;
 }
 
-bool cache_trace_make(Store *store, const CacheSource *source, Cache *cache)
+bool gpu_scene_trace_make(Store *store, const GpuSceneSource *source, GpuScene *gpu_scene)
 {
-    if (!cache->instances || source->written || source->lines)
+    if (!gpu_scene->instances || source->written || source->lines)
         return true;
-    cache->traced = calloc((size_t)cache->kind_count + 1, sizeof *cache->traced);
-    bool fine = cache->traced || gl_fail(store_context(store), "out of memory");
-    for (int i = 0; fine && i < cache->place_count; i++) {
-        const CachePlace *place = &cache->places[i];
-        if (place->transparent || !displaced_traced(&cache->displaced[place->mesh]))
+    gpu_scene->traced = calloc((size_t)gpu_scene->kind_count + 1, sizeof *gpu_scene->traced);
+    bool fine = gpu_scene->traced || gl_fail(store_context(store), "out of memory");
+    for (int i = 0; fine && i < gpu_scene->place_count; i++) {
+        const GpuScenePlace *place = &gpu_scene->places[i];
+        if (place->transparent || !displaced_traced(&gpu_scene->displaced[place->mesh]))
             continue;
-        const SetProgram *program =
-            set_find(source->set, source->scene->objects[place->object].material, "gbuffer");
-        cache->tracing = true;
-        if (!cache->traced[place->kind].store)
-            fine = make_program(store, source, program, &cache->traced[place->kind]);
+        const PassProgram *program = material_set_find(
+            source->set, source->scene->objects[place->object].material, "gbuffer");
+        gpu_scene->tracing = true;
+        if (!gpu_scene->traced[place->kind].store)
+            fine = make_program(store, source, program, &gpu_scene->traced[place->kind]);
     }
-    for (int i = 0; fine && i < cache->mesh_count; i++)
-        if (displaced_traced(&cache->displaced[i]))
-            mesh_attach(store_context(store), &displaced_traced(&cache->displaced[i])->hulls,
-                        cache->words);
+    for (int i = 0; fine && i < gpu_scene->mesh_count; i++)
+        if (displaced_traced(&gpu_scene->displaced[i]))
+            mesh_attach(store_context(store), &displaced_traced(&gpu_scene->displaced[i])->hulls,
+                        gpu_scene->words);
     return fine;
 }
 
-void cache_trace_delete(Cache *cache)
+void gpu_scene_trace_delete(GpuScene *gpu_scene)
 {
-    for (int i = 0; cache->traced && i < cache->kind_count; i++)
-        material_delete(&cache->traced[i]);
-    free(cache->traced);
+    for (int i = 0; gpu_scene->traced && i < gpu_scene->kind_count; i++)
+        material_delete(&gpu_scene->traced[i]);
+    free(gpu_scene->traced);
 }
 
-void cache_trace_view(const CacheSource *source, Cache *cache)
+void gpu_scene_trace_view(const GpuSceneSource *source, GpuScene *gpu_scene)
 {
-    for (int i = 0; cache->tracing && i < cache->kind_count; i++)
-        if (cache->traced[i].store)
-            spaces_set(&source->space->spaces, &cache->traced[i]);
+    for (int i = 0; gpu_scene->tracing && i < gpu_scene->kind_count; i++)
+        if (gpu_scene->traced[i].store)
+            spaces_set(&source->space->spaces, &gpu_scene->traced[i]);
 }
 
-bool cache_traces(const Cache *cache, const Drawable *drawable)
+bool gpu_scene_traces(const GpuScene *gpu_scene, const Drawable *drawable)
 {
-    return cache->tracing && cache->traced[drawable->kind].store &&
-           displaced_traced(&cache->displaced[drawable->mesh]);
+    return gpu_scene->tracing && gpu_scene->traced[drawable->kind].store &&
+           displaced_traced(&gpu_scene->displaced[drawable->mesh]);
 }
 
 /* -- drawing */
 
-static void begin(GlContext *gl, const Cache *cache, GLuint view)
+static void begin(GlContext *gl, const GpuScene *gpu_scene, GLuint view)
 {
-    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, cache->matrices);
+    gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_MATRICES, gpu_scene->matrices);
     gl->BindBufferBase(GL_UNIFORM_BUFFER, UNIFORMS_VIEW, view);
     gl->CullFace(GL_FRONT); /* a ray leaves a hull once, wherever it begins */
     gl->Enable(GL_DEPTH_CLAMP);
@@ -95,16 +95,16 @@ static void set(Material *material, const char *name, int lanes, const float *va
     material_set(material, &(MaterialValue){name, lanes, values});
 }
 
-static void draw_hulls(GlContext *gl, const Cache *cache, int mesh, const int range[2])
+static void draw_hulls(GlContext *gl, const GpuScene *gpu_scene, int mesh, const int range[2])
 {
-    const DisplacedTrace *trace = displaced_traced(&cache->displaced[mesh]);
-    displaced_traced_bind(&cache->displaced[mesh], &cache->meshes[mesh]);
+    const DisplacedTrace *trace = displaced_traced(&gpu_scene->displaced[mesh]);
+    displaced_traced_bind(&gpu_scene->displaced[mesh], &gpu_scene->meshes[mesh]);
     (trace->parallax ? gl->Disable : gl->Enable)(GL_CULL_FACE);
     mesh_draw_instances(gl, &trace->hulls, range[0], range[1]);
 }
 
 /* Size of a pixel in clip space. */
-static void find_pixel(const CacheSource *source, float pixel[2])
+static void find_pixel(const GpuSceneSource *source, float pixel[2])
 {
     for (int i = 0; i < 2; i++)
         pixel[i] = 2 / (float)source->size[i];
@@ -117,40 +117,41 @@ static void set_pixels(Material *trace, const float pixel[2], const float corner
     set(trace, "trace_corner", 2, corner);
 }
 
-void cache_trace_rays(GlContext *gl, const CacheSource *source, Cache *cache)
+void gpu_scene_trace_rays(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene)
 {
     float pixel[2];
     find_pixel(source, pixel);
     const float corner[2] = {pixel[0] * (float)source->at[0] - 1,
                              pixel[1] * (float)source->at[1] - 1};
-    begin(gl, cache, cache->views[0]);
-    for (int i = 0; i < cache->opaque_count; i++) {
-        const Drawable *drawable = &cache->surfaces[i];
-        if (!drawable->seen || !cache_traces(cache, drawable))
+    begin(gl, gpu_scene, gpu_scene->views[0]);
+    for (int i = 0; i < gpu_scene->opaque_count; i++) {
+        const Drawable *drawable = &gpu_scene->surfaces[i];
+        if (!drawable->seen || !gpu_scene_traces(gpu_scene, drawable))
             continue;
-        Material *trace = &displaced_traced(&cache->displaced[drawable->mesh])->trace;
+        Material *trace = &displaced_traced(&gpu_scene->displaced[drawable->mesh])->trace;
         set(trace, "trace_viewer", 4, source->space->spaces.viewer);
         set(trace, "trace_offset", 2, (float[]){0, 0});
         set_pixels(trace, pixel, corner);
         gl->FrontFace(drawable->mirrored ? GL_CW : GL_CCW);
         material_use(trace);
-        draw_hulls(gl, cache, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
+        draw_hulls(gl, gpu_scene, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
     }
     end(gl);
 }
 
-void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache, GLuint met)
+void gpu_scene_trace_surfaces(GlContext *gl, const GpuSceneSource *source, GpuScene *gpu_scene,
+                              GLuint met)
 {
     float pixel[2];
     find_pixel(source, pixel);
-    begin(gl, cache, cache->views[0]);
-    for (int i = 0; i < cache->opaque_count; i++) {
-        const Drawable *drawable = &cache->surfaces[i];
-        CacheKind *kind = &cache->kinds[drawable->kind];
-        if (!drawable->seen || !cache_traces(cache, drawable))
+    begin(gl, gpu_scene, gpu_scene->views[0]);
+    for (int i = 0; i < gpu_scene->opaque_count; i++) {
+        const Drawable *drawable = &gpu_scene->surfaces[i];
+        GpuSceneKind *kind = &gpu_scene->kinds[drawable->kind];
+        if (!drawable->seen || !gpu_scene_traces(gpu_scene, drawable))
             continue;
-        Material *material = &cache->traced[drawable->kind];
-        const DisplacedTrace *trace = displaced_traced(&cache->displaced[drawable->mesh]);
+        Material *material = &gpu_scene->traced[drawable->kind];
+        const DisplacedTrace *trace = displaced_traced(&gpu_scene->displaced[drawable->mesh]);
         material_set_number(material, "trace_parts", (float)trace->parts);
         material_set_number(material, "trace_hull", (float)trace->triangles);
         material_set_number(material, "trace_turn", drawable->mirrored ? -1 : 1);
@@ -161,7 +162,7 @@ void cache_trace_surfaces(GlContext *gl, const CacheSource *source, Cache *cache
         texture_bind(gl, met, MET_UNIT);
         if (kind->numbers)
             gl->BindBufferBase(GL_SHADER_STORAGE_BUFFER, INSTANCE_NUMBERS, kind->numbers);
-        draw_hulls(gl, cache, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
+        draw_hulls(gl, gpu_scene, drawable->mesh, (int[]){drawable->first_seen, drawable->seen});
     }
     end(gl);
 }
@@ -198,18 +199,19 @@ static void find_viewer(const double m[16], float viewer[4])
         viewer[i] = parallel && i == 3 ? 0 : (float)(at[i] * scale);
 }
 
-void cache_trace_cast(GlContext *gl, Cache *cache, int mesh, const CacheTraceCast *cast)
+void gpu_scene_trace_cast(GlContext *gl, GpuScene *gpu_scene, int mesh,
+                          const GpuSceneTraceCast *cast)
 {
-    const CacheLight *light = cast->light;
-    Material *trace = &displaced_traced(&cache->displaced[mesh])->trace;
+    const GpuSceneLight *light = cast->light;
+    Material *trace = &displaced_traced(&gpu_scene->displaced[mesh])->trace;
     float viewer[4];
     find_viewer(light->clip_from_world, viewer);
     set(trace, "trace_viewer", 4, viewer);
     set(trace, "trace_offset", 2, light->traced->offset);
     set_pixels(trace, light->traced->pixel, light->traced->corner);
     material_use(trace);
-    begin(gl, cache, cache->views[1]);
-    draw_hulls(gl, cache, mesh, (int[]){cast->first, cast->count});
+    begin(gl, gpu_scene, gpu_scene->views[1]);
+    draw_hulls(gl, gpu_scene, mesh, (int[]){cast->first, cast->count});
     gl->CullFace(GL_BACK);
     gl->Disable(GL_CULL_FACE);
     gl->Disable(GL_DEPTH_CLAMP);

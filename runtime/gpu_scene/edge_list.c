@@ -1,6 +1,6 @@
 /* Objects of equal solids share their edges. Silhouettes are found with the eye in each object's
  * local space; visible edges are projected into the picture. */
-#include "runtime/cache/edge_list.h"
+#include "runtime/gpu_scene/edge_list.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "runtime/scene/scene_matrix.h"

@@ -1,5 +1,5 @@
 /* Matrices and rays are computed in double and rounded once. */
-#include "runtime/cache/view_space.h"
+#include "runtime/gpu_scene/view_space.h"
 #include "runtime/scene/scene_area.h"
 #include "runtime/scene/scene_matrix.h"
 #include <math.h>

@@ -1,6 +1,6 @@
 /* Finds edges by adjacency: each triangle adds its sides; a side that two triangles share is an
  * edge between them. */
-#include "runtime/cache/edge_mesh.h"
+#include "runtime/gpu_scene/edge_mesh.h"
 #include "compiler/base/hash.h"
 #include "compiler/base/hash_index.h"
 #include "compiler/base/vec3.h"
