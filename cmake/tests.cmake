@@ -77,7 +77,7 @@ function(matc_test_program program)
   add_executable(${program} ${ARGN})
   target_compile_definitions(${program} PRIVATE SOURCE_FOLDER="${PROJECT_SOURCE_DIR}" MATC_PROGRAM="$<TARGET_FILE:matc>"
     MATVIEW_PROGRAM="$<TARGET_FILE:matview>")
-  target_link_libraries(${program} PRIVATE test_support matc_tool matc_measure matc_view PkgConfig::CMOCKA PkgConfig::CJSON)
+  target_link_libraries(${program} PRIVATE test_support matc_tool matc_autotune matc_view PkgConfig::CMOCKA PkgConfig::CJSON)
   set_target_properties(${program} PROPERTIES LINKER_LANGUAGE CXX RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/tests)
 endfunction()
 function(matc_test_needs program name)

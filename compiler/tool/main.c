@@ -9,7 +9,7 @@
 #include "compiler/tool/cache.h"
 #include "compiler/tool/layout_option.h"
 #include "compiler/tool/options_fault.h"
-#include "runtime/measure/pareto.h"
+#include "runtime/autotune/pareto.h"
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

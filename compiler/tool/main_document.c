@@ -7,7 +7,7 @@
 #include "compiler/base/watch.h"
 #include "compiler/tool/options_fault.h"
 #include "compiler/tool/single.h"
-#include "runtime/measure/pareto.h"
+#include "runtime/autotune/pareto.h"
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -64,7 +64,7 @@ static bool is_refused(const CommandLine *line, const MatcDocument *document, in
 int main_choose(const CommandLine *line, const MatcDocument *document, int material,
                 MatcOptions *options)
 {
-    ParetoAnswer answer;
+    ParetoChoice answer;
     *options = line->compile;
     if (!line->max_error)
         return FINE;
@@ -84,7 +84,7 @@ int main_choose(const CommandLine *line, const MatcDocument *document, int mater
 
 static int print_pareto(const CommandLine *line, const MatcDocument *document, int material)
 {
-    ParetoAnswer answer;
+    ParetoChoice answer;
     if (is_refused(line, document, material))
         return FAULT;
     Shown shown = {0};

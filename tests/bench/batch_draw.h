@@ -2,7 +2,7 @@
 #ifndef BATCH_DRAW_H
 #define BATCH_DRAW_H
 #include "batch_run.h"
-#include "runtime/measure/meter.h"
+#include "runtime/autotune/meter.h"
 #include <cjson/cJSON.h>
 
 /* A batch's programs and the targets that they are drawn to. */

@@ -1,8 +1,8 @@
 /* State that the parts of `matbench error` share: drawing, and where results go. */
 #ifndef MATBENCH_ERROR_H
 #define MATBENCH_ERROR_H
-#include "runtime/measure/measure.h"
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/autotune.h"
+#include "runtime/autotune/plot.h"
 #include <stdio.h>
 
 enum { TARGETS_LIMIT = 64, TARGET_TEXT = 256, PANELS_LIMIT = 32 };

@@ -189,19 +189,19 @@ void error_materials(ErrorBench *bench)
         MeasuredList list;
         bench_show(subjects[i].name);
         MatcDocument *document = error_document(subjects[i].name, subjects[i].text);
-        const MeasureRequest request = {.document = document,
-                                        .options = &options,
-                                        .open = variant_open(&options),
-                                        .range = subjects[i].range,
-                                        .scale = subjects[i].scale,
-                                        .seconds = bench->seconds,
-                                        .aliasing = true};
-        if (measure_variants(bench->meter, &request, &list)) {
+        const AutotuneRequest request = {.document = document,
+                                         .options = &options,
+                                         .open = variant_open(&options),
+                                         .range = subjects[i].range,
+                                         .scale = subjects[i].scale,
+                                         .seconds = bench->seconds,
+                                         .aliasing = true};
+        if (autotune_variants(bench->meter, &request, &list)) {
             figures(bench, subjects[i].name, &list);
             report(bench, i, &list);
             add_panel(bench, subjects[i].name, &list, false);
             add_panel(bench, subjects[i].name, &list, true);
-            measure_free(&list);
+            autotune_free(&list);
         }
         matc_document_free(document);
     }

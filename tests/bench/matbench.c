@@ -3,7 +3,7 @@
 #include "matbench.h"
 #include "compiler/base/progress.h"
 #include "compiler/base/suggest.h"
-#include "runtime/measure/meter.h"
+#include "runtime/autotune/meter.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -3,7 +3,7 @@
  * time of a constant colour is subtracted. */
 #include "compiler/base/file.h"
 #include "matbench.h"
-#include "runtime/measure/meter.h"
+#include "runtime/autotune/meter.h"
 #include "tests/draw/canvas.h"
 #include <math.h>
 #include <stdio.h>

@@ -6,8 +6,8 @@
 #include "compiler/describe/describe.h"
 #include "compiler/evaluate.h"
 #include "compiler/library/normal.h"
-#include "runtime/measure/meter.h"
-#include "runtime/measure/variant.h"
+#include "runtime/autotune/meter.h"
+#include "runtime/autotune/variant.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

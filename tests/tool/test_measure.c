@@ -2,8 +2,8 @@
  * promise. */
 /* ctest: seconds=11 */
 #include "tests/test.h"
-#include "runtime/measure/pareto.h"
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/pareto.h"
+#include "runtime/autotune/plot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -34,13 +34,13 @@ static void list_material(const char *text, const MatcOptions *options, double s
 {
     Meter *meter = open_meter();
     MatcDocument *document = read_document(text);
-    const MeasureRequest request = {.document = document,
-                                    .options = options,
-                                    .open = variant_open(options),
-                                    .range = measure_range,
-                                    .seconds = seconds,
-                                    .aliasing = true};
-    if (!measure_variants(meter, &request, list))
+    const AutotuneRequest request = {.document = document,
+                                     .options = options,
+                                     .open = variant_open(options),
+                                     .range = measure_range,
+                                     .seconds = seconds,
+                                     .aliasing = true};
+    if (!autotune_variants(meter, &request, list))
         fail_msg("%s", meter->error);
     matc_document_free(document);
     meter_close(meter);
@@ -126,7 +126,7 @@ static void known_errors_are_found(void **state)
     assert_true(m->computed[SLOT_diffuse].maximum < 1e-7);
     assert_true(isnan(m->packed[SLOT_ior].maximum));
     assert_true(m->aliasing == 0);
-    measure_free(&list);
+    autotune_free(&list);
 }
 
 /* A checker near the horizon is aliased; noise takes time. */
@@ -144,7 +144,7 @@ static void aliasing_and_time_are_found(void **state)
     assert_true(list.at[0].nanoseconds > 0 && list.constant > 0);
     assert_true(list.at[0].front);
     assert_true(list.at[0].error < 0.05); /* not far from the reference */
-    measure_free(&list);
+    autotune_free(&list);
 }
 
 static int count_fields(const char *line)
@@ -165,7 +165,7 @@ static void tables_are_well_formed(void **state)
     MatcOptions options = defaults();
     Meter *meter = open_meter();
     list_material("material: Phong\ndiffuse: 0.3\n", &options, 1, &list);
-    char *csv = measure_csv(&list, "a \"name\", quoted", meter->gl, true),
+    char *csv = autotune_csv(&list, "a \"name\", quoted", meter->gl, true),
          *svg = pareto_svg(&list, "<&>", meter->gl);
     int lines = 0, fields = count_fields(csv);
     for (const char *line = csv; *line; line = strchr(line, '\n') + 1, lines++)
@@ -177,14 +177,14 @@ static void tables_are_well_formed(void **state)
     assert_null(strstr(svg, "nan"));
     free(csv);
     free(svg);
-    measure_free(&list);
+    autotune_free(&list);
     meter_close(meter);
 }
 
 static void choice_keeps_the_promise(void **state)
 {
     (void)state;
-    ParetoAnswer answer = {0};
+    ParetoChoice answer = {0};
     MatcDocument *document = read_document("material: Phong\ndiffuse: 0.3\nemissive: 0.5\n");
     const ParetoSubject subject = {
         .document = document, .gl = GL_KIND_osmesa, .range = measure_range};
@@ -218,8 +218,8 @@ static void long_coordinates_lose_nothing(void **state)
     assert_true(plain.at[0].computed[SLOT_emissive].maximum > 1e-3);
     assert_true(parts.at[0].computed[SLOT_diffuse].maximum < 1e-6);
     assert_true(parts.at[0].computed[SLOT_emissive].maximum < 2e-6);
-    measure_free(&plain);
-    measure_free(&parts);
+    autotune_free(&plain);
+    autotune_free(&parts);
 }
 
 int main(void)

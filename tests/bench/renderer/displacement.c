@@ -232,7 +232,7 @@ static bool measure_programs(GlContext *gl, const BenchOptions *a)
     return displacement_programs(gl, a->timed, a->triangles / 4);
 }
 
-static bool measure_table(GlContext *gl, const BenchOptions *a)
+static bool autotune_table(GlContext *gl, const BenchOptions *a)
 {
     return displacement_table(gl, a->timed, a->triangles, a->plot);
 }
@@ -267,7 +267,7 @@ static const struct {
               {"bisection", measure_bisection, true},
               {"silhouettes", measure_silhouettes, true},
               {"slopes", measure_slopes, true},
-              {"table", measure_table, true}};
+              {"table", autotune_table, true}};
 enum { TABLES = sizeof tables / sizeof *tables };
 
 const char *bench_displacement_table(const void *user, int i)

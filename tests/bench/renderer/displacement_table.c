@@ -5,7 +5,7 @@
 #include "displacement.h"
 #include "tests/bench/matbench.h"
 #include "runtime/frame/frame.h"
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/plot.h"
 #include "runtime/render/render.h"
 #include "runtime/scene_reader/scene_read.h"
 #include <math.h>

@@ -321,7 +321,7 @@ static bool measure_quality(GlContext *gl, const BenchOptions *a)
     return bench_indirect_quality(gl, &(IndirectQuality){a->pixels, a->timed});
 }
 
-static bool measure_table(GlContext *gl, const BenchOptions *a)
+static bool autotune_table(GlContext *gl, const BenchOptions *a)
 {
     return bench_indirect_table(gl, &(IndirectTable){a->meshes, a->pixels, a->timed});
 }
@@ -332,7 +332,7 @@ static const struct {
     const char *name;
     bool (*measure)(GlContext *, const BenchOptions *);
 } tables[] = {{"maps", measure_maps},     {"rays", measure_rays},       {"path", measure_path},
-              {"passes", measure_passes}, {"quality", measure_quality}, {"table", measure_table}};
+              {"passes", measure_passes}, {"quality", measure_quality}, {"table", autotune_table}};
 /* what takes minutes is measured only by its name */
 enum { TABLES = sizeof tables / sizeof *tables, LONG = 3 };
 

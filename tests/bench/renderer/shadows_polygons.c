@@ -2,7 +2,7 @@
  * which all is drawn anew for each frame. */
 #include "shadows.h"
 #include "tests/bench/matbench.h"
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/plot.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* GL context for measurements: draws points and views, times draws, and reads G-buffers back.
  * Not thread-safe. */
-#ifndef MATC_MEASURE_METER_H
-#define MATC_MEASURE_METER_H
+#ifndef MATC_AUTOTUNE_METER_H
+#define MATC_AUTOTUNE_METER_H
 #include "runtime/gpu_material/reader.h"
-#include "runtime/measure/sample.h"
+#include "runtime/autotune/sample.h"
 
 typedef struct {
     GlContext *gl;

@@ -1,5 +1,5 @@
 /* Formats plots as SVG text. */
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/plot.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

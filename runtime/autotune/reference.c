@@ -1,11 +1,11 @@
 /* Evaluates reference values and measures errors against them. */
 #include "compiler/evaluate.h"
-#include "runtime/measure/measure.h"
+#include "runtime/autotune/autotune.h"
 #include <math.h>
 #include <stdlib.h>
 
-bool measure_reference(const MeasureRequest *request, const Variant *variant,
-                       const FieldVertex *points, SlotValues *values)
+bool autotune_reference(const AutotuneRequest *request, const Variant *variant,
+                        const FieldVertex *points, SlotValues *values)
 {
     MatcOptions options = variant_options(variant, request->options);
     options.target = NULL; /* the drawn programs are GLSL 3.30 */
@@ -28,7 +28,7 @@ static double distance(const SlotRow *row, double found, double wanted)
     return fabs(clamp(found, row->low, row->high) - right) / fmax(1, fabs(right));
 }
 
-Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count)
+Distance autotune_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count)
 {
     const SlotRow *row = &slot_table[slot];
     int lanes = type_table[row->type].lanes;

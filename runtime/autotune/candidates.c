@@ -1,11 +1,11 @@
 /* Compiles every variant and removes duplicate programs. */
-#include "runtime/measure/candidates.h"
+#include "runtime/autotune/candidates.h"
 #include <stdlib.h>
 #include <string.h>
 
 /* Returns whether the variant compiles for the requested target, which can lack a layout. The
  * measurement itself uses GLSL 3.30. */
-static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
+static bool is_wanted(const AutotuneRequest *request, const MatcOptions *options)
 {
     if (!options->target || !strcmp(options->target, "glsl330"))
         return true;
@@ -19,7 +19,7 @@ static bool is_wanted(const MeasureRequest *request, const MatcOptions *options)
 }
 
 /* Returns NULL if the variant does not compile, or does not for the requested target. */
-static MatcProgram *compile_variant(const MeasureRequest *request, const Variant *variant)
+static MatcProgram *compile_variant(const AutotuneRequest *request, const Variant *variant)
 {
     MatcOptions options = variant_options(variant, request->options);
     options.pass = "gbuffer";
@@ -39,7 +39,7 @@ static bool is_among(const Candidate *kept, int count, const MatcProgram *progra
     return false;
 }
 
-Candidate *candidates_make(const MeasureRequest *request, MeasuredList *list, int *count)
+Candidate *candidates_make(const AutotuneRequest *request, MeasuredList *list, int *count)
 {
     int all;
     Variant base;

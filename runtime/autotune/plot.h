@@ -1,7 +1,7 @@
 /* Plots of error against time: small panels with two logarithmic axes and the Pareto front as a
  * line, or with several lines. */
-#ifndef MATC_MEASURE_PLOT_H
-#define MATC_MEASURE_PLOT_H
+#ifndef MATC_AUTOTUNE_PLOT_H
+#define MATC_AUTOTUNE_PLOT_H
 #include <stdbool.h>
 #include <stddef.h>
 

@@ -1,7 +1,7 @@
 /* Geometry for measurements: points with arbitrary shader inputs, one fragment each, and a plane
  * in perspective up to its horizon. */
-#ifndef MATC_MEASURE_SAMPLE_H
-#define MATC_MEASURE_SAMPLE_H
+#ifndef MATC_AUTOTUNE_SAMPLE_H
+#define MATC_AUTOTUNE_SAMPLE_H
 #include "compiler/oracle/oracle.h"
 #include "runtime/gpu_material/field.h"
 

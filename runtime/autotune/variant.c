@@ -1,5 +1,5 @@
 /* Converts variants to options and names, and enumerates combinations. */
-#include "runtime/measure/variant.h"
+#include "runtime/autotune/variant.h"
 #include "compiler/pipeline.h"
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Low-discrepancy points, and a plane in perspective. */
-#include "runtime/measure/sample.h"
+#include "runtime/autotune/sample.h"
 #include <string.h>
 
 /* Returns element `index` of a low-discrepancy sequence in [0, 1): multiples of an irrational

@@ -1,6 +1,6 @@
 /* A variant: one choice on every axis of grammar/variants.def, and a layout. */
-#ifndef MATC_MEASURE_VARIANT_H
-#define MATC_MEASURE_VARIANT_H
+#ifndef MATC_AUTOTUNE_VARIANT_H
+#define MATC_AUTOTUNE_VARIANT_H
 #include "compiler/matc.h"
 #include "grammar/tables.h"
 

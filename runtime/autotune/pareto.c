@@ -1,8 +1,8 @@
 /* Formats tables and plots, and applies the measured choices. */
-#include "runtime/measure/pareto.h"
+#include "runtime/autotune/pareto.h"
 #include "compiler/base/memory.h"
 #include "compiler/base/output.h"
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/plot.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +50,7 @@ char *pareto_svg(const MeasuredList *list, const char *title, const GlContext *g
 }
 
 static bool write_text(const char *basename, const char *suffix, const char *text,
-                       ParetoAnswer *answer)
+                       ParetoChoice *answer)
 {
     char path[LONGEST_PATH];
     snprintf(path, sizeof path, "%s%s", basename, suffix);
@@ -61,12 +61,12 @@ static bool write_text(const char *basename, const char *suffix, const char *tex
 /* Writes CSV, SVG and PNG. A missing PNG library is not an error: `out` reports the missing
  * file. */
 static bool write_files(const ParetoSubject *subject, const MeasuredList *list, const GlContext *gl,
-                        FILE *out, ParetoAnswer *answer)
+                        FILE *out, ParetoChoice *answer)
 {
     char path[LONGEST_PATH], reason[512];
     const char *name = matc_material_name(subject->document, subject->material),
                *basename = subject->basename;
-    char *csv = measure_csv(list, name, gl, true), *svg = pareto_svg(list, name, gl);
+    char *csv = autotune_csv(list, name, gl, true), *svg = pareto_svg(list, name, gl);
     bool done =
         write_text(basename, ".csv", csv, answer) && write_text(basename, ".svg", svg, answer);
     snprintf(path, sizeof path, "%s.png", basename);
@@ -99,39 +99,39 @@ static void put_summary(FILE *out, const MeasuredList *list, const Meter *meter)
     fputc('\n', out);
 }
 
-static MeasureRequest request_of(const ParetoSubject *subject, const MatcOptions *options,
-                                 VariantAxes open, double seconds)
+static AutotuneRequest request_of(const ParetoSubject *subject, const MatcOptions *options,
+                                  VariantAxes open, double seconds)
 {
-    return (MeasureRequest){.document = subject->document,
-                            .material = subject->material,
-                            .options = options,
-                            .open = open,
-                            .range = subject->range,
-                            .progress = subject->progress,
-                            .user = subject->user,
-                            .seconds = seconds};
+    return (AutotuneRequest){.document = subject->document,
+                             .material = subject->material,
+                             .options = options,
+                             .open = open,
+                             .range = subject->range,
+                             .progress = subject->progress,
+                             .user = subject->user,
+                             .seconds = seconds};
 }
 
-bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, ParetoAnswer *answer)
+bool pareto_measure(const ParetoSubject *subject, const MatcOptions *options, ParetoChoice *answer)
 {
     MeasuredList list;
     size_t size;
     Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
-    MeasureRequest request = request_of(subject, options, variant_open(options), pareto_seconds);
+    AutotuneRequest request = request_of(subject, options, variant_open(options), pareto_seconds);
     request.aliasing = true;
-    bool done = measure_variants(meter, &request, &list) ||
+    bool done = autotune_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     FILE *out = done ? open_memstream(&answer->text, &size) : NULL;
     if (out) {
-        char *lines = measure_table(&list);
+        char *lines = autotune_table(&list);
         fputs(lines, out);
         put_summary(out, &list, meter);
         free(lines);
         done = !subject->basename || write_files(subject, &list, meter->gl, out, answer);
         fclose(out);
-        measure_free(&list);
+        autotune_free(&list);
         if (!done)
             free(answer->text);
     }
@@ -192,7 +192,7 @@ static char *explain(const MeasuredList *list, int chosen, double most, const Va
 }
 
 static bool refuse(const MeasuredList *list, int best, double most, const VariantAxes *open,
-                   ParetoAnswer *answer)
+                   ParetoChoice *answer)
 {
     char name[VARIANT_NAME];
     chosen_name(&list->at[best], open, name);
@@ -215,25 +215,25 @@ static void take(const Variant *variant, const VariantAxes *open, MatcOptions *o
 }
 
 bool pareto_choose(const ParetoSubject *subject, double most, MatcOptions *options,
-                   ParetoAnswer *answer)
+                   ParetoChoice *answer)
 {
     MeasuredList list;
     int best;
     Meter *meter = meter_open(subject->gl, answer->error, sizeof answer->error);
     if (!meter)
         return false;
-    const MeasureRequest request =
+    const AutotuneRequest request =
         request_of(subject, options, open_for_choice(options), choose_seconds);
-    bool done = measure_variants(meter, &request, &list) ||
+    bool done = autotune_variants(meter, &request, &list) ||
                 message_fail(answer->error, sizeof answer->error, "%s", meter->error);
     if (done) {
-        int chosen = measure_choose(&list, most, &best);
+        int chosen = autotune_choose(&list, most, &best);
         done = chosen >= 0 || refuse(&list, best, most, &request.open, answer);
         if (done) {
             answer->text = explain(&list, chosen, most, &request.open, meter);
             take(&list.at[chosen].variant, &request.open, options);
         }
-        measure_free(&list);
+        autotune_free(&list);
     }
     meter_close(meter);
     return done;

@@ -1,4 +1,4 @@
-#include "runtime/measure/errors.h"
+#include "runtime/autotune/errors.h"
 #include "compiler/base/memory.h"
 #include "runtime/gl/message.h"
 #include <math.h>
@@ -39,7 +39,7 @@ static Truth *truth_of(Errors *e, const Variant *variant)
     if (truth->values)
         return truth;
     truth->values = errors_room(POINTS, sizeof *truth->values);
-    truth->unknown = !measure_reference(e->request, variant, e->vertices, truth->values);
+    truth->unknown = !autotune_reference(e->request, variant, e->vertices, truth->values);
     return truth;
 }
 
@@ -53,7 +53,7 @@ bool errors_has_truth(Errors *e, const Variant *variant)
                         POINTS);
 }
 
-bool errors_open(Errors *e, Meter *m, const MeasureRequest *request)
+bool errors_open(Errors *e, Meter *m, const AutotuneRequest *request)
 {
     FieldVertex plane[PLANE_VERTICES];
     double scale = request->scale > 0 ? request->scale : 1;
@@ -156,7 +156,7 @@ static Distance find_computed(Errors *e, const Variant *variant, int slot, Mater
         for (int i = 0; i < POINTS; i++)
             for (int lane = 0; lane < 4; lane++)
                 found[i].lane[slot][lane] = rgba[i][lane];
-        result = measure_distance((Slot)slot, found, truth_of(e, variant)->values, POINTS);
+        result = autotune_distance((Slot)slot, found, truth_of(e, variant)->values, POINTS);
     }
     free(found);
     free(rgba);
@@ -224,7 +224,7 @@ static bool find_packed(Errors *e, Measured *m, MatcProgram *program, Material *
     for (int slot = 0; slot < SLOT_COUNT; slot++)
         m->packed[slot] =
             fine && e->meter->readers[layout].holds[slot]
-                ? measure_distance((Slot)slot, found, truth_of(e, &m->variant)->values, POINTS)
+                ? autotune_distance((Slot)slot, found, truth_of(e, &m->variant)->values, POINTS)
                 : (Distance){NAN, NAN};
     free(found);
     return fine;

@@ -1,6 +1,6 @@
 /* Renders SVG to PNG with librsvg. The library is loaded by dlopen, so the program does not link
  * to it. */
-#include "runtime/measure/plot.h"
+#include "runtime/autotune/plot.h"
 #include "runtime/gl/message.h"
 #include <dlfcn.h>
 #include <math.h>

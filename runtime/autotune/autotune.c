@@ -1,6 +1,6 @@
 /* Measures the errors of all variants one after the other, then their times together. */
-#include "runtime/measure/candidates.h"
-#include "runtime/measure/errors.h"
+#include "runtime/autotune/candidates.h"
+#include "runtime/autotune/errors.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdlib.h>
@@ -13,7 +13,7 @@ enum { LEAST_ROUNDS = 5, SOFTWARE_SIDE = 512, HARDWARE_SIDE = 2048 };
 typedef struct {
     Errors errors;
     Meter *meter;
-    const MeasureRequest *request;
+    const AutotuneRequest *request;
     Material *materials; /* of pass gbuffer, parallel to list->at */
     double start;
 } Work;
@@ -137,7 +137,7 @@ static bool measure_candidates(Work *w, MeasuredList *list)
     return measure_times(w, list);
 }
 
-bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list)
+bool autotune_variants(Meter *meter, const AutotuneRequest *request, MeasuredList *list)
 {
     Work *w = errors_room(1, sizeof *w);
     Variant base;
@@ -153,11 +153,11 @@ bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList 
         mark_fronts(list);
     discard(w, list->count);
     if (!fine)
-        measure_free(list);
+        autotune_free(list);
     return fine;
 }
 
-void measure_free(MeasuredList *list)
+void autotune_free(MeasuredList *list)
 {
     free(list->at);
     *list = (MeasuredList){0};

@@ -1,10 +1,10 @@
 /* Run time against error: compiles a material in several variants, draws each, and reports its
  * time per pixel and its deviation from the C reference and from a supersampled picture. Prints
  * nothing. */
-#ifndef MATC_MEASURE_H
-#define MATC_MEASURE_H
-#include "runtime/measure/meter.h"
-#include "runtime/measure/variant.h"
+#ifndef MATC_AUTOTUNE_H
+#define MATC_AUTOTUNE_H
+#include "runtime/autotune/meter.h"
+#include "runtime/autotune/variant.h"
 
 /* Errors are measured in units of max(1, |reference|), with both values clamped to the slot's
  * range: the absolute difference for a color, the relative one for an exponent. NaN counts as
@@ -52,23 +52,23 @@ typedef struct {
     bool aliasing;  /* measure aliasing, too */
     void (*progress)(void *user, int done, int total);
     void *user;
-} MeasureRequest;
+} AutotuneRequest;
 
 enum { MEASURE_ROUNDS = 15, MEASURE_SIDE = 256 /* picture size for aliasing, in pixels */ };
 extern const double measure_range; /* matc's default range */
 
 /* Measures all variants. list->at is from malloc; its first member is the variant given by the
  * options. Returns false with the reason in meter->error. */
-bool measure_variants(Meter *meter, const MeasureRequest *request, MeasuredList *list);
-void measure_free(MeasuredList *list);
+bool autotune_variants(Meter *meter, const AutotuneRequest *request, MeasuredList *list);
+void autotune_free(MeasuredList *list);
 
 /* Evaluates all points with the C reference and the variant's noise. `values` holds POINTS
  * elements. Returns false if the evaluation exceeds the reference's operation limit; then the
  * values are undefined. */
-bool measure_reference(const MeasureRequest *request, const Variant *variant,
-                       const FieldVertex *points, SlotValues *values);
+bool autotune_reference(const AutotuneRequest *request, const Variant *variant,
+                        const FieldVertex *points, SlotValues *values);
 /* Returns the errors of one slot over `count` points. */
-Distance measure_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count);
+Distance autotune_distance(Slot slot, const SlotValues *found, const SlotValues *wanted, int count);
 
 /* Pareto front: marks the points that no other point dominates. A point dominates another if it
  * is at least as good in time and error and better in one of them. Errors within 1% of each
@@ -81,11 +81,11 @@ void front_mark(FrontPoint *points, int count);
 
 /* Returns the index of the fastest variant with error <= most that holds every slot of the first
  * variant; -1: none. *best is the index of the smallest error, or -1 for an empty list. */
-int measure_choose(const MeasuredList *list, double most, int *best);
+int autotune_choose(const MeasuredList *list, double most, int *best);
 
 /* Formats the list as CSV, one line per variant. `subject` fills the first column; `header` adds
  * a header line. Returns a string from malloc. */
-char *measure_csv(const MeasuredList *list, const char *subject, const GlContext *gl, bool header);
+char *autotune_csv(const MeasuredList *list, const char *subject, const GlContext *gl, bool header);
 /* Formats the list as a readable table. Returns a string from malloc. */
-char *measure_table(const MeasuredList *list);
+char *autotune_table(const MeasuredList *list);
 #endif

@@ -1,5 +1,5 @@
 /* Pareto front of a list, and choice of a variant from a list. */
-#include "runtime/measure/measure.h"
+#include "runtime/autotune/autotune.h"
 #include <math.h>
 
 /* Returns whether a dominates b. Less than 1% more precision does not justify a slower variant. */
@@ -27,7 +27,7 @@ static bool holds_as_much(const Measured *candidate, const Measured *first)
     return true;
 }
 
-int measure_choose(const MeasuredList *list, double most, int *best)
+int autotune_choose(const MeasuredList *list, double most, int *best)
 {
     int chosen = -1;
     *best = -1;

@@ -1,5 +1,5 @@
 /* Measures the time of draws by the GPU's timer or the wall clock. */
-#include "runtime/measure/meter.h"
+#include "runtime/autotune/meter.h"
 #include "runtime/gl/clock.h"
 #include "runtime/gl/message.h"
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* Formats measurement results as CSV and as a table. */
-#include "runtime/measure/measure.h"
+#include "runtime/autotune/autotune.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -69,7 +69,7 @@ static void put_line(FILE *out, const Measured *m, const char *subject, const Gl
     fputc('\n', out);
 }
 
-char *measure_csv(const MeasuredList *list, const char *subject, const GlContext *gl, bool header)
+char *autotune_csv(const MeasuredList *list, const char *subject, const GlContext *gl, bool header)
 {
     char *text;
     size_t size;
@@ -89,7 +89,7 @@ static int by_time(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-char *measure_table(const MeasuredList *list)
+char *autotune_table(const MeasuredList *list)
 {
     char *text, name[VARIANT_NAME];
     size_t size;

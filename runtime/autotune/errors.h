@@ -1,8 +1,8 @@
 /* Errors of a variant: deviation of its slot values and its picture from the reference. */
-#ifndef MATC_MEASURE_ERRORS_H
-#define MATC_MEASURE_ERRORS_H
-#include "runtime/measure/measure.h"
-#include "runtime/measure/meter.h"
+#ifndef MATC_AUTOTUNE_ERRORS_H
+#define MATC_AUTOTUNE_ERRORS_H
+#include "runtime/autotune/autotune.h"
+#include "runtime/autotune/meter.h"
 
 /* Cached errors of a program of pass value, which several variants often share. */
 typedef struct {
@@ -21,7 +21,7 @@ typedef struct {
 /* State of error measurement, with the cached results. */
 typedef struct {
     Meter *meter;
-    const MeasureRequest *request;
+    const AutotuneRequest *request;
     FieldVertex vertices[POINTS];
     Field points, view;
     Framebuffer picture;
@@ -32,7 +32,7 @@ typedef struct {
 
 /* Opens error measurement. Returns false with the message in meter->error if render targets
  * cannot be created. Call errors_close in both cases. */
-bool errors_open(Errors *e, Meter *meter, const MeasureRequest *request);
+bool errors_open(Errors *e, Meter *meter, const AutotuneRequest *request);
 void errors_close(Errors *e);
 /* Returns whether reference values exist for a variant. Returns false with the message in
  * meter->error if the reference takes too long; then no variant with these choices can be

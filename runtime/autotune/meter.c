@@ -1,5 +1,5 @@
 /* Contexts, render targets, drawing of points, unpacking and supersampled means. */
-#include "runtime/measure/meter.h"
+#include "runtime/autotune/meter.h"
 #include "runtime/gl/message.h"
 #include <math.h>
 #include <stdlib.h>
